@@ -25,7 +25,7 @@ std::vector<tools::ToolCard> CardLibrary::cards_of(tools::ToolKinds kinds,
 {
     constexpr std::size_t kMostBytes = 4096;
     std::vector<fs::path> files;
-    std::error_code error; // A missing folder has no cards.
+    std::error_code error; // An error is ignored: a missing folder has no cards.
     for (fs::directory_iterator file(folder_, error), end; !error && file != end;
          file.increment(error))
         if (file->path().extension() == kEnding && files.size() < kMostCards)

@@ -58,8 +58,9 @@ private:
     std::deque<std::filesystem::path> waiting_;
     bool is_making_ = false;
     std::unique_ptr<batch::PictureThread>
-        drawing_;              // Used by the job only; null until a picture must be rendered.
-    bool cannot_draw_ = false; // Used by the job only.
+        // Renderer used only by the background job; null until a picture must be rendered.
+        drawing_;
+    bool cannot_draw_ = false; // Flag used only by the background job: pictures cannot be rendered.
     NewestJob<std::filesystem::path, Made> job_; // Declared last, because it uses the members
                                                  // above.
 };

@@ -11,20 +11,20 @@
 
 namespace tractus::controllers {
 
-// The contents of a page on which a file is chosen, or no file.
+// Contents of a page on which the user chooses a file, or none.
 struct Choices {
     struct Choice {
         std::string title {};
         std::string detail {};
-        std::filesystem::path file {}; // Empty: the choice "none".
+        std::filesystem::path file {}; // The file to choose; empty: the choice "none".
     };
     struct Group {
         std::string title {};
         std::vector<Choice> choices {};
     };
-    std::string question {};      // Heading, such as "Which ...?".
-    std::vector<Group> groups {}; // Groups without choices are not shown.
-    std::string if_none {};       // Heading if there are no choices at all.
+    std::string question {};      // Heading of the page, such as "Which ...?".
+    std::vector<Group> groups {}; // Groups of choices; groups without choices are not shown.
+    std::string if_none {};       // Heading of the page if there are no choices at all.
 };
 
 // Pictures to lay behind the drawing: the newest in each of these folders.
@@ -37,7 +37,7 @@ Choices picture_choices(std::vector<std::filesystem::path> const& folders);
 struct LeavesInDocument {
     struct Drawn {
         std::filesystem::path file {};
-        std::string on_choice {}; // What choosing it does, for its card.
+        std::string on_choice {}; // Text on the card that says what choosing it does.
     };
     std::vector<Drawn> drawn {};
     std::vector<Drawn> in_views {}; // Leaves drawn in three views.

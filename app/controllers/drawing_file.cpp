@@ -74,7 +74,7 @@ static Result<OpenedDrawing> begin_unnamed(WantedDrawing wanted, scene::EditKind
         opened.unnamed = wanted.session;
         return opened;
     }
-    // If the plant itself was the cause, this fails.
+    // Fails if the plant itself was the cause of the first failure.
     opened.scene = TRY(scene_of_plant(wanted.plant, kinds));
     opened.trouble = "what is drawn is not kept: " + session.error().message;
     return opened;

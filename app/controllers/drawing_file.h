@@ -22,12 +22,14 @@ struct WantedDrawing {
 
 // An opened drawing.
 struct OpenedDrawing {
-    std::string name {};   // Display name, from its file's name.
-    scene::Scene scene {}; // Used only without a session; `trouble` says why there is none.
+    std::string name {}; // Display name, made of the file's name.
+    // The scene to draw on without a session; `trouble` says why there is none.
+    scene::Scene scene {};
     std::optional<session::Session> session {};
     std::filesystem::path unnamed {}; // The session's file if it is new and has a generated name.
-    std::filesystem::path model {};   // File of its model in cpfg's language; empty if it has none.
-    std::string trouble {};           // A warning for the user: a sentence without its full stop.
+    // File of the plant's model in cpfg's language; empty if it has none.
+    std::filesystem::path model {};
+    std::string trouble {}; // A warning for the user: a sentence without its full stop.
 };
 
 // Opens a drawing. If a new session with a generated name cannot be created, the drawing opens

@@ -12,7 +12,7 @@ namespace tractus::controllers {
 // Writes the grammars of leaves drawn in a document into a folder, one file per leaf in the order
 // of the plants, for pages that show files. A leaf that cannot be written is skipped.
 struct DrawnLeafFile {
-    scene::ItemId leaf = 0; // The plant that consists of the leaf.
+    scene::ItemId leaf = 0; // The plant of the document that consists of this leaf.
     std::filesystem::path file {};
 
     bool operator==(DrawnLeafFile const&) const = default;

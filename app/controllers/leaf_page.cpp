@@ -33,7 +33,7 @@ constexpr std::size_t kFirstNumber = 2;
 
 double in_steps(double value, double step)
 {
-    // Rounded so that it prints with few digits.
+    // Rounds the value so that it prints with few digits.
     return std::round(std::round(value / step) * step * 100) / 100;
 }
 
@@ -93,7 +93,7 @@ leaf::LeafLook LeafPage::look() const
 void LeafPage::slide(std::size_t slider, double value)
 {
     if (slider == kAge) {
-        season_.reset(); // The season would override the chosen age.
+        season_.reset(); // Clears the season, which would override the chosen age.
         wanted_.age = in_steps(value, 0.01);
     } else if (slider == kSeason) {
         set_season(value);
@@ -105,7 +105,7 @@ void LeafPage::slide(std::size_t slider, double value)
     job_.want({ subject_, look() });
 }
 
-// A month below 1 means no season.
+// Sets the season's month; a month below 1 means no season.
 void LeafPage::set_season(double month)
 {
     if (month < 1)

@@ -18,7 +18,7 @@ namespace tractus::controllers {
 class LeafPage final : public view::StartPageModel {
 public:
     struct Subject {
-        std::string title {}; // For example "Oak".
+        std::string title {}; // Title of the page, for example "Oak".
         methods::GrammarOfLeaves grammar {};
         methods::Dressing wanted {};            // The initial settings of the page.
         std::optional<scene::Season> season {}; // The document's season.
@@ -62,7 +62,8 @@ private:
     bool is_open_ = false;
     bool is_left_ = false;
     view::StartPageState state_;
-    std::shared_ptr<Subject const> subject_ {}; // As given when the page was opened.
+    // The leaf's subject as given when the page was opened.
+    std::shared_ptr<Subject const> subject_ {};
     methods::Dressing wanted_ {};
     std::optional<scene::Season> season_ {};
     std::optional<view::DressActivePlant> accepted_ {};

@@ -19,7 +19,7 @@ public:
 
     // Shows the cards for the current tool's kind; reads the folder when the kind changes.
     void show(view::WindowState& state);
-    void show_again(view::WindowState& state); // Reads the folder again.
+    void show_again(view::WindowState& state); // Reads the folder of cards again and shows them.
 
     void perform(view::KeepCard const&, view::WindowState& state);
     void perform(view::RenameCard const& command, view::WindowState& state);

@@ -58,7 +58,8 @@ Result<LiveWindow> LiveWindow::create(devices::LiveDevices devices, LiveWindowOp
     if (!window.options_.socket.empty())
         window.stream_ = TRY(stream::StreamOutput::open_socket(
             window.options_.socket, window.station_.volume_mm(), stream::StreamOutput::What::All));
-    if (!window.options_.picture.empty()) // Laid with a command, so that it is recorded, too.
+    // The picture is laid with a command, so that this is recorded, too.
+    if (!window.options_.picture.empty())
         window.perform(view::LayPictureFile { window.options_.picture });
     return window;
 }
@@ -103,7 +104,7 @@ Result<void> LiveWindow::finish()
 
 Result<void> LiveWindow::close()
 {
-    if (!options_.now) // This object was moved from.
+    if (!options_.now) // Returns early if this object was moved from.
         return {};
     auto const kept = finish();
     auto const recorded = recorder_ ? stop_recording() : Result<void>();
@@ -113,7 +114,7 @@ Result<void> LiveWindow::close()
         stream_->serve(options_.now());
         stream_.reset();
     }
-    if (!kept) // Saving the drawing has priority over the other errors.
+    if (!kept) // Errors in saving the drawing take precedence over other errors.
         return kept;
     return recorded ? written : recorded;
 }
@@ -171,7 +172,7 @@ void LiveWindow::follow_model()
         controller_->take_model(*std::move(changed), station_);
 }
 
-// A simulated hand waits until a drawing is open.
+// Passes the devices' reports on; a simulated hand waits until a drawing is open.
 void LiveWindow::take_reports()
 {
     if (!drawings_are_open())
@@ -218,7 +219,8 @@ void LiveWindow::tell_programs()
     moments_.insert(moments_.end(), moments.begin(), moments.end());
     if (!stream_)
         return;
-    stream_->serve(options_.now()); // Accepts new clients, so that they receive this, too.
+    // Accepts new clients first, so that they receive the following lines, too.
+    stream_->serve(options_.now());
     static_cast<void>(stream_->tell(moments, station_, scene()));
     stream_->serve(options_.now());
 }
@@ -255,7 +257,8 @@ void LiveWindow::tell_device_changes()
         case devices::LiveDevices::State::Connected:
             view().state().status = fmt::format("{} is back", name);
             break;
-        case devices::LiveDevices::State::Away: // Reported by tell_who_is_away().
+        // Nothing to say here, as tell_who_is_away() reports disconnected devices.
+        case devices::LiveDevices::State::Away:
             break;
         case devices::LiveDevices::State::Ended:
             view().state().status = fmt::format("{} is over", name);
@@ -297,7 +300,7 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
                                               .rig_text = calib::print_rig(station_options_.rig),
                                               .start = now }));
     (void)controller_->finish(station_, now);
-    (void)controller_->take_done(); // Earlier steps do not belong to the recording.
+    (void)controller_->take_done(); // Discards earlier steps, which do not belong to the recording.
     recorded_from_stroke_ = controller_->document().stroke_count();
     recorder_->write_tool(now, tools::kLeastExtentsLine,
                           tools::print_least_extents(station_.least_extents()));
@@ -344,7 +347,7 @@ void LiveWindow::perform_kind(view::SetRecording const& command)
         status = begun ? fmt::format("Recording into {}", path.string()) : begun.error().message;
         return;
     }
-    // Pending steps belong to the recording.
+    // Finishes pending steps, which belong to the recording.
     (void)controller_->finish(station_, options_.now());
     record_steps();
     auto const stopped = stop_recording();
@@ -477,7 +480,7 @@ void LiveWindow::perform_kind(view::OpenCalibration const&)
 void LiveWindow::perform_kind(view::CloseCalibration const&)
 {
     calibration_.reset();
-    ++view().state().live_revision; // Redraws the views, which are visible again.
+    ++view().state().live_revision; // Makes the views redraw, as they are visible again.
 }
 
 void LiveWindow::calibrate()
@@ -503,13 +506,13 @@ void LiveWindow::use_rig(calib::Rig const& rig)
     station_.finish();
     tell_programs();
     record_tool_changes();
-    // Unsaved steps are retried later.
+    // Saving may fail here; unsaved steps are retried later.
     auto const kept = controller_->finish(station_, options_.now());
     station_options_ = std::move(options);
     go_on_with(*std::move(station));
     controller_->show_again(station_,
                             kept ? "The pen draws by the new calibration" : kept.error().message);
-    if (recorder_) // The log's header contains the old rig, so the recording ends.
+    if (recorder_) // Ends a recording, as its log's header contains the old rig.
         perform_kind(view::SetRecording { false });
 }
 

@@ -31,8 +31,8 @@
 namespace tractus::controllers {
 
 struct LiveWindowOptions {
-    tools::Methods methods {}; // Methods that are available.
-    // nullopt: chosen by choose_rig().
+    tools::Methods methods {}; // Methods that are available in the window.
+    // Calibration of the devices; nullopt: chosen by choose_rig().
     std::optional<calib::Rig> rig {};
     // File for the rig after calibration; empty: calibration is not available.
     std::filesystem::path rig_file {};
@@ -63,7 +63,7 @@ struct LiveWindowOptions {
     // empty: no caching.
     std::vector<std::filesystem::path> picture_folders {};
     std::filesystem::path cache {};
-    std::filesystem::path picture {}; // Picture to lay there at first; empty: none.
+    std::filesystem::path picture {}; // Picture to lay behind the drawing at first; empty: none.
     std::filesystem::path leaves {};  // Folder of the user's own leaf grammars.
     std::filesystem::path cards {};   // Folder of the user's own cards; empty: none.
     // File of the drawn plant's model; when it is saved, the plant is updated. Empty: none.
@@ -168,31 +168,36 @@ private:
 
     devices::LiveDevices devices_;
     LiveWindowOptions options_;
-    station::StationOptions station_options_; // Kept for starting a new drawing.
+    // Options of the station, kept for starting a new drawing.
+    station::StationOptions station_options_;
     station::Station station_;
     // Controller of the current drawing; always has a value.
     std::optional<StationController> controller_;
     LiveCards cards_;
     // Page on which a picture or leaf is chosen; null until opened.
     std::unique_ptr<ChoicePage> choices_;
-    ChoiceOf choice_of_ = ChoiceOf::Picture;      // What choices_ is for.
+    ChoiceOf choice_of_ = ChoiceOf::Picture;      // Whether choices_ is for pictures or leaves.
     std::vector<DrawnLeafFile> drawn_leaves_ {};  // Leaves of the document among the choices.
     std::vector<DrawnOrganFile> drawn_organs_ {}; // Leaves drawn in three views among the choices.
     std::filesystem::path kept_leaf_ {};     // File of the plant's current foliage; may be empty.
     std::unique_ptr<LeafPage> leaf_page_;    // Page that previews leaves; null until opened.
     std::optional<io::FollowedModel> model_; // The model's file, watched for changes.
     std::optional<devices::LiveRecorder> recorder_;
-    std::optional<stream::StreamOutput> stream_; // nullopt if the drawing is not streamed.
-    std::vector<station::PenMoment> moments_;    // Pen input that has not been shown yet.
+    // Output that streams the drawing; nullopt if it is not streamed.
+    std::optional<stream::StreamOutput> stream_;
+    std::vector<station::PenMoment> moments_; // Pen input that has not been shown yet.
     // Index in the document of the recording's first stroke.
     std::size_t recorded_from_stroke_ = 0;
-    std::optional<devices::LiveDiagnosis> diagnosis_; // Set while the devices are watched.
+    // Diagnosis of the devices, while they are watched.
+    std::optional<devices::LiveDiagnosis> diagnosis_;
     Timestamp next_look_ {}; // Time at which the diagnosis's findings are read next.
-    std::optional<CalibrationPanelController> calibration_; // Set during calibration.
+    // The calibration page's controller, during calibration.
+    std::optional<CalibrationPanelController> calibration_;
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<devices::LiveReport> reports_; // Kept as a member so that its memory is reused.
-    std::vector<devices::LiveDevices::State> states_; // States that have been reported to the user.
-    std::uint64_t lost_reports_ = 0;                  // Count that has been reported to the user.
+    // States of the devices that have been reported to the user.
+    std::vector<devices::LiveDevices::State> states_;
+    std::uint64_t lost_reports_ = 0; // Number of lost reports that has been reported to the user.
 };
 
 } // namespace tractus::controllers

@@ -46,7 +46,7 @@ std::string LiveWindow::leave_drawing()
     auto const file = session.is_in_file() ? session.path() : std::filesystem::path();
     bool const is_drawn = session.last_step() > 0;
     auto const unnamed = options_.unnamed ? std::exchange(*options_.unnamed, {}) : file;
-    go_on_with(OpenedDrawing {}); // Opening an empty drawing closes the file.
+    go_on_with(OpenedDrawing {}); // Replaces the drawing with an empty one, which closes the file.
     view().state().title = "tractus";
     if (!written)
         return fmt::format("A file was not written: {}", written.error().message);
@@ -73,8 +73,8 @@ void LiveWindow::go_on_with(OpenedDrawing drawing)
     if (!drawing.model.empty())
         follow(drawing.model);
     auto& state = view().state();
-    state.live_revision += before.live_revision + 1; // So that nothing shown before is taken for
-                                                     // current.
+    // Changes the revision, so that nothing shown before is taken for current.
+    state.live_revision += before.live_revision + 1;
     state.strokes_revision += before.strokes_revision + 1;
     state.skeleton_revision += before.skeleton_revision + 1;
     state.plant_revision += before.plant_revision + 1;

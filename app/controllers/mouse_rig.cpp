@@ -33,10 +33,10 @@ struct MouseRig::Shared {
     double wanted_mm = 0;  // The surface's target height.
     double surface_mm = 0; // The surface's current height.
 
-    bool has_tablet = false;                // The mouse replaces the tablet.
+    bool has_tablet = false;                // True if the mouse replaces the tablet.
     std::deque<drivers::RawReport> reports; // Reports of the pen that have not been read yet.
     Timestamp last_move {};                 // Time of the pen's newest report.
-    Timestamp last_reading {};              // When all heights were last read.
+    Timestamp last_reading {};              // Time at which all heights were last read.
     Timestamp heights_until {};             // Heights up to this time have been sent.
 
     // Time up to which heights may be sent. The pen's next positions get times after its last
@@ -142,9 +142,9 @@ private:
 
     std::shared_ptr<MouseRig::Shared> shared_;
     drivers::DeviceInfo info_;
-    std::optional<Timestamp> next_; // When the next height is due.
+    std::optional<Timestamp> next_; // Time at which the next height is due.
     Timestamp begin_ {};            // Time of the first height due in this reading.
-    std::optional<Timestamp> last_; // When a height was last sent.
+    std::optional<Timestamp> last_; // Time at which a height was last sent.
     bool flickers_ = false;
 };
 
@@ -193,7 +193,8 @@ void MouseRig::move_pen(std::span<sim::TabletPen const> pens)
     if (!shared_->has_tablet)
         return;
     auto const now = shared_->now();
-    // After a pause the movement has only just begun.
+    // Longest time between frames over which a movement is spread; after a pause it has only just
+    // begun.
     constexpr Duration kLongestFrame = std::chrono::milliseconds(100);
     auto const begin
         = std::max({ shared_->last_move, shared_->heights_until, now - kLongestFrame });

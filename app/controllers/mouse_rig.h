@@ -26,7 +26,7 @@ public:
     static constexpr Duration kHeightPeriod = std::chrono::milliseconds(5);
     // Period in the middle of a stall, during which the surface is at rest.
     static constexpr Duration kStalledHeightPeriod = std::chrono::milliseconds(100);
-    static constexpr double kTop_mm = 300; // The surface's range is 0 to kTop_mm.
+    static constexpr double kTop_mm = 300; // Greatest height of the surface; the least is 0.
     // Speed limit for the surface, about that of one moved by hand; the wheel may ask for more.
     static constexpr double kFastest_mm_per_s = 1500;
 

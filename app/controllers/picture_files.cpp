@@ -26,8 +26,8 @@ bool is_picture_file(fs::path const& file)
 std::vector<fs::path> pictures_in(fs::path const& folder, std::size_t most)
 {
     constexpr int kDeepest = 2;
-    constexpr std::size_t kMostLookedAt = 20'000; // Files looked at per folder, which may be a
-                                                  // whole archive.
+    // Most files looked at per folder, which may be a whole archive.
+    constexpr std::size_t kMostLookedAt = 20'000;
     std::vector<std::pair<std::chrono::sys_seconds, fs::path>> found;
     std::error_code error;
     std::size_t looked_at = 0;

@@ -10,7 +10,7 @@
 
 namespace tractus::controllers {
 
-// Decides by the file name's extension.
+// True if the file name's extension is that of a picture.
 bool is_picture_file(std::filesystem::path const& file);
 
 // The pictures in a folder and its subfolders, newest first, at most `most`. Skips hidden files;

@@ -11,8 +11,8 @@ namespace tractus::controllers {
 // A session in the list of recent ones.
 struct RecentDrawing {
     std::filesystem::path file {};
-    std::string name {}; // See name_of_drawing().
-    std::string time {}; // When it was last changed, from time_in_words().
+    std::string name {}; // Display name of the drawing; see name_of_drawing().
+    std::string time {}; // Time of the last change, from time_in_words().
 };
 
 // The sessions in a folder, most recently changed first, at most `most`; empty if there is no such

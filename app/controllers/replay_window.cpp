@@ -34,7 +34,7 @@ ReplayWindow::~ReplayWindow()
     static_cast<void>(close());
 }
 
-// A stroke that the replay has drawn only in part is dropped.
+// Ends the replay; a stroke drawn only in part is dropped.
 Result<void> ReplayWindow::finish()
 {
     return controller_.finish(replay_.station(), now_);

@@ -41,7 +41,8 @@ private:
     void perform_kind(view::SetPlaying const& command);
     void perform_kind(view::SetSpeed const& command);
     void perform_kind(view::Restart const&);
-    void perform_kind(view::ChooseTool const&) { } // Tools change as recorded.
+    // Choosing a tool has no effect, as tools change as recorded.
+    void perform_kind(view::ChooseTool const&) { }
     void perform_kind(view::AdjustTool const&) { }
     void perform_kind(view::TakeLikeDrawn const&) { }
     void perform_kind(view::KeepCard const&) { }
@@ -53,7 +54,8 @@ private:
     void perform_kind(view::OpenLeaves const&) { }
     void perform_kind(view::DressActivePlant const&) { }
     void perform_kind(view::BringLeaf const&) { }
-    void perform_kind(view::NameDrawing const&) { } // A recording has no name to change.
+    // Naming has no effect, as a recording has no name to change.
+    void perform_kind(view::NameDrawing const&) { }
     void perform_kind(view::SaveCopy const&) { }
     void perform_kind(view::WriteRules const&) { }
     // The window's controls were elsewhere when the log was recorded.
@@ -61,9 +63,12 @@ private:
     void perform_kind(view::PressInstead const&) { }
     void perform_kind(view::MoveMousePen const&) { }
     void perform_kind(view::MoveSurface const&) { }
-    void perform_kind(view::SetRecording const&) { }  // It is already a recording.
-    void perform_kind(view::WatchDevices const&) { }  // No devices are connected.
-    void perform_kind(view::OpenStartPage const&) { } // A replay ends by itself.
+    // Recording has no effect during a replay, which plays a recording already.
+    void perform_kind(view::SetRecording const&) { }
+    // Watching devices has no effect, as none are connected.
+    void perform_kind(view::WatchDevices const&) { }
+    // There is no start page, as a replay ends by itself.
+    void perform_kind(view::OpenStartPage const&) { }
     void perform_kind(view::OpenCalibration const&) { }
     void perform_kind(view::CloseCalibration const&) { }
     template<typename Command> void perform_kind(Command const& command)
@@ -73,8 +78,8 @@ private:
 
     view::StationView& view() { return controller_.view(); }
 
-    drivers::Log const* log_;        // Not owned.
-    station::ReplayOptions options_; // Kept for a restart.
+    drivers::Log const* log_;        // The log that is replayed; not owned.
+    station::ReplayOptions options_; // Options of the replay, kept for a restart.
     station::LogReplay replay_;
     Timestamp now_; // Current time in the log.
     StationController controller_;

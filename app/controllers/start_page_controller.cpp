@@ -78,7 +78,7 @@ StartPageController::~StartPageController()
     if (!opened || !*opened || (*opened)->unnamed.empty())
         return;
     auto const file = (*opened)->unnamed;
-    opened.reset(); // Closes the session.
+    opened.reset(); // Closes the session before its file may be deleted.
     remove_if_nothing_was_drawn(file);
 }
 

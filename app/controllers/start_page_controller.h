@@ -26,7 +26,7 @@ struct StartPageOptions {
     std::vector<std::filesystem::path> models {};
     std::filesystem::path sessions {}; // Folder whose newest sessions are offered.
     std::filesystem::path pictures {}; // Cache folder for thumbnails; empty: no caching.
-    std::function<std::chrono::sys_seconds()> now {}; // Wall clock.
+    std::function<std::chrono::sys_seconds()> now {}; // Returns the time of the wall clock.
 };
 
 // Options with the built-in models and the user's own folders (user_folder.h): models in "models"
@@ -52,7 +52,7 @@ public:
     // The chosen drawing, once it has been opened; the page is then closed.
     struct Chosen {
         OpenedDrawing drawing;
-        std::optional<tools::Tool> tool {}; // The tool to select.
+        std::optional<tools::Tool> tool {}; // The tool to select for the drawing.
     };
     std::optional<Chosen> take_opened();
 

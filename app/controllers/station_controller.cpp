@@ -123,7 +123,7 @@ void StationController::show_files()
 
 Result<void> StationController::finish(station::Station& station, Timestamp now)
 {
-    if (!document_) // This object was moved from.
+    if (!document_) // Returns early if this object was moved from.
         return {};
     take_strokes(station);
     document_->try_again();
@@ -151,7 +151,7 @@ bool StationController::may_close(Result<void> const& finished)
 Result<void> StationController::finish_files()
 {
     Result<void> done;
-    if (!files_) // This object was moved from.
+    if (!files_) // Returns early if this object was moved from.
         return done;
     files_->settle();
     while (auto const written = files_->take())
@@ -263,7 +263,7 @@ void StationController::perform(view::DressActivePlant const& command, station::
         if (!scene::active_plant(scene.state))
             return fail(Fault::User, "There is no plant yet: draw one first");
         auto edits = TRY(methods::dressing_edits(scene, scene.state.active, wanted));
-        // In a season the leaves' ages follow the season.
+        // In a season the leaves' ages follow the season instead of the chosen age.
         if (auto const then = season.value_or(scene.state.season); then || season) {
             auto const dressed = TRY(scene::apply_edits(scene, edits));
             for (auto& edit : TRY(batch::season_edits(dressed, then)))
@@ -400,7 +400,7 @@ void StationController::perform(view::PickVariation const& command, station::Sta
     set_growth(pick, station);
 }
 
-// `change` is called after all earlier steps.
+// Changes the growth as an undoable step. `change` is called after all earlier steps.
 void StationController::set_growth(
     std::function<Result<document::WantedStep::Change>(scene::SetGrowth growth)> const& change,
     station::Station& station)
@@ -467,7 +467,7 @@ void StationController::perform(view::NameDrawing const& command, station::Stati
         state.title = fmt::format("tractus: {}", *state.drawing_name);
 }
 
-// The copy includes everything drawn before the command.
+// Saves a copy that includes everything drawn before the command.
 void StationController::perform(view::SaveCopy const& command, station::Station& station)
 {
     auto const begin = [&]() -> Result<void> {
@@ -493,7 +493,7 @@ void StationController::perform(view::SaveCopy const& command, station::Station&
         view_.state().status = begin.error().message;
 }
 
-// Changes of the rules file update the plant from then on.
+// Writes the rules file, whose changes update the plant from then on.
 void StationController::perform(view::WriteRules const&, station::Station& station)
 {
     auto const written = [&]() -> Result<std::filesystem::path> {

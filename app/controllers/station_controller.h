@@ -110,8 +110,8 @@ private:
 
     std::unique_ptr<document::Document> document_; // On the heap, because this object is movable.
     view::StationView view_;
-    std::vector<document::DoneStep> done_; // Steps not taken yet.
-    std::optional<tools::Tool> hand_;      // Tool not taken yet.
+    std::vector<document::DoneStep> done_; // Steps that take_done() has not returned yet.
+    std::optional<tools::Tool> hand_;      // Tool that take_hand() has not returned yet.
     std::size_t told_dabs_ = 0; // Number of the station's dabs (touches too short for a stroke)
                                 // handled so far.
     // Kinds of tools for which the message about dabs was shown.

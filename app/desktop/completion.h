@@ -9,8 +9,8 @@ namespace tractus::desktop {
 // Words that may come next on a command line; a shell offers them when Tab is pressed.
 struct Completion {
     struct Word {
-        std::string text;  // Replaces the last word that is being typed.
-        std::string about; // Explanatory sentence; may be empty.
+        std::string text;  // Word that replaces the last one, which is being typed.
+        std::string about; // Sentence that explains the word; may be empty.
     };
     std::vector<Word> words;
 

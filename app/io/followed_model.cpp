@@ -22,7 +22,7 @@ FollowedModel::FollowedModel(std::filesystem::path model, std::optional<scene::L
     taken_ = last_look_ = look();
 }
 
-// Included files are watched, too.
+// Lists the files to watch: the model's own and those it includes.
 void FollowedModel::list_files(scene::LoadModel const* model)
 {
     files_ = { model_ };

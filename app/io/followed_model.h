@@ -39,8 +39,8 @@ private:
 
     std::filesystem::path model_;
     std::vector<std::filesystem::path> files_;
-    std::optional<scene::LoadModel> loaded_ {}; // No value after an error.
-    Stamps taken_;                              // Stamps of the files when they were read.
+    std::optional<scene::LoadModel> loaded_ {}; // The model as last read; no value after an error.
+    Stamps taken_; // Time stamps of the files when they were last read.
     Stamps last_look_;
     Timestamp next_look_ {};
 };

@@ -144,7 +144,7 @@ static std::vector<std::string> unused_companions(std::filesystem::path const& p
             if (used && std::filesystem::equivalent(file, *used, ignored))
                 continue;
             if (std::filesystem::exists(model.replace_extension(path.extension()), ignored))
-                continue; // It belongs to another model.
+                continue; // Skips a file that belongs to another model.
             result.push_back(fmt::format("{} is not used, since its name is not the model's; "
                                          "{} {} uses it",
                                          file.string(), option, file.string()));
@@ -152,7 +152,7 @@ static std::vector<std::string> unused_companions(std::filesystem::path const& p
     };
     if (companions.view.empty())
         note(".v", view_of(path, companions), "--view");
-    if (!companions.colors.empty()) // The user has chosen colours.
+    if (!companions.colors.empty()) // Skips the colour files, as the user has chosen colours.
         return result;
     note(".mat", colors_of(path, companions, ".mat"), "--colors");
     note(".map", colors_of(path, companions, ".map"), "--colors");

@@ -14,7 +14,7 @@ namespace tractus::io {
 // model.
 struct ModelCompanions {
     std::filesystem::path view;
-    std::filesystem::path colors; // A .mat or .map file.
+    std::filesystem::path colors; // Colour file, a .mat or .map file.
     std::string environment;      // Text for parse_environment(); empty: the view's environment.
 };
 

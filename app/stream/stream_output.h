@@ -57,7 +57,7 @@ private:
     struct Growing {
         Timestamp began {};
         std::size_t steps_told = 0;
-        std::size_t tips = 0; // Number of tips when its steps were last written.
+        std::size_t tips = 0; // Number of the stroke's tips when its steps were last written.
     };
 
     Result<void> tell_steps(Stroke const& stroke, tools::Tool const& tool,
@@ -68,7 +68,8 @@ private:
     std::optional<LineServer> server_;
     What what_;
     std::size_t stroke_count_ = 0;
-    std::vector<Growing> growing_; // At most one unfinished stroke for each pen.
+    // Unfinished strokes along which something grows, at most one for each pen.
+    std::vector<Growing> growing_;
 };
 
 } // namespace tractus::stream

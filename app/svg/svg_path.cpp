@@ -92,7 +92,7 @@ private:
 
     bool draw(char kind)
     {
-        if (closed_) { // The next line begins at the start of the closed one.
+        if (closed_) { // After a closed line, the next line begins at its start.
             lines_.push_back({ at_ });
             closed_ = false;
         }

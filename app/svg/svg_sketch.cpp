@@ -20,7 +20,8 @@ namespace tractus::svg {
 namespace {
 
 constexpr double kPixel_mm = 25.4 / 96;
-constexpr char const* kAnotherStem = "another"; // Start of a label such as "another stem".
+// Word for another stem; a label may begin with it, such as "another stem".
+constexpr char const* kAnotherStem = "another";
 
 // State inherited by an element's children.
 struct Surroundings {

@@ -18,7 +18,8 @@ namespace tractus::terminal {
 namespace {
 
 constexpr std::size_t kMostShownBytes = std::size_t { 16 } << 20;
-constexpr std::size_t kMaxLine = 160; // A longer line is cut to a part around the column.
+// Most characters of a shown line; a longer one is cut to a part around the column.
+constexpr std::size_t kMaxLine = 160;
 
 constexpr std::string_view kBold = "\033[1m";
 constexpr std::string_view kRed = "\033[1;31m";
@@ -39,12 +40,12 @@ char const* prefix(Fault fault)
     return "error";
 }
 
-// FILE:LINE:COLUMN at the start of a message.
+// A place FILE:LINE:COLUMN at the start of a message.
 struct Place {
     std::string file;
     std::size_t line = 0;
     std::size_t column = 0;
-    std::size_t length = 0; // Length of this text.
+    std::size_t length = 0; // Length of the place's text in the message.
 };
 
 // Parses a number at `at` and the colon that follows; 0 if there is none.
@@ -106,7 +107,8 @@ std::string excerpt(std::string line, std::size_t column, bool is_colored)
     for (auto& c : line)
         if ((static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f')
             c = '?';
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) // UTF-8 encoded C1 control characters.
+    // Replaces UTF-8 encoded C1 control characters.
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
         if (line[i] == '\xc2' && static_cast<unsigned char>(line[i + 1]) < 0xa0)
             line[i] = line[i + 1] = '?';
     std::size_t const begin = column > kMaxLine / 2 ? column - kMaxLine / 2 : 0;
@@ -148,7 +150,8 @@ ErrorStyle error_style()
     char const* const terminal = std::getenv("TERM");
     // NOLINTEND(concurrency-mt-unsafe)
     bool const is_dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
-    bool const refuses = no_color != nullptr && *no_color != '\0'; // See no-color.org.
+    // The convention is described at no-color.org.
+    bool const refuses = no_color != nullptr && *no_color != '\0';
     return is_dumb || refuses ? ErrorStyle::Excerpt : ErrorStyle::Colored;
 }
 

@@ -9,9 +9,9 @@ namespace tractus::terminal {
 
 // Style of errors and warnings.
 enum class ErrorStyle {
-    Plain,   // One line, for logs and other programs.
+    Plain,   // One line of text, for logs and other programs.
     Excerpt, // Also shows the line of the file with the error, and a caret below the column.
-    Colored, // Excerpt in colours.
+    Colored, // Like Excerpt, in colours.
 };
 
 // Style suitable for standard error: Plain unless it is a terminal, and without colours if NO_COLOR

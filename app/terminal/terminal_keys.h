@@ -23,7 +23,7 @@ public:
 
 private:
     struct Before;
-    // Former state of the terminal; null if input is not a terminal.
+    // Settings of the terminal to restore; null if input is not a terminal.
     std::unique_ptr<Before> before_;
 };
 

@@ -22,7 +22,7 @@ float width_of(Buttons buttons, ButtonGaps const& gaps, float ease)
     return width;
 }
 
-// The end of the group that begins at `begin`.
+// Index after the last button of the group that begins at `begin`.
 std::size_t end_of_group(Buttons buttons, std::size_t begin)
 {
     auto end = begin + 1;

@@ -22,7 +22,7 @@ struct ButtonGaps {
 // A row of buttons, from the end of the previous row to `end`.
 struct ButtonRow {
     std::size_t end = 0;
-    float ease = 1; // 1: usual widths and gaps; 0: the least.
+    float ease = 1; // How roomy the row is: 1 means usual widths and gaps, 0 the least ones.
 
     float width(ButtonWidth const& button) const
     {

@@ -24,7 +24,7 @@ struct CardGrid {
     };
     std::vector<Place> places {};
     std::vector<Title> titles {};
-    float card_width = 0; // All cards have the same size.
+    float card_width = 0; // Width of a card; all cards have the same size.
     float card_height = 0;
     // Height of the picture in the upper part of a card; the text is below it.
     float picture_height = 0;

@@ -15,7 +15,8 @@ constexpr float kCardWidth_px = 148;
 constexpr float kGlyphHeight_px = 104;
 constexpr float kCardName_px = 34;
 constexpr float kAround_px = 14;
-constexpr float kGreatestShare = 0.5f; // Greatest height, as a share of the height above the bar.
+// Greatest height of the panel, as a share of the height above the bar.
+constexpr float kGreatestShare = 0.5f;
 constexpr float kTyped_px = 220;
 
 // The user's own card that the current tool equals, or null.
@@ -60,7 +61,7 @@ WindowPart CardsPanel::show(view::WindowModel& model, Workbench& bench, Controls
     return { corner.x, corner.y, size.x, size.y };
 }
 
-// The cards scroll by dragging.
+// Shows the cards, which scroll by dragging.
 void CardsPanel::show_cards(view::WindowModel& model, Workbench& bench, float width_px)
 {
     auto const& hand = model.state().hand;

@@ -29,7 +29,7 @@ private:
                   tools::ToolCard const& card);
 
     float scale_ = 1;
-    float height_px_ = 0;  // Height in the last frame.
+    float height_px_ = 0;  // Height of the panel in the last frame.
     std::string named_ {}; // The card being renamed; `typed_` is the new name so far.
     std::string typed_ {};
 };

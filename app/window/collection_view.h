@@ -20,7 +20,7 @@ public:
 
 private:
     struct Picture {
-        mesh::Mesh const* mesh = nullptr; // The mesh it shows; owned by the model.
+        mesh::Mesh const* mesh = nullptr; // The mesh that the picture shows; owned by the model.
         ViewCanvas canvas;
     };
 

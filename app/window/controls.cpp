@@ -14,8 +14,8 @@ namespace tractus::window {
 namespace {
 
 constexpr char const* kOpenPicture = "Open...";
-constexpr char const* kLikeDrawn = "Like the plant"; // Copies the numbers of the plant as drawn to
-                                                     // the tool.
+// Label of the button that copies the numbers of the drawn plant to the tool.
+constexpr char const* kLikeDrawn = "Like the plant";
 constexpr float kProgressHeight_px = 10;
 constexpr float kBarAir_px = 8;
 constexpr float kGroupGap_px = 28;
@@ -56,7 +56,7 @@ WindowPart Controls::show(view::WindowModel& model, Workbench& bench, float left
     auto main = main_buttons(model, bench, Views::Each);
     auto const rows = rows_of(main).size();
     auto shorter = main_buttons(model, bench, Views::Next);
-    // In a low window saving a row matters more.
+    // In a low window, saving a row of buttons matters more than a button for each view.
     bool const is_low = display.y < kLowWindow_px * scale_;
     if (rows > kMostMainRows || (is_low && rows_of(shorter).size() < rows))
         main = std::move(shorter);
@@ -88,7 +88,7 @@ void Controls::show_meanings(std::vector<BarButton> const& buttons, float main_h
     ImGui::EndChild();
 }
 
-// Height of these buttons' rows with the space below them.
+// Height of the rows that these buttons need, with the space below them.
 float Controls::height_of(std::vector<BarButton> const& buttons) const
 {
     auto const rows = std::max<std::size_t>(rows_of(buttons).size(), 1);

@@ -13,10 +13,11 @@ namespace tractus::window {
 
 // A display that the window may fill.
 struct Display {
-    std::string name; // The system's name for it, usually maker and model.
+    std::string name; // The system's name of the display, usually maker and model.
     int width_px = 0;
     int height_px = 0;
-    Vec2 size_mm = Vec2::Zero(); // Size of its picture area; 0 if the system does not know.
+    // Size of the display's picture area; 0 if the system does not know it.
+    Vec2 size_mm = Vec2::Zero();
 };
 
 // Finds the built-in display of a pen tablet: the one as large as the tablet's active area, which

@@ -13,9 +13,9 @@ namespace {
 constexpr float kLeastSide_px = 170;
 constexpr float kGreatestSide_px = 320;
 constexpr float kShareOfPad = 0.4f;
-constexpr float kTitle_px = 44; // Height at the top of the view that its title needs.
+constexpr float kTitle_px = 44; // Height at the top of the view that the view's title needs.
 constexpr float kButtonWidth_px = 76;
-constexpr float kOpacity = 0.75f; // Lets what is below the panel show through.
+constexpr float kOpacity = 0.75f; // Opacity of the panel, which lets what is below show through.
 constexpr float kSmall = 0.8f;    // Size of small letters relative to normal ones.
 constexpr float kSmallest = 0.7f; // Size of the letters of labels.
 constexpr float kPanelAir_px = 10;

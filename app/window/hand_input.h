@@ -16,8 +16,9 @@ struct MouseMoment {
 struct KeyPress {
     static constexpr char kEscape = '\x1b';
     static constexpr char kEnter = '\r';
-    static constexpr char kBackspace = '\b'; // Repeats while the key is held.
-    static constexpr char kLeft = '\x11';    // Arrow keys.
+    static constexpr char kBackspace = '\b'; // Backspace; repeated while the key is held.
+    // Code of the left arrow key; the other arrow keys follow.
+    static constexpr char kLeft = '\x11';
     static constexpr char kRight = '\x12';
     static constexpr char kUp = '\x13';
     static constexpr char kDown = '\x14';

@@ -121,7 +121,7 @@ Result<void> Host::open(WindowOptions const& options)
     watch_window();
 
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr; // Writes no imgui.ini.
+    ImGui::GetIO().IniFilename = nullptr; // Keeps ImGui from writing imgui.ini.
     if (options.scale > 0)
         scale_ = static_cast<float>(options.scale);
     theme::set_light(options.look.is_light);
@@ -209,7 +209,8 @@ void Host::take_key(int key, int scancode, bool is_pressed, int modifiers)
         return;
     held_.erase(std::remove(held_.begin(), held_.end(), letter), held_.end());
     if (!is_pressed
-        || (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0) // Reserved for the desktop.
+        || (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER))
+            != 0) // Ignores keys with Alt or Super, which are reserved for the desktop.
         return;
     bool const has_control = (modifiers & GLFW_MOD_CONTROL) != 0;
     presses_.push_back({ letter, has_control, (modifiers & GLFW_MOD_SHIFT) != 0 });
@@ -267,7 +268,8 @@ render::Image Host::back_buffer() const
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.pixels().data());
     auto picture = render::flipped(upside_down);
     for (auto& pixel : picture.pixels())
-        pixel.alpha = 255; // The alpha of a window's framebuffer is meaningless.
+        // Makes pixels opaque, as the alpha of a window's framebuffer is meaningless.
+        pixel.alpha = 255;
     return picture;
 }
 

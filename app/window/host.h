@@ -28,16 +28,17 @@ public:
     Host& operator=(Host const&) = delete;
     ~Host();
 
-    // Call once. Fails like run_window().
+    // Opens the window; call once. Fails like run_window().
     Result<void> open(WindowOptions const& options);
 
-    void set_title(std::string const& title); // An empty title changes nothing.
+    // Sets the window's title; an empty title changes nothing.
+    void set_title(std::string const& title);
     bool take_wish_to_close(); // True if the user has asked to close the window, by its button or a
                                // key, since the last call.
     // `step_s`: time since the last frame; default: by the clock. Returns mouse and keyboard events
     // up to this frame.
     HandInput begin_frame(std::optional<float> step_s);
-    void end_frame(); // Renders; the picture is then in the back buffer.
+    void end_frame(); // Ends and renders the frame; the picture is then in the back buffer.
     render::Image back_buffer() const;
     void show_frame();
 
@@ -80,9 +81,9 @@ private:
     MouseMoment last_mouse_; // Newest state stored in mouse_.
     std::vector<KeyPress> presses_;
     std::vector<std::filesystem::path> dropped_; // Files dropped since the last frame.
-    bool has_stirred_ = false;                   // An event arrived since events were last taken.
-    std::string lately_held_;                    // Letters pressed since the last frame.
-    std::string held_;                           // Letters of the keys that are down now.
+    bool has_stirred_ = false; // True if an event has arrived since events were last taken.
+    std::string lately_held_;  // Letters pressed since the last frame.
+    std::string held_;         // Letters of the keys that are down now.
     bool library_ = false;
     GLFWwindow* window_ = nullptr;
     std::string title_; // Title set last; empty: the initial title.

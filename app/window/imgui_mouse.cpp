@@ -2,7 +2,7 @@
 
 namespace tractus::window {
 
-#if IMGUI_VERSION_NUM >= 18700 // As in Debian 13; Debian 12 has an older version.
+#if IMGUI_VERSION_NUM >= 18700 // Debian 13 has such a version of ImGui; Debian 12 has an older one.
 
 void put_imgui_mouse(ImVec2 const& place_px, bool is_down)
 {
@@ -14,7 +14,7 @@ void put_imgui_mouse(ImVec2 const& place_px, bool is_down)
 
 void show_imgui_press(MouseMoment const&)
 {
-    // Newer versions of ImGui queue presses themselves.
+    // Nothing to do here: newer versions of ImGui queue presses themselves.
 }
 
 #else

@@ -15,7 +15,7 @@ namespace tractus::window {
 
 namespace {
 
-constexpr int kSavedWidth_px = 1600; // Size of the file written by "Save picture".
+constexpr int kSavedWidth_px = 1600; // Width of the file written by "Save picture".
 constexpr int kSavedHeight_px = 1200;
 constexpr float kGaugeWidth_px = 88;
 constexpr float kLeastForAll_px = 460; // In a narrower space than this beside the menu, only the
@@ -138,7 +138,7 @@ void Layout::show_stage(view::WindowModel& model, render::Renderer& renderer,
     move_surface_as_wished(model, input, draws);
 }
 
-// The pen operates controls everywhere in the window.
+// Shows the start page, where the pen operates controls in the whole window.
 void Layout::show_start(view::WindowModel& model)
 {
     auto const whole = whole_window();
@@ -272,7 +272,8 @@ void Layout::show_views(view::WindowModel& model, render::Renderer& renderer,
     float const gap = ImGui::GetStyle().ItemSpacing.x;
     float const width = std::max(room.width - 2 * gap, 192.0f);
     WindowPart part { room.left, 0, width * 0.37f, room.height };
-    auto const whole = whole_window(); // The pen points into the whole window unless it draws.
+    // Area in which the pen points: the whole window unless it draws.
+    auto const whole = whole_window();
     pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
     if (bench_.menu_is_open() && room.width < kLeastForAll_px * scale_) {
         mouse_.let_go(model);
@@ -443,7 +444,8 @@ void Layout::show_ring(view::WindowModel& model, PenPointer const& pen)
         = !pen.leads() && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && pad_is_pointed_at_;
     if (!ring_.is_open() && (mouse_asks || pen.asks_for_ring())) {
         ring_.open(pen.leads() ? pen.place_px() : ImGui::GetIO().MousePos, scale_);
-        model.perform(view::PressInstead {}); // A long touch that opened the ring must not draw.
+        // A long touch that opened the ring becomes a press, so that it does not draw.
+        model.perform(view::PressInstead {});
     }
     bool const let_go
         = pen.leads() ? pen.has_let_barrel_go() : ImGui::IsMouseReleased(ImGuiMouseButton_Right);

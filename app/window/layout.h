@@ -104,7 +104,7 @@ private:
     std::vector<WindowPart> covered_; // Panels shown in this frame, where the pen does not draw.
     std::vector<Eigen::AlignedBox2d> told_areas_; // The covered areas last passed to the model.
     std::optional<WindowPart> pad_part_;          // Rectangle of the drawing pad in this frame.
-    bool pad_is_pointed_at_ = false;              // The mouse hovers over the pad in this frame.
+    bool pad_is_pointed_at_ = false; // True if the mouse hovers over the pad in this frame.
     bool collection_is_shown_ = false;
     bool devices_are_watched_ = false;
     bool has_begun_ = false;

@@ -26,7 +26,7 @@ static int end_without_display(::Display* /*display*/)
             done ? std::string("error: the display has gone\n")
                  : fmt::format("error: the display has gone; {}\n", done.error().message));
     }
-    std::_Exit(1); // Skips destructors, which would use the lost display.
+    std::_Exit(1); // Ends without running destructors, which would use the lost display.
 }
 
 void on_lost_display(std::function<Result<void>()> action)

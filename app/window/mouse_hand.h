@@ -20,7 +20,7 @@ public:
 
 private:
     bool is_in_range_ = false;
-    bool is_down_ = false; // The button is down and was pressed over the area.
+    bool is_down_ = false; // True if the button is down and was pressed over the area.
 };
 
 } // namespace tractus::window

@@ -13,7 +13,8 @@ class MouseQueue {
 public:
     struct Part {
         std::vector<MouseMoment> path;
-        std::optional<MouseMoment> change; // The press or release in the portion.
+        // The press or release in this portion of events, if any.
+        std::optional<MouseMoment> change;
     };
 
     void push(MouseMoment const& moment) { waiting_.push_back(moment); }

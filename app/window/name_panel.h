@@ -37,13 +37,13 @@ private:
     void press(char key);
 
     float scale_ = 1;
-    float height_px_ = 0;                          // Height in the last frame.
+    float height_px_ = 0;                          // Height of the panel in the last frame.
     std::optional<Workbench::AskedName> asked_ {}; // What the name is for.
     std::string typed_ {};
-    bool is_selected_ = false; // The whole text is selected.
+    bool is_selected_ = false; // True if the whole text is selected.
     bool types_capitals_ = true;
-    bool confirms_ = false; // Enter was pressed in this frame.
-    bool gives_up_ = false; // Esc was pressed in this frame.
+    bool confirms_ = false; // True if Enter was pressed in this frame.
+    bool gives_up_ = false; // True if Esc was pressed in this frame.
 };
 
 } // namespace tractus::window

@@ -31,13 +31,13 @@ private:
                 std::size_t number);
 
     float scale_ = 1;
-    float height_px_ = 0;  // Height in the last frame.
+    float height_px_ = 0;  // Height of the panel in the last frame.
     std::string asked_ {}; // Name of the number being edited.
     std::string typed_ {};
-    std::string objection_ {};        // Why the typed text is not accepted.
-    std::optional<double> wanted_ {}; // New value set in this frame.
-    bool moves_ = false;              // A slider was dragged in this frame.
-    bool is_released_ = false;        // A slider was released in this frame.
+    std::string objection_ {}; // Reason why the typed text is not accepted; empty if there is none.
+    std::optional<double> wanted_ {}; // New value that the user set in this frame.
+    bool moves_ = false;              // True if a slider was dragged in this frame.
+    bool is_released_ = false;        // True if a slider was released in this frame.
 };
 
 } // namespace tractus::window

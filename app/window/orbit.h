@@ -13,7 +13,7 @@ public:
     // the item's height. Returns true if the view changed.
     bool take_input(float scale, float height_px, ViewDrag drag);
 
-    void zoom(double factor); // Factors above 1 zoom in.
+    void zoom(double factor); // Changes the zoom; factors above 1 zoom in.
     void look_at_whole();     // Resets offset and zoom, but not the direction.
 
     // The camera for a view of this box.

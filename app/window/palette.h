@@ -8,10 +8,10 @@ namespace tractus::window::theme {
 // universal design"), sRGB, 0 to 1.
 struct Palette {
     bool is_light = false;
-    Vec3f ink; // The stroke being drawn.
+    Vec3f ink; // Colour of the stroke being drawn.
     Vec3f stroke;
     Vec3f indicator;
-    Vec3f purple; // For layers that need an additional colour.
+    Vec3f purple; // Colour for layers that need an additional one.
     Vec3f unselected;
     Vec3f undetermined;
     Vec3f selected;
@@ -19,9 +19,9 @@ struct Palette {
     Vec3f grid;
     Vec3f volume;
     Vec3f pad_background;
-    Vec3f recording; // The mark that shows that input is being recorded.
-    Vec3f faint;     // The skeleton where it only gives orientation.
-    Vec3f growing;   // What grows in the stage view, before it has bark and leaves.
+    Vec3f recording; // Colour of the mark that shows that input is being recorded.
+    Vec3f faint;     // Colour of the skeleton where it only gives orientation.
+    Vec3f growing;   // Colour of what grows in the stage view, before it has bark and leaves.
 };
 
 // The window's current palette; dark by default.

@@ -61,7 +61,7 @@ void PenPointer::watch_rest(float step_s)
         return;
     rests_ = false;
     asks_for_ring_ = true;
-    pen_.pressing = true; // As the station will report once it has been told.
+    pen_.pressing = true; // Sets the state that the station will report once it knows of the press.
 }
 
 } // namespace tractus::window

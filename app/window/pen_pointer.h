@@ -36,14 +36,14 @@ private:
     void take_next();
     void watch_rest(float step_s);
 
-    std::deque<view::PenView> path_; // Events not passed to ImGui yet.
-    view::PenView pen_;              // The state last passed to ImGui.
+    std::deque<view::PenView> path_; // Pen events that were not passed to ImGui yet.
+    view::PenView pen_;              // The pen's state that was last passed to ImGui.
     bool leads_ = false;
     ImVec2 place_px_ { 0, 0 };
     bool asks_for_ring_ = false;
     bool has_let_barrel_go_ = false;
-    Vec3f touch_mm_ = Vec3f::Zero(); // Where the current touch began.
-    float rest_s_ = 0;               // How long the current touch has stayed where it began.
+    Vec3f touch_mm_ = Vec3f::Zero(); // Place where the current touch began.
+    float rest_s_ = 0;   // Seconds for which the current touch has stayed where it began.
     bool rests_ = false; // True while the current touch has not left the place where it began.
 };
 

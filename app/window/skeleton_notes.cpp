@@ -7,7 +7,7 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kLegendSpacing = 1.25f; // Line spacing in heights of a letter.
+constexpr float kLegendSpacing = 1.25f; // Line spacing of the legend, in heights of a letter.
 
 int legend_pieces(tools::LayerStyle::Pattern pattern)
 {
@@ -33,9 +33,9 @@ void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px)
     auto const add = [&](bool is_there, Vec3f const& color, char const* text, int pieces = 1) {
         if (!is_there)
             return;
-        y -= line; // Entries are stacked upwards from the bottom.
+        y -= line; // Moves up a line, as entries are stacked from the bottom.
         float const middle = y + ImGui::GetFontSize() / 2;
-        // Dashes and gaps have equal length.
+        // Length of a dash, and of a gap between dashes.
         float const piece = line / static_cast<float>(2 * pieces - 1);
         for (int i = 0; i < pieces; ++i) {
             float const x = corner_px.x + 2 * static_cast<float>(i) * piece;

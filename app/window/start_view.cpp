@@ -19,7 +19,8 @@ constexpr float kDetailSize_px = 16;
 constexpr float kLeastSize_px = 15; // Least text size when text is shrunk to fit.
 constexpr float kIconSize = 0.62f;  // Size of an icon as a share of the picture's height.
 constexpr float kIconLine_px = 3;
-constexpr float kScrollFrom_px = 8; // A touch that moves farther scrolls and chooses no card.
+// Distance beyond which a touch scrolls the page and chooses no card.
+constexpr float kScrollFrom_px = 8;
 
 std::optional<Direction> direction_of(char key)
 {

@@ -40,7 +40,8 @@ public:
 
 private:
     struct Texture {
-        std::shared_ptr<render::Image const> picture; // Shared with the page; immutable.
+        // The picture in the texture; immutable, shared with the page.
+        std::shared_ptr<render::Image const> picture;
         render::GpuPicture on_card;
     };
 
@@ -61,8 +62,8 @@ private:
     StudyView study_;
     CardGrid grid_;                    // Layout of the cards in the last frame.
     std::optional<std::size_t> focus_; // Index of the card with the keyboard focus.
-    bool focus_has_moved_ = false;     // The focus moved since the last frame.
-    bool scrolls_ = false;             // The current touch scrolls the page.
+    bool focus_has_moved_ = false;     // True if the focus has moved since the last frame.
+    bool scrolls_ = false;             // True if the current touch scrolls the page.
     std::map<render::Image const*, Texture> textures_;
 };
 

@@ -36,8 +36,8 @@ std::string as_format(std::string const& text)
 
 void StudyView::show(view::StartPageModel& page, Controls const& controls)
 {
-    auto const study = *page.state().study; // Copied, because a slider may make the page replace
-                                            // it.
+    // A copy, because a slider may make the page replace its study.
+    auto const study = *page.state().study;
     auto const corner = ImGui::GetCursorScreenPos();
     auto const room = ImGui::GetContentRegionAvail();
     float const gap = 2 * kMargin_px * scale_;

@@ -29,7 +29,8 @@ public:
 private:
     // A texture for one place of the study; replaced when the page's picture changes.
     struct Shown {
-        std::shared_ptr<render::Image const> picture; // Shared with the page; immutable.
+        // The picture in the texture; immutable, shared with the page.
+        std::shared_ptr<render::Image const> picture;
         std::optional<render::GpuPicture> texture;
     };
 

@@ -12,7 +12,8 @@ ImFont* add_font(float size_px)
                                          0x21ff, 0x25a0, 0x25ff, 0 };
     auto const file = render::font_file();
     ImFontConfig config;
-    config.FontDataOwnedByAtlas = false; // The data belongs to the program; ImGui only reads it.
+    // Keeps ImGui from freeing the font data, which belongs to the program.
+    config.FontDataOwnedByAtlas = false;
     auto* const bytes = const_cast<std::byte*>(file.data());
     return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(bytes, static_cast<int>(file.size()), size_px,
                                                       &config, kRanges);

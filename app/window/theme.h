@@ -7,9 +7,10 @@
 // The window's look: sizes, colours and typefaces.
 namespace tractus::window::theme {
 
-constexpr float kTextSize_px = 22; // Readable at arm's length on a 24-inch screen.
+constexpr float kTextSize_px = 22; // Text size, readable at arm's length on a 24-inch screen.
 constexpr float kTitleSize_px = 26;
-constexpr float kButtonHeight_px = 56; // Large enough to hit with the pen without aiming.
+// Height of a button, large enough to hit with the pen without aiming.
+constexpr float kButtonHeight_px = 56;
 
 inline ImVec4 imgui_color(Vec3f const& color, float alpha = 1)
 {

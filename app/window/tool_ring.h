@@ -36,7 +36,7 @@ private:
                      bool is_pointed_at) const;
 
     bool is_open_ = false;
-    bool was_touched_ = false; // The pointer has been touching since the ring opened.
+    bool was_touched_ = false; // True if the pointer has been touching since the ring opened.
     ImVec2 middle_px_ { 0, 0 };
     float scale_ = 1;
 };

@@ -223,7 +223,7 @@ void add_flat_line(view::WindowState const& state, tools::SkeletonLine const& li
 std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
                                              tools::LayerStyle const& style)
 {
-    constexpr float kMostDashes = 300; // Dashes per line, however long it is.
+    constexpr float kMostDashes = 300; // Most dashes of a line, however long the line is.
     float length_mm = 0;
     for (std::size_t i = 1; i < line_mm.size(); ++i)
         length_mm += (line_mm[i] - line_mm[i - 1]).norm();

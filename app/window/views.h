@@ -69,10 +69,11 @@ private:
     FollowedCurves strokes_;
     FollowedCurves live_;
     std::optional<render::GpuPicture> picture_;
-    std::shared_ptr<render::Image const> shown_picture_; // The image in picture_.
+    // The image from which picture_ was uploaded.
+    std::shared_ptr<render::Image const> shown_picture_;
     std::uint64_t picture_revision_ = 0;
     Eigen::Affine3f T_pad_world_ = Eigen::Affine3f::Identity();
-    std::uint64_t turns_ = 0; // Number of changes of T_pad_world_.
+    std::uint64_t turns_ = 0; // Number of times that T_pad_world_ has changed.
     double px_per_mm_ = 0;
 };
 

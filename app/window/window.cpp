@@ -25,9 +25,11 @@ constexpr int kFramesPerSecond = 60; // Frame rate in model time, when time adva
 constexpr Duration kFrameStep { 1'000'000'000 / kFramesPerSecond };
 constexpr int kSettlingFrames = 3; // Number of frames that ImGui and the views need to show the
                                    // effect of an event.
-constexpr double kIdleWait_s = 1;  // Longest sleep, in case an event arrived during the last frame.
+// Longest sleep while idle; limits the delay of an event that arrived during the last frame.
+constexpr double kIdleWait_s = 1;
 constexpr double kLiveWait_s = 1.0 / 120; // Longest sleep while devices may send.
-constexpr double kLongestStep_s = 0.25;   // Limits the step after the whole machine was suspended.
+// Longest time step of a frame, in case the whole machine was suspended.
+constexpr double kLongestStep_s = 0.25;
 
 // True if the model's time advances by frames rather than by the clock.
 bool counts_frames(WindowOptions const& options)
@@ -112,7 +114,7 @@ public:
         bool const same_status = std::exchange(status_, state.status) == state.status;
         bool const same_trouble = std::exchange(trouble_, state.trouble) == state.trouble;
         auto const recorded = state.recording.is_on ? 1 + state.recording.bytes / 100'000 : 0;
-        // Compared as displayed, in steps of 100 kB.
+        // Sizes are compared as displayed, in steps of 100 kB.
         bool const same_recording = std::exchange(recorded_, recorded) == recorded;
         bool const same_unkept = std::exchange(unkept_, state.unkept_steps) == state.unkept_steps;
         return !same_revisions || !same_status || !same_trouble || !same_recording || !same_unkept;
@@ -231,7 +233,8 @@ Result<void> run_window(view::WindowModel& model, WindowOptions const& options)
     }
     on_lost_display(nullptr);
     auto closed = model.close();
-    return shown ? closed : shown; // If both fail, the first is the cause.
+    // If showing and closing both failed, the first error is the cause.
+    return shown ? closed : shown;
 }
 
 } // namespace tractus::window

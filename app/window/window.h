@@ -12,8 +12,8 @@ namespace tractus::window {
 
 // The user's choices for the window's look.
 struct WindowLook {
-    bool is_light = false;       // For a bright room; false: for a dark one.
-    bool is_left_handed = false; // See Workbench::is_left_handed.
+    bool is_light = false;       // True for colours for a bright room; false for a dark one.
+    bool is_left_handed = false; // True for the left-handed layout; see Workbench::is_left_handed.
 
     bool operator==(WindowLook const&) const = default;
 };
@@ -31,10 +31,10 @@ struct WindowOptions {
     // window is on. nullopt: not full screen.
     std::optional<std::string> full_screen {};
 
-    bool is_on_stage = false; // Begins in the stage view (Workbench::is_on_stage).
+    bool is_on_stage = false; // True: the window opens in the stage view (Workbench::is_on_stage).
 
-    WindowLook look {}; // The look at the beginning.
-    double scale = 0;   // Scale of text and buttons; 0: the display's.
+    WindowLook look {}; // Initial look of the window.
+    double scale = 0;   // Scale of text and buttons; 0: the display's scale factor.
 
     // Called with every look that the user chooses. May be empty.
     std::function<void(WindowLook const&)> keep_look {};
@@ -53,7 +53,7 @@ struct WindowOptions {
     // the model's time, which advances by frames as with `frames`. Without `frames` the window
     // closes at the end of what it plays. Empty: no film.
     std::filesystem::path film {};
-    int film_rate = 12; // Pictures per second, 1 to 60.
+    int film_rate = 12; // Pictures of the film per second, 1 to 60.
 };
 
 // Opens the station's window with the drawing pad, the skeleton and the plant side by side (Streit

@@ -23,7 +23,7 @@ struct Workbench {
         Pad,
         Skeleton,
         Plant,
-        Collection, // Variations to choose from.
+        Collection, // Shows variations of the plant to choose from.
     };
     Shown shown = Shown::All;
     // Only the growing plant is shown, over the whole window; the pen draws as on the pad.
@@ -65,7 +65,7 @@ struct Workbench {
     bool is_left_handed = false;
     // Index of the number of the current tool whose panel is open.
     std::optional<std::size_t> asked_number {};
-    bool cards_are_shown = false; // Cards of the current tool's kind.
+    bool cards_are_shown = false; // True if the cards of the current tool's kind are shown.
     // What the name panel is asking a name for, and its current name.
     struct AskedName {
         enum class Of { Drawing, Copy, Card } of = Of::Drawing;
@@ -93,14 +93,14 @@ struct Workbench {
     // chosen here, the latest last.
     std::vector<tools::Tool> remembered(view::WindowState const& state) const;
     void choose_view_tool();
-    void show_next();        // Next value of Shown.
+    void show_next();        // Shows the view after the current one in the order of Shown.
     void turn_full_screen(); // Toggles full screen.
     void enter_stage();      // Shows the stage in full screen.
     bool will_fill_display() const;
-    // Each opens a panel above the bar and closes any other.
+    // Opens a panel above the bar that asks for a number or name, and closes any other panel.
     void ask_number(std::size_t number);
     void show_cards();
-    void ask_name(AskedName name); // Closes the menu, too.
+    void ask_name(AskedName name); // Opens the name panel and closes the menu.
     void close_panels();
     void open_menu(MenuPage page);
     void close_menu() { menu = MenuPage::None; }
