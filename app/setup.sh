@@ -1,11 +1,11 @@
-# Shared by app/run and tests/run; source it from the root of the repository.
+# Functions shared by app/run and tests/run. Source it from the root of the repository.
 
-# Prints the packages of one part of app/packages.
+# Prints the packages in one section of app/packages.
 packages_of() {
     sed -n "/^\[$1\]/,/^\[/{/^[a-z]/p}" app/packages
 }
 
-# True if a package is there, or what it brings: npm also comes with other builds of Node.js.
+# True if a package is installed, or if what it provides is there: npm also comes with other builds of Node.js.
 have_package() {
     case $1 in
     npm) command -v npm >/dev/null ;;
@@ -13,7 +13,7 @@ have_package() {
     esac
 }
 
-# Installs what is missing of the named parts; asks for root only if something is.
+# Installs missing packages of the given sections; asks for root only if something is missing.
 install_packages() {
     local part package missing=()
     for part in "$@"; do
@@ -37,8 +37,8 @@ install_packages() {
         apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# Passes on what ninja or ctest says, but for steps that went well: of those, every ten seconds, how many are done,
-# and how long the rest takes at the pace so far.
+# Filters the output of ninja or ctest: instead of lines about successful steps it prints, every ten seconds, how
+# many steps are done and the estimated remaining time.
 #   show_progress NOUN
 show_progress() {
     local noun=$1 begun=$SECONDS shown=$SECONDS line done all left
@@ -57,7 +57,7 @@ show_progress() {
     done
 }
 
-# Configures a preset if it has not been, and builds the given targets, or all.
+# Configures a preset if necessary, and builds the given targets, or all.
 build_preset() {
     local preset=$1
     shift
@@ -67,4 +67,4 @@ build_preset() {
     ninja -C "build/$preset" "$@" | show_progress "steps of the build"
 }
 
-cmake_options=() # What the caller wants to give to cmake besides the preset.
+cmake_options=() # Options that the caller passes to cmake in addition to the preset.

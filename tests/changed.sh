@@ -1,9 +1,10 @@
-# Shared by tests/alone and tests/tidy, which look at what has changed; source it from the root of the repository.
+# Functions shared by tests/alone and tests/tidy, which check changed files. Source it from the root of the
+# repository.
 
-# The commit to compare with; nothing if there is none but HEAD, or if all is asked for.
+# Prints the commit to compare with; nothing if there is none before HEAD, or if all files are requested.
 #   base_commit RECORD [COMMIT | --all]
-# RECORD is the file that names a commit at which everything has been looked at. It counts where it is later than
-# the commit at which HEAD left origin/main.
+# The file RECORD names a commit in which everything has been checked. It is used if it is later than the commit at
+# which HEAD left origin/main.
 base_commit() {
     local record=$1 left looked_at
     shift
@@ -27,7 +28,7 @@ base_commit() {
 # Prints a source without comments and blanks.
 code_of() { g++ -fpreprocessed -dD -E -P -x c++ - 2>/dev/null | tr -d '[:space:]'; }
 
-# The files that differ from a commit, committed or not, but for sources in which only comments do.
+# Prints the files that differ from a commit, committed or not, except sources that differ only in comments.
 changed_since() {
     local name
     git diff --name-only "$1" | while read -r name; do
@@ -44,7 +45,7 @@ changed_since() {
     git ls-files --others --exclude-standard
 }
 
-# Notes that everything has been looked at in HEAD, unless something is not committed.
+# Records that everything in HEAD has been checked, unless there are uncommitted changes.
 #   record_all RECORD
 record_all() {
     if [ -z "$(git status --porcelain -- . ":!$1")" ]; then

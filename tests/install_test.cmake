@@ -1,5 +1,5 @@
-# "cmake --install" puts everything where the program and udev find it. Run after the build:
-#   cmake -DBUILD=<build folder> -DPREFIX=<empty folder> -P install_test.cmake
+# Tests that "cmake --install" puts everything where the program and udev find it.
+#   Run after the build: cmake -DBUILD=<build folder> -DPREFIX=<empty folder> -P install_test.cmake
 file(REMOVE_RECURSE ${PREFIX})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX}
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
@@ -10,7 +10,7 @@ foreach(file bin/tractus lib/udev/rules.d/70-tractus.rules share/tractus/models/
     endif()
 endforeach()
 
-# The installed program takes its own models before those of the source tree.
+# The installed program must prefer its installed models to those of the source tree.
 file(WRITE ${PREFIX}/share/tractus/models/only_here.l "Lsystem: 1\nderivation length: 1\n\
 Axiom: F(10)F(10)\nA --> A\nendlsystem\n")
 execute_process(COMMAND ${PREFIX}/bin/tractus derive only_here --count

@@ -1,5 +1,6 @@
-# Who may include whom, besides itself? Is every header compiled alone: as the first that a source of its
-# name includes, or in a header set? Has every layer above the vocabulary a namespace inside tractus? Run: cmake -DROOT=<repository> -P layering_test.cmake
+# Checks which layer includes which; that every header compiles alone, as the first include of the source of its
+# name or in a header set; and that every layer above the vocabulary has a namespace inside tractus.
+#   Run: cmake -DROOT=<repository> -P layering_test.cmake
 cmake_minimum_required(VERSION 3.23)
 set(vocabulary engine/base engine/stroke engine/plant)
 set(drivers_rooms drivers/reports drivers/links drivers/usb drivers/gpio drivers/pens drivers/sensors
@@ -87,7 +88,7 @@ set(layers engine/base engine/stroke engine/plant engine/lsystem/text engine/lsy
            app/batch app/options ${commands} app/methods/commands app/window app/controllers app/desktop
            app/commands)
 
-# The layer of a file: the longest that its path begins with.
+# Returns the layer of a file: the longest one that is a prefix of its path.
 function(layer_of path result)
     set(found "")
     foreach(layer IN LISTS layers)
@@ -100,8 +101,8 @@ function(layer_of path result)
     set(${result} "${found}" PARENT_SCOPE)
 endfunction()
 
-# What a layer may include must stand before it, so there is no cycle. A name also stands for the layers
-# that begin with it, as far as they stand before that name; engine, which is no layer, for all before.
+# Layers that a layer may include must precede it in the list, so there are no cycles. A name also stands for all
+# preceding layers that begin with it; engine, which is no layer, stands for all its preceding ones.
 set(before)
 foreach(layer IN LISTS layers)
     set(rooms_${layer} ${before})

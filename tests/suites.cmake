@@ -1,11 +1,13 @@
-# Included by ctest: gives a program of tests one test of ctest's for each of its suites, "program:Suite", as a process
-# for each case costs more than most cases do. Long suites are run in shards, "program:Suite/1". Expects:
-#   name, program       the tests' prefix, and the file that has them
-#   left_out            cases that are not run here, as --gtest_filter takes them
-#   shards              pairs "Suite=count" for those that are split
+# Included by ctest: registers one ctest test for each suite of a test program, "program:Suite", since one process
+# per case costs more than most cases do. Long suites are split into shards, "program:Suite/1".
+# Variables expected:
+#
+#   name, program       prefix of the tests, and the program's file
+#   left_out            cases not to run, as for --gtest_filter
+#   shards              pairs "Suite=count" of suites to split
 #   long                suites that get the label "long"
-#   labels              what all are labelled with besides
-#   properties          what each test has, as set_tests_properties() takes it
+#   labels              further labels of all tests
+#   properties          properties of each test, as for set_tests_properties()
 cmake_policy(VERSION 3.23)
 if(NOT EXISTS "${program}")
     add_test("${name}:NOT_BUILT" "${program}")

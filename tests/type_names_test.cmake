@@ -1,10 +1,10 @@
-# Is every type's qualified name defined once, in all sources together? Two types of one name in
-# two libraries break the one-definition rule: neither compiler nor linker says so, and which of their
-# inline functions the program gets depends on what was optimised.
-# Run: cmake -DROOT=<repository> -DCTAGS=<universal-ctags> -DSCRATCH=<folder> -P type_names_test.cmake
+# Checks that every type's qualified name is defined once in all sources. Two types of one name in two libraries
+# violate the one-definition rule: neither compiler nor linker reports it, and which of their inline functions the
+# program gets depends on the optimisation.
+#   Run: cmake -DROOT=<repository> -DCTAGS=<universal-ctags> -DSCRATCH=<folder> -P type_names_test.cmake
 
-# Names of types that files define twice, each with the places. Left out is what no other source can
-# see (unnamed namespaces, functions) and full specialisations, which are a template's other definitions.
+# Finds types that files define twice, with the places. Excluded are types that other sources cannot see (in unnamed
+# namespaces or functions), and full specialisations, which are further definitions of a template.
 function(find_types_defined_twice files count twice)
     list(JOIN files "\n" list)
     file(WRITE ${SCRATCH}/files "${list}\n")
@@ -36,7 +36,7 @@ function(find_types_defined_twice files count twice)
     set(${twice} "${repeated}" PARENT_SCOPE)
 endfunction()
 
-# It finds what it is for, and only that.
+# Tests the function itself: it must find exactly the duplicates.
 file(WRITE ${SCRATCH}/first.h "namespace a {
 struct Twice { int x; };
 struct Outer { struct Once {}; };

@@ -1,4 +1,4 @@
-# "cpack" in the build's folder makes a Debian package of what "cmake --install" installs.
+# Settings for "cpack", which, run in the build's folder, makes a Debian package of what "cmake --install" installs.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME tractus)
 set(CPACK_PACKAGE_CONTACT "tractus developers <developers@tractus.invalid>")
@@ -12,7 +12,7 @@ take the shape of what is drawn, motion indicators lean the whole plant, and a
 growth simulation makes a collection in which no two plants are the same.
 Without a tablet, a simulated rig draws.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# Loaded when something is first drawn, so that nothing else knows of them.
+# Libraries loaded at the first drawing, which are therefore not found automatically.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1, libgl1-mesa-dri")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "udev")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/postinst)

@@ -1,9 +1,9 @@
-# Completion of tractus for bash: the program itself is asked what may come next.
+# Bash completion for tractus: the program itself is asked for the possible words.
 
 _tractus() {
     local typed=("${COMP_WORDS[@]:1:COMP_CWORD}") last=${COMP_WORDS[COMP_CWORD]} line i
     [ "$last" != = ] || last=
-    for i in "${!typed[@]}"; do # Without quotes, which the program never gets to see.
+    for i in "${!typed[@]}"; do # Removes quotes, which the program never receives.
         typed[i]=${typed[i]#[\"\']}
         typed[i]=${typed[i]//\\/}
     done

@@ -1,4 +1,4 @@
-# Completion of tractus for fish: the program itself is asked what may come next.
+# Fish completion for tractus: the program itself is asked for the possible words.
 
 function __tractus_complete
     set -l typed (commandline --current-process --tokenize --cut-at-cursor)

@@ -1,11 +1,11 @@
-# Imports files into Blender and compares what it has of each with what is expected. Run:
-#   blender -b --factory-startup --python-exit-code 1 -P import.py -- [FILE OBJECTS MATERIALS TRIANGLES]...
+# Imports files into Blender and compares the result with the expected numbers.
+#   Run: blender -b --factory-startup --python-exit-code 1 -P import.py -- [FILE OBJECTS MATERIALS TRIANGLES]...
 import sys
 
 import bpy
 import numpy
 
-# Debian 12's Blender 3.4 asks for what its numpy 1.24 has no longer.
+# Blender 3.4 of Debian 12 uses this name, which its numpy 1.24 no longer has.
 numpy.bool = bool
 
 
@@ -24,7 +24,7 @@ def count():
     return len(objects), len(materials), triangles
 
 
-# Bark has its colour, and from an .obj its normals, from pictures that are there.
+# True if the bark has its colour and, in an .obj, its normals, from pictures that exist.
 def has_bark(path):
     tree = bpy.data.materials["bark"].node_tree
     shader = tree.nodes["Principled BSDF"]

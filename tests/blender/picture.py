@@ -1,8 +1,8 @@
-# Draws a .glb with Cycles, from where "tractus render" looks at it and in a light like its.
+# Renders a .glb with Cycles, with the camera and a similar light as "tractus render".
 #
 #   blender -b --factory-startup -P tests/blender/picture.py -- FILE.glb PICTURE.png WIDTH HEIGHT AZIMUTH ELEVATION
 #
-# Azimuth and elevation are degrees, as for "tractus render".
+# Azimuth and elevation are in degrees, as for "tractus render".
 import math
 import sys
 
@@ -10,7 +10,7 @@ import bpy
 import numpy
 from mathutils import Vector
 
-numpy.bool = bool  # Blender 3.4's importer asks for it, and newer NumPy has it no more.
+numpy.bool = bool  # Blender 3.4's importer uses this name, which newer versions of NumPy no longer have.
 glb, picture, width, height, azimuth, elevation = sys.argv[sys.argv.index("--") + 1:]
 bpy.ops.wm.read_factory_settings(use_empty=True)
 bpy.ops.import_scene.gltf(filepath=glb)

@@ -1,5 +1,5 @@
-# Runs the manual's script for Blender on a stream, and compares the curves with what the stream says. Run:
-#   blender -b --factory-startup --python-exit-code 1 -P stream.py -- MANUAL_PAGE SOCKET STREAM.jsonl
+# Runs the manual's script for Blender on a stream, and compares the curves with the contents of the stream.
+#   Run: blender -b --factory-startup --python-exit-code 1 -P stream.py -- MANUAL_PAGE SOCKET STREAM.jsonl
 import json
 import re
 import sys
@@ -9,7 +9,7 @@ import bpy
 page, address, expected = sys.argv[sys.argv.index("--") + 1 :]
 script = re.search(r"```python\n(.*?)```", open(page).read(), re.DOTALL).group(1)
 assert "/tmp/tractus.sock" in script
-# Without a window Blender has no timers that run: they are called here.
+# Without a window, Blender does not run timers, so they are called here.
 names = {}
 exec(compile(script.replace("/tmp/tractus.sock", address), page, "exec"), names)
 while names["take"]() is not None:

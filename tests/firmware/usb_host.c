@@ -1,7 +1,7 @@
-// A USB host for the firmware in firmware-notes/atmega32u4, with which simavr runs it: enumerates it as
-// a kernel does, feeds its converter, fetches its reports, and writes what came as a .tractus-log,
-// and what the converter was fed with. It shares no code with the program, and is no part of it:
-// simavr is under the GPL.
+// A USB host for the firmware in firmware-notes/atmega32u4, which runs in simavr. It enumerates the
+// device as a kernel does, feeds its converter, fetches its reports, and writes the reports as a
+// .tractus-log and the converter's input as a list. It shares no code with the program and is not
+// part of it, because simavr is under the GPL.
 //
 // Run: usb_host FIRMWARE.elf LOG CONVERSIONS
 #include <simavr/avr_adc.h>
@@ -37,8 +37,9 @@ static void run_us(uint32_t us)
     }
 }
 
-// The wiper rests at one end, at the other, and then moves with some noise: a number that no
-// arithmetic of the firmware's makes. In millivolts, so that each of the 1024 steps occurs.
+// Returns the wiper's voltage: it rests at one end, then at the other, and then moves with
+// pseudo-random noise that is independent of the firmware's arithmetic. In millivolts, so that each
+// of the 1024 steps occurs.
 static uint32_t wiper_mV(uint32_t conversion)
 {
     static uint32_t noise = 1;
@@ -56,7 +57,8 @@ static void convert(avr_irq_t *irq, uint32_t value, void *parameter)
     (void)value;
     (void)parameter;
     static bool is_asked = false;
-    if (!is_asked) { // When the converter is started; then when each conversion ends.
+    // The callback is called when the converter is started, and again when each conversion ends.
+    if (!is_asked) {
         is_asked = true;
         return;
     }
@@ -67,7 +69,7 @@ static void convert(avr_irq_t *irq, uint32_t value, void *parameter)
     fprintf(conversions, "%u\n", (unsigned)(mV * 1023 / kSupply_mV));
 }
 
-// ---- USB
+// ---- USB transfers
 
 static int usb(uint32_t what, uint8_t pipe, void *bytes, uint32_t *size)
 {
@@ -77,7 +79,7 @@ static int usb(uint32_t what, uint8_t pipe, void *bytes, uint32_t *size)
     return result;
 }
 
-// Until the device does not answer NAK.
+// Repeats a transfer until the device answers with something other than NAK.
 static int usb_until(uint32_t what, uint8_t pipe, void *bytes, uint32_t *size)
 {
     for (int tries = 0; tries < 1000; ++tries) {
@@ -106,7 +108,8 @@ static void send_setup(struct setup setup)
     run_us(100);
 }
 
-// A request with an answer, of which there may be less than was asked for; -1 if it is refused.
+// Sends a request with a reply, which may be shorter than requested. Returns its size; -1 if the
+// request is refused.
 static int get(struct setup setup, uint8_t *bytes)
 {
     send_setup(setup);
@@ -123,7 +126,7 @@ static int get(struct setup setup, uint8_t *bytes)
     return (int)got;
 }
 
-// A request without data. False if it is refused.
+// Sends a request without data. Returns false if it is refused.
 static bool set(struct setup setup)
 {
     send_setup(setup);
@@ -132,7 +135,7 @@ static bool set(struct setup setup)
     return usb_until(AVR_IOCTL_USB_READ, 0, bytes, &size) != AVR_IOCTL_USB_STALL;
 }
 
-// ---- What a kernel does
+// ---- Actions of a host's kernel
 
 static uint8_t report_descriptor[256];
 static int report_descriptor_size;
@@ -231,6 +234,6 @@ int main(int argument_count, char **arguments)
         if (conversion_count > 100 * kReports)
             fail("no reports come");
     }
-    run_us(10000); // Conversions that are fed belong to whole readings.
+    run_us(10000); // Completes readings whose conversions have already been fed.
     return fclose(log) == 0 && fclose(conversions) == 0 ? 0 : 1;
 }

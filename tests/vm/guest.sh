@@ -1,13 +1,12 @@
-# For the guest() of a scenario, in busybox's sh.
+# Functions for the guest() of a scenario, in busybox's sh.
 
 fail() {
     echo "failed: $*"
     return 1
 }
 
-# Waits until a command succeeds. What takes ten seconds is told; what never comes is ended with the
-# machine, which has only so much of the host's processor: how much of that a second of the guest's
-# clock takes depends on what the guest has to do.
+# Waits until a command succeeds, and reports waits of ten seconds. A command that never succeeds is ended by the
+# limit of the machine's processor time; the duration of a guest second depends on the guest's load.
 #   wait_until test -e /dev/hidraw0
 wait_until() {
     local tries=0
@@ -18,7 +17,7 @@ wait_until() {
     done
 }
 
-# Waits until a log that is being recorded holds more reports than now.
+# Waits until a log that is being recorded contains more reports than now.
 #   wait_for_reports LOG [COUNT]
 wait_for_reports() {
     local wanted=$(($(grep -cs '^E' "$1") + ${2:-1}))
@@ -26,20 +25,20 @@ wait_for_reports() {
 }
 has_reports() { [ "$(grep -cs '^E' "$1")" -ge "$2" ]; }
 
-# A measured figure, for the table that tests/vm/run ends with.
+# Prints a measured figure for the table at the end of tests/vm/run.
 #   figure gap_max 5.171 ms
 figure() {
     echo "figure: $1 = $2${3:+ $3}"
 }
 
-# Hands files to the scenario's judge(), which looks at them outside.
+# Hands files to the scenario's judge(), which checks them outside.
 #   hand_out FILE...
 hand_out() {
     stty -F /dev/ttyS3 raw
     tar -cf - "$@" >/dev/ttyS3
 }
 
-# Records what there is until the process that plays the devices ends.
+# Records all devices until the process that emulates them ends.
 #   record_while PLAYER_PID LOG [OPTION...]
 record_while() {
     local player=$1 recorder
@@ -51,9 +50,9 @@ record_while() {
     wait "$recorder"
 }
 
-# Records a device with a hidraw node that is unplugged in mid-recording and plugged in again: both
-# are told, and the recording goes on.
-#   record_unplugged REPORTS COMMAND THAT PLAYS IT...
+# Records a device with a hidraw node that is unplugged during the recording and plugged in again: both must be
+# reported, and the recording must continue.
+#   record_unplugged REPORTS COMMAND...
 record_unplugged() {
     local reports=$1 player recorder
     shift
@@ -80,12 +79,12 @@ are_nodes() {
     [ "$(ls -d /dev/hidraw* 2>/dev/null | wc -l)" -eq "$1" ]
 }
 
-# What the pens of a log did, without its times.
+# Prints the pen samples of a log without their times.
 samples_of() {
     tractus decode "$1" --csv 2>/dev/null | cut -d , -f 2-
 }
 
-# Which devices of a log send anything at all.
+# Prints the devices of a log that send any reports.
 sending_devices_of() {
     awk 'BEGIN { device = 0 }
         /^D: *[0-9]/ { sub(/^D: */, ""); device = $1 + 0 }
@@ -93,7 +92,8 @@ sending_devices_of() {
 }
 
 # Plays a recording's first and last reports, as HID devices through uhid or as a USB gadget, records them, and
-# compares. Other tests decode all; what lies between here is the same for each.
+# compares. The reports in between are skipped: the way through the kernel is the same for all, and other tests
+# decode them.
 #   play_recording FILE DRIVER_THAT_MUST_BIND [gadget]
 play_recording() {
     local file driver=$2 way=${3:-uhid} devices player node
@@ -107,7 +107,7 @@ play_recording() {
     case $way in
     uhid) tractus sim uhid "$file" --device $devices >player.log 2>&1 & ;;
     gadget)
-        devices=0 # Pens alone.
+        devices=0 # Counts only the pens.
         tractus sim gadget pen "$file" >player.log 2>&1 &
         ;;
     esac
@@ -121,17 +121,17 @@ play_recording() {
     vm_check same-reports "$file" got.tractus-log --device $devices || return
     samples_of "$file" >sent.csv
     samples_of got.tractus-log >got.csv
-    head -n "$(wc -l <sent.csv)" got.csv | cmp sent.csv - || return # Unplugged, the pen leaves.
+    head -n "$(wc -l <sent.csv)" got.csv | cmp sent.csv - || return # The recorded log may have more lines, since the pen leaves when it is unplugged.
     echo "  $(grep -c "^[0-9]" sent.csv) samples are the same"
     wait_until are_nodes 0
 }
 
-# Processor time of a process so far, in hundredths of a second, and how many files it has open.
+# Functions that print a process's processor time so far, in hundredths of a second, and its number of open files.
 cpu_time() { awk '{ print $14 + $15 }' "/proc/$1/stat"; }
 open_files() { ls "/proc/$1/fd" | wc -l; }
 
-# Plays the simulated pen of a recording as a USB gadget, records it, and compares. At the begin its
-# first report may come several times, some 10 ms apart.
+# Plays the simulated pen of a recording as a USB gadget, records it, and compares. At the beginning, the first
+# report may arrive several times, about 10 ms apart.
 #   play_gadget_pen LOG RATE_HZ DEVICE
 play_gadget_pen() {
     echo "$2 Hz through $3"

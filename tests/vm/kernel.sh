@@ -1,18 +1,18 @@
-# Debian's own kernel, as an ordinary user gets it. For tests/vm/prepare to source.
+# Functions for Debian's own kernel, as users have it. Sourced by tests/vm/prepare.
 
-kernel=build/vm/kernel # vmlinux, release (its version), lib/modules.
+kernel=build/vm/kernel # Contains vmlinux, release (its version), lib/modules.
 
-# The folders of modules in which a device's may lie.
+# Folders that may contain modules for the scenarios' devices.
 kernel_module_folders=(crypto drivers/{block,char,gpio,hid,i2c,input,leds,power,spi,usb,virtio} fs/configfs lib)
 
-# Prints the name of the package that Debian's kernel for PCs is now, as these lists have it.
+# Prints the name of the current package of Debian's kernel for PCs, according to the given package lists.
 #   kernel_package APT_OPTION...
 kernel_package() {
     apt-cache "$@" depends linux-image-amd64 | sed -n 's/^ *Depends: //p' | head -n 1
 }
 
-# Downloads the kernel's package into a folder. Where the system has no lists of packages, which
-# nobody but root could fetch, it fetches lists of its own.
+# Downloads the kernel's package into a folder. If the system has no package lists, it fetches lists of its own,
+# which does not need root.
 download_kernel() {
     local folder=$1 lists=$PWD/build/vm/lists package
     local options=(-q -o APT::Sandbox::User=root)
@@ -26,19 +26,19 @@ download_kernel() {
     (cd "$folder" && apt-get "${options[@]}" download "$package" >/dev/null)
 }
 
-# Prints the kernel proper, which the bootable file has within, packed: to boot it as it is saves
-# unpacking it under emulation, which takes longer than booting. The offsets are those of the boot
-# protocol (the kernel's Documentation/x86/boot.rst: setup_sects, payload_offset, payload_length).
+# Extracts the compressed kernel from the bootable file: under emulation, unpacking takes longer than booting, so it
+# is unpacked beforehand. The offsets are those of the boot protocol (the kernel's Documentation/x86/boot.rst:
+# setup_sects, payload_offset, payload_length).
 cut_out_kernel() {
     local image=$1
     number_at() { od -An -v -t "u$2" -j "$1" -N "$2" "$image" | tr -d ' '; }
     local setup_bytes=$((($(number_at 0x1f1 1) + 1) * 512))
     dd if="$image" bs=64K iflag=skip_bytes,count_bytes status=none \
         skip=$((setup_bytes + $(number_at 0x248 4))) count="$(number_at 0x24c 4)" \
-        | xz -dc --single-stream # Behind it stands its length.
+        | xz -dc --single-stream # The payload is followed by its length, which is ignored.
 }
 
-# Makes build/vm/kernel, if it is not there: some 71 MB of download, 66 MB unpacked.
+# Makes build/vm/kernel unless it exists: about 71 MB of download, 66 MB unpacked.
 fetch_kernel() {
     [ "$(cat "$kernel/folders" 2>/dev/null)" = "${kernel_module_folders[*]}" ] && return
     local part=$kernel.part

@@ -1,18 +1,17 @@
-# For the outside() of a scenario, in bash: its output and input are QEMU's QMP.
+# Functions for the outside() of a scenario, in bash; its input and output are QEMU's QMP connection.
 
-# Says something to QEMU and waits for the answer; fails when the machine is over.
+# Sends a command to QEMU and waits for the answer; fails when the machine has ended.
 qmp() {
     local answer
     echo "$1" || return
-    while read -r answer; do # Events come in between.
+    while read -r answer; do # Events may arrive before the answer.
         case $answer in *'"return"'* | *'"error"'*) return ;; esac
     done
     return 1
 }
 
-# Moves QEMU's own tablets along the diagonal, x as large as y, back and forth, until the verdict is
-# there: QEMU may hang if it is told something while it ends. Until somebody reads one of the
-# tablets, there is nothing to move, and QEMU answers with an error.
+# Moves QEMU's own tablets along the diagonal, with equal x and y, back and forth, until the verdict is there: QEMU
+# may hang if it receives commands while it ends. As long as nobody reads the tablets, QEMU answers with an error.
 move_pointer() {
     local place=0 position
     qmp '{"execute": "qmp_capabilities"}'

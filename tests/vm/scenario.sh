@@ -1,6 +1,6 @@
-# What a scenario is, for tests/vm/boot and tests/vm/prepare to source.
+# Functions that read scenarios, sourced by tests/vm/boot and tests/vm/prepare.
 
-# The files that it consists of: that of the scenario that it is like, if there is one, then its own.
+# Prints the files of a scenario: that of the scenario that it is derived from, if there is one, then its own.
 #   scenario_files SCENARIO
 scenario_files() {
     local file=tests/vm/scenarios/$1.sh like
@@ -9,7 +9,7 @@ scenario_files() {
     echo "$file"
 }
 
-# Reads its variables and functions into this shell, over their defaults.
+# Reads a scenario's variables and functions into this shell, over their defaults.
 #   read_scenario SCENARIO
 read_scenario() {
     local file
@@ -18,7 +18,7 @@ read_scenario() {
     for file in $(scenario_files "$1"); do source "$file"; done
 }
 
-# Where a program of the scenario is built: who judges is the same for all.
+# Prints the preset in which a program is built; the judging program is always the release build.
 #   preset_of PROGRAM
 preset_of() {
     if [ "$1" = vm_check ]; then echo release; else echo "$preset"; fi

@@ -1,9 +1,8 @@
-// Imports .glb files as other programs do, and compares plants and triangles with what their writer
-// said: FOLDER/counts.txt has "FILE PLANTS TRIANGLES".
-// Compressed ones are also compared with those that are only quantised: positions are the same, and
-// normals nearly.
-// Run: node import_glb.mjs three|gltf-transform NODE_MODULES FOLDER
-// Exit code: 0 where all agree, 1 where not, 77 where the module is not installed.
+// Imports .glb files with other libraries, and compares plants and triangles with the writer's
+// numbers: FOLDER/counts.txt has lines "FILE PLANTS TRIANGLES". Compressed files are also compared
+// with the same files only quantised: positions must be equal, and normals nearly so.
+//   Run: node import_glb.mjs three|gltf-transform NODE_MODULES FOLDER
+// Exit code: 0 if all agree, 1 if not, 77 if the module is not installed.
 import { readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -25,7 +24,7 @@ async function meshopt_decoder() {
     return MeshoptDecoder;
 }
 
-// Pictures stay undecoded: node has nothing that shows them.
+// Pictures are not decoded, because node cannot display them.
 async function three() {
     globalThis.self = globalThis;
     const { GLTFLoader } = await module_at('three/examples/jsm/loaders/GLTFLoader.js');
@@ -89,8 +88,8 @@ const quantized_twins = {
     'wind_compressed.glb': 'wind.glb',
 };
 
-// Whether the corners of all triangles are where they are in another file, and look the same way: within 2.5
-// degrees, as both files round.
+// True if the corners of all triangles have the same positions as in another file, and the same
+// normals within 2.5 degrees, since both files are rounded.
 function is_same_shape(corners, others) {
     return corners.length === others.length && corners.every(({ position, normal }, i) =>
         position.distanceTo(others[i].position) < 1e-6 && normal.dot(others[i].normal) > 0.999);

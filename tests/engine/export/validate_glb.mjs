@@ -1,6 +1,6 @@
-// Checks .glb files with the Khronos validator. Prints every issue.
-// Run: node validate_glb.mjs NODE_MODULES FILE.glb...
-// Exit code: 0 without errors and warnings, 1 with, 77 where the validator is not installed.
+// Checks .glb files with the Khronos validator, and prints every issue.
+//   Run: node validate_glb.mjs NODE_MODULES FILE.glb...
+// Exit code: 0 without errors and warnings, 1 with any, 77 if the validator is not installed.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';

@@ -1,4 +1,4 @@
-# The machine boots, our program runs in it, and without devices it says so.
+# Scenario: the machine boots, the program runs in it, and it reports that there are no devices.
 modules='uhid hid-generic'
 
 guest() {

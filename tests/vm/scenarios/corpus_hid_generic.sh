@@ -1,7 +1,7 @@
-# Real tablets' recordings through uhid and hid-generic: what hidraw delivers is what was sent, and
-# decodes to the same samples. Of the UC-Logic tablets one recording each, and the one with a report
-# that no descriptor has; of the Wacom tablets two: corpus_wacom has the others, with the driver that
-# people have for them.
+# Scenario: recordings of real tablets through uhid and hid-generic. Hidraw must deliver what was sent, and it must
+# decode to the same samples. Of the UC-Logic tablets there is one recording each, and the one with a report that no
+# descriptor has; of the Wacom tablets two, since corpus_wacom has the others, with the driver that users have for
+# them.
 modules='uhid hid-generic'
 corpus='recordings'
 limit_s=300

@@ -1,10 +1,9 @@
-# The Wacom recordings with the kernel's wacom driver bound, which reads along and sets modes: what
-# hidraw delivers is what was sent, and decodes to the same samples.
+# Scenario: the Wacom recordings with the kernel's wacom driver bound, which reads along and sets modes. Hidraw must
+# deliver what was sent, and it must decode to the same samples.
 #
-# Three are in corpus_wacom_gadget. The driver asks of the DTU-2231 and the Intuos Pro what kind of USB
-# interface they are, which uhid's devices are not; and it answers the Intuos3's reports by asking the
-# tablet something, for which uhid makes it wait five seconds each time, since the tablet is still
-# busy sending.
+# Three recordings are in corpus_wacom_gadget instead. For the DTU-2231 and the Intuos Pro, the driver asks for the
+# kind of USB interface, which uhid devices do not have. It answers the Intuos3's reports with requests to the
+# tablet, which uhid delays for five seconds each, since the emulated tablet is busy sending.
 modules='uhid hid-generic wacom'
 corpus='recordings/wacom'
 limit_s=300

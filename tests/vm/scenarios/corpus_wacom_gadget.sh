@@ -1,8 +1,8 @@
-# The Wacom recordings for which uhid is not enough, as USB gadgets, with the kernel's wacom driver
-# bound: what hidraw delivers is what was sent, and decodes to the same samples.
+# Scenario: the Wacom recordings for which uhid is not sufficient, as USB gadgets, with the kernel's wacom driver
+# bound. Hidraw must deliver what was sent, and it must decode to the same samples.
 #
-# The driver asks of the DTU-2231 and the Intuos Pro what kind of USB interface they are, and answers the
-# Intuos3's reports by asking the tablet something, for which uhid would make it wait.
+# For the DTU-2231 and the Intuos Pro, the driver asks for the kind of USB interface; it answers the Intuos3's
+# reports with requests to the tablet, which uhid would delay.
 modules='dummy_hcd libcomposite usb_f_hid usbhid hid-generic wacom'
 corpus='recordings/wacom'
 limit_s=300

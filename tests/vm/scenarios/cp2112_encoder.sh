@@ -1,13 +1,13 @@
-# A draw-wire encoder on the lines of a CP2112, which the kernel's own driver makes a gpiochip that
-# tells edges: our driver counts every one of them, up and down. Then the bridge is unplugged in
-# mid-recording, which is told.
+# Scenario: a draw-wire encoder on the lines of a CP2112, which the kernel's own driver exposes as a gpiochip that
+# reports edges. Our driver must count all of them, up and down. Then the bridge is unplugged during a recording,
+# which must be reported.
 modules='uhid hid-cp2112'
 files='build/vm/scribble.tractus-log'
 
 log=/files/scribble.tractus-log
 address=gpio:cp2112_gpio:0,1:quadrature
 
-# A chip whose lines are still held as it goes keeps its number.
+# A chip whose lines are in use when it disappears keeps its number.
 is_chip() { ls /dev/gpiochip*; }
 is_no_chip() { ! is_chip; }
 

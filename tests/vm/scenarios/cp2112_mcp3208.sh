@@ -1,13 +1,13 @@
-# An MCP3208, modelled at its pins, on the lines of a CP2112, which the kernel's own driver makes a
-# gpiochip: our driver reads each of its channels right through libgpiod, and the heights as they
-# move. Then the lines fail, and then the bridge is unplugged, each in mid-recording: both are told.
+# Scenario: an MCP3208, modelled at its pins, on the lines of a CP2112, which the kernel's own driver exposes as a
+# gpiochip. Our driver must read all channels correctly through libgpiod, and the heights while they move. Then the
+# lines fail and, in another recording, the bridge is unplugged: both must be reported.
 modules='uhid hid-cp2112'
 files='build/vm/scribble.tractus-log'
 
 log=/files/scribble.tractus-log
 address=gpio:cp2112_gpio:0,1,2,3:mcp3208
 
-# The height while it moves, and then the other channels, which have levels of their own.
+# Reads the height while it moves, and then the other channels, which have constant levels.
 read_channels() {
     local channel
     tractus record --device $address:0 --seconds 2 -o got.tractus-log
@@ -19,7 +19,7 @@ read_channels() {
     done
 }
 
-# Until the recorder tells that the converter has gone, and then until it ends when it is asked to.
+# Waits until the recorder reports that the converter has gone, and then stops it.
 lose_converter() {
     wait_until grep -q 'has gone' messages
     cat messages

@@ -1,6 +1,6 @@
-# A simulated pen as a USB gadget on the kernel's dummy_hcd, at 200 Hz, through the kernel's drivers
-# and hidraw, and through hidapi's libusb back end: every report arrives, in step, and the gadget
-# leaves nothing behind.
+# Scenario: a simulated pen at 200 Hz as a USB gadget on the kernel's dummy_hcd, through the kernel's drivers and
+# hidraw, and through hidapi's libusb back end. Every report must arrive, in order, and the gadget must leave
+# nothing behind.
 modules='dummy_hcd libcomposite usb_f_hid usbhid hid-generic'
 files='build/vm/scribble.tractus-log'
 

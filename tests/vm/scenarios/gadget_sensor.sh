@@ -1,5 +1,5 @@
-# The station's own height sensor as a USB gadget, 1000 readings a second through libusb: every
-# frame arrives, whole and in step.
+# Scenario: the station's own height sensor as a USB gadget, with 1000 readings a second through libusb. Every frame
+# must arrive, complete and in order.
 modules='dummy_hcd libcomposite usb_f_fs'
 files='build/vm/scribble.tractus-log'
 

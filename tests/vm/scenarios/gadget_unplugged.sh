@@ -1,7 +1,6 @@
-# The own height sensor is unplugged and plugged in again ten times while a recording runs and the
-# pen draws: it is found each time, nothing of what it sent is broken, what was drawn until then is
-# kept as strokes, and the recorder neither leaks nor spins. There is no udevd here, so nobody tells
-# that it has come back.
+# Scenario: the own height sensor is unplugged and plugged in again ten times while a recording runs and the pen
+# draws. It must be found each time, no frame may be corrupt, strokes drawn until then must be kept, and the
+# recorder must neither leak nor spin. There is no udevd here, so no event announces its return.
 modules='dummy_hcd libcomposite usb_f_fs uhid hid-generic'
 files='build/vm/scribble.tractus-log app/models/daisy.l app/models/daisy.v'
 
@@ -10,7 +9,7 @@ port=/sys/kernel/config/usb_gadget/tractus/UDC
 count_reports() { grep -c '^E: .* 26 54 52 48' got.tractus-log || true; }
 has_more_than() { [ "$(count_reports)" -gt "$1" ]; }
 
-# Unplugs for a second, of which the recorder may use a quarter: this processor is a slow one.
+# Unplugs for a second, in which the recorder may use a quarter of the (slow) processor.
 unplug_and_plug_in() {
     local before=$(cpu_time "$1") used had
     echo >$port
@@ -27,7 +26,7 @@ guest() {
     local files recorder worst=0
     tractus sim gadget sensor /files/scribble.tractus-log --repeat &
     wait_until test -e /sys/bus/usb/devices/1-1/1-1:1.0/interface
-    tractus sim uhid /files/scribble.tractus-log --device 0 --rate 18 --stay & # One stroke, slowly.
+    tractus sim uhid /files/scribble.tractus-log --device 0 --rate 18 --stay & # One stroke, drawn slowly.
     wait_until test -e /dev/hidraw0
     sed -n 's/^C: //p' /files/scribble.tractus-log >simulated.rig.toml
     tractus record --rig simulated.rig.toml -o got.tractus-log &

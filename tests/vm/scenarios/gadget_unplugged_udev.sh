@@ -1,3 +1,3 @@
-# The scenario gadget_unplugged where udevd tells of arrivals.
+# Scenario: gadget_unplugged with udevd, which announces arriving devices.
 like=gadget_unplugged
 udev=yes

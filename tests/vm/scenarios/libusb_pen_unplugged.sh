@@ -1,5 +1,5 @@
-# A pen that is read through hidapi's libusb back end is unplugged in mid-recording and plugged in
-# again in another socket, on another bus, and then in the first one: it is found each time.
+# Scenario: a pen read through hidapi's libusb back end is unplugged during a recording, plugged in again in another
+# socket on another bus, and then in the first one. It must be found each time.
 modules='dummy_hcd:num=2 libcomposite usb_f_hid usbhid hid-generic'
 files='build/vm/scribble.tractus-log'
 

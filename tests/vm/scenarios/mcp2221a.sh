@@ -1,5 +1,5 @@
-# An MCP2221A, emulated through uhid: our driver sets it up, reads its converter, and gets the
-# heights that it measures. Unplugged in mid-recording it is found again.
+# Scenario: an MCP2221A, emulated through uhid. Our driver must configure it, read its converter, and get the
+# heights that it measures. Unplugged during a recording, it must be found again.
 modules='uhid hid-generic'
 files='build/vm/scribble.tractus-log'
 

@@ -1,13 +1,12 @@
-# An MCP2221A that others use, too. What another program asks is answered to every reader of the
-# chip, and our driver drops it. When the kernel's own driver comes, it takes the chip away from
-# all: the recording says so, the doctor says what to do about the driver, and when that is done,
-# the recording goes on.
+# Scenario: an MCP2221A that is used by others, too. Replies to another program reach every reader of the chip, and
+# our driver must drop them. When the kernel's own driver is loaded, it takes the chip away from all: the recording
+# must report this, the doctor must say what to do about the driver, and afterwards the recording must continue.
 modules='uhid hid-generic hid-mcp2221'
 files='build/vm/scribble.tractus-log'
 
 log=/files/scribble.tractus-log
 
-# Asks for the levels of the pins, command 51, again and again.
+# Requests the levels of the pins, command 0x51, repeatedly.
 ask_for_pins() {
     { printf '\000\121' && head -c 63 /dev/zero; } >question
     for i in $(seq 100); do
@@ -16,7 +15,7 @@ ask_for_pins() {
     done
 }
 
-# How many of the chip's answers, 64 bytes each, are to command $1.
+# Prints how many of the chip's replies, 64 bytes each, are to command $1.
 count_answers() { od -An -v -tx1 -w64 answers | grep -c "^ $1" || true; }
 has_answers() { [ "$(count_answers "$1")" -ge "$2" ]; }
 
@@ -26,17 +25,17 @@ share_with_a_program() {
     witness=$!
     wait_until test -s answers
     ask_for_pins
-    wait_until has_answers 51 100 # The other program's.
-    wait_until has_answers 10 500 # Our own.
+    wait_until has_answers 51 100 # Replies to the other program.
+    wait_until has_answers 10 500 # Replies to our own program.
     kill $witness
     figure "answers to another program" "$(count_answers 51)"
 }
 
-# The driver looks at the chip for 24 s, since this kernel lets no answers through meanwhile.
+# The driver probes the chip for 24 s, because this kernel does not pass on replies meanwhile.
 share_with_the_kernel() {
     insmod /modules.d/hid-mcp2221.ko
     wait_until grep -q 'has gone' messages
-    tractus doctor --seconds 0 >findings 2>&1 || true # It finds the driver.
+    tractus doctor --seconds 0 >findings 2>&1 || true # The doctor must find the driver.
     cat findings
     grep -q 'blacklist hid_mcp2221' findings
     rmmod hid_mcp2221

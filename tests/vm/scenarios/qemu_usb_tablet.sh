@@ -1,5 +1,5 @@
-# QEMU's USB tablet, which somebody else wrote, moved from outside: what hidraw delivers is where it
-# was moved.
+# Scenario: QEMU's own USB tablet, an independent device, moved from outside. Hidraw must deliver the positions to
+# which it was moved.
 modules='xhci-pci usbhid hid-generic'
 virtual_time=no
 qemu='-device qemu-xhci -device usb-tablet'
@@ -8,7 +8,7 @@ outside() {
     move_pointer
 }
 
-# In the report: buttons, x and y with the low byte first, wheel.
+# The report has buttons, x and y (low byte first), wheel.
 guest() {
     local recorder
     wait_until test -e /dev/hidraw0

@@ -1,6 +1,6 @@
-# QEMU's Wacom PenPartner, moved from outside. The kernel's wacom driver switches it to its own mode
-# and drops its reports before hidraw sees them, since they are shorter than its descriptor says:
-# libusb's back end takes the tablet from the driver and reads them.
+# Scenario: QEMU's Wacom PenPartner, moved from outside. The kernel's wacom driver switches it to its own mode and
+# drops its reports before hidraw sees them, since they are shorter than its descriptor says. The libusb back end
+# detaches the driver and reads them.
 modules='xhci-pci usbhid wacom'
 virtual_time=no
 qemu='-device qemu-xhci -device usb-wacom-tablet'
@@ -9,11 +9,11 @@ outside() {
     move_pointer
 }
 
-# In the report: its id 2, x and y with the low byte first, buttons, pressure.
+# The report has the id 2, x and y (low byte first), buttons, pressure.
 guest() {
     local recorder
     wait_until test -e /dev/hidraw0
-    sleep 3 # The driver sets the mode a second after it has come, and gives no sign of it.
+    sleep 3 # The driver sets the mode a second after it was bound, without any sign.
     tractus devices
     tractus record -o got.tractus-log --device libusb:1-1:0 &
     recorder=$!

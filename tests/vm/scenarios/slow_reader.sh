@@ -1,5 +1,5 @@
-# The kernel keeps 64 reports for a reader and drops the others: a station that is busy for two
-# seconds must lose none of a 1000 Hz pen all the same.
+# Scenario: the kernel keeps 64 reports for a reader and drops later ones. A station that is busy for two seconds
+# must nevertheless lose no report of a 1000 Hz pen.
 modules='uhid hid-generic'
 files='build/vm/scribble.tractus-log'
 

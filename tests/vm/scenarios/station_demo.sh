@@ -1,22 +1,22 @@
-# The demo of the whole station, drawn through the kernel at the hand's own pace: a tree by its
-# outline, a limb by a rule along a stroke, a plant from construction lines, a shaped branch, wind.
-# The station is killed in the middle of a stroke, and goes on with its session; the stroke is drawn
-# again, and all that comes behind it. Outside, the recordings replay to the session's edits and to
-# its file byte for byte, and the strokes lie where the hand was.
+# Scenario: the demo of the whole station, drawn through the kernel at the hand's own pace: a tree by its outline, a
+# limb by a rule along a stroke, a plant from construction lines, a shaped branch, wind. The station is killed
+# during a stroke and continues with its session; that stroke and all later ones are drawn again. Outside, the
+# recordings must replay to the session's edits and to its file byte for byte, and the strokes must be where the
+# hand was.
 modules='dummy_hcd libcomposite usb_f_hid usb_f_fs usbhid hid-generic'
 files='app/demo/station.tractus-log app/demo/station.hand.toml app/models/birch.l app/models/birch.v app/leaves/birch.leaf'
-limit_s=600 # The window grows three plants again and again, on an emulated processor.
-finished_first=11 # The twelfth stroke, which shapes the birch, is torn: or the next, if that was over too soon.
+limit_s=600 # The window rebuilds three plants repeatedly, on an emulated processor.
+finished_first=11 # The twelfth stroke, which shapes the birch, is interrupted; or the next one, if it ended too soon.
 
 count_lines() { grep -c "^$1" "$2" || true; }
-# Whether the pen draws behind so many finished strokes.
+# True if the pen draws and so many strokes have been finished.
 #   is_drawing FINISHED WINDOW
 is_drawing() {
     [ "$(count_lines stroke "$2")" -ge "$1" ] && [ "$(grep '^the pen' "$2" | tail -n 1)" = 'the pen touches' ]
 }
 is_drawing_or_over() { is_drawing "$1" "$2" || ! kill -0 "$3"; }
 
-# What of a log comes from its n-th tool line on, as a log.
+# Prints the part of a log from its n-th tool line on, as a log.
 #   from_tool N LOG
 from_tool() {
     awk -v wanted="$1" '
@@ -27,7 +27,7 @@ from_tool() {
         !seen && !/^T:/ || begun' "$2"
 }
 
-# Begins to play a log, and to watch the station.
+# Starts playing a log, and watching the station.
 #   begin_to_draw NUMBER LOG
 begin_to_draw() {
     tractus sim gadget both "$2" >player.log 2>&1 &
@@ -38,13 +38,13 @@ begin_to_draw() {
     station=$!
 }
 
-# Kills the station in the middle of a stroke. Meanwhile the hand holds still until all strokes before are on the
-# disk, however long an emulated processor takes; says in the file torn which stroke it was.
+# Kills the station during a stroke and writes the stroke's number to the file "torn". First it stops the hand until
+# all earlier strokes are on the disk, however long an emulated processor takes.
 kill_in_a_stroke() {
     wait_until is_drawing_or_over $finished_first window1 $player
     sleep 0.4
     kill -STOP $player || fail "the player ended: $(cat player.log)" || return
-    sleep 0.5 # What the kernel has already is drawn.
+    sleep 0.5 # Time for drawing the reports that the kernel already has.
     is_drawing $finished_first window1 || fail "no stroke was under way: $(cat window1)" || return
     local finished=$(count_lines stroke window1) held=$(cut -d ' ' -f 1 /proc/uptime)
     wait_until grep -q "^kept $finished$" window1
@@ -79,11 +79,11 @@ guest() {
     tractus session info station.tractus
     tractus grow station.tractus -o station.glb
     figure 'file of three plants' "$(wc -c <station.glb)" bytes
-    sha256sum station.glb >station.sha256 # The file itself would take minutes to come out.
+    sha256sum station.glb >station.sha256 # Only the checksum, since transferring the file would take minutes.
     hand_out torn *.tractus-log station.tractus station.sha256 station.hand.toml birch.l birch.v
 }
 
-# The torn stroke is in the recording, but not in the session: it was never finished.
+# Removes the interrupted stroke, which is in the recording, but not in the session, since it was never finished.
 without_torn_stroke() {
     awk '/^D:/ { device = $2 }
         { lines[NR] = $0 }
@@ -92,12 +92,12 @@ without_torn_stroke() {
 }
 
 judge() {
-    # The emulated processor is so busy with growing that reports come late: at 220 mm/s, 3 mm are 14 ms.
+    # The emulated processor is so busy with growing that reports arrive late: at 220 mm/s, 3 mm are 14 ms.
     local torn=$(cat torn) limits='--rms-mm 0.5 --max-mm 3 --path-mm 1'
     vm_check strokes station.hand.toml station.tractus-log got1.tractus-log birch.l --torn --strokes $torn $limits
     vm_check strokes station.hand.toml rest.tractus-log got2.tractus-log birch.l --strokes $((14 - torn)) $limits
     without_torn_stroke got1.tractus-log >whole.tractus-log
-    mkdir replayed # A file of a plant has the name of its session.
+    mkdir replayed # The exported file of a plant is named after its session.
     vm_check replay-session birch.l replayed/station.tractus whole.tractus-log got2.tractus-log
     vm_check same-drawing station.tractus replayed/station.tractus
     tractus grow replayed/station.tractus -o station.glb

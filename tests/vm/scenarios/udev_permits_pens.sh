@@ -1,8 +1,8 @@
-# Our rules permit pens by what they say of their reports, whoever made them, and nothing else.
+# Scenario: the udev rules must permit pens of any maker, recognised by their report descriptors, and nothing else.
 modules='uhid hid-generic'
 udev=yes
 
-# A device that says nothing for two seconds.
+# Writes the log of a device that sends nothing for two seconds.
 #   write_device LOG BUS VENDOR PRODUCT LENGTH DESCRIPTOR
 write_device() {
     {
@@ -14,7 +14,7 @@ write_device() {
     } >"$1"
 }
 
-# What udev has tagged the device of a log with, while it is there.
+# Prints udev's tags of a log's device while it is present.
 tags_of() {
     local player
     tractus sim uhid "$1" >played 2>&1 &
@@ -28,7 +28,7 @@ tags_of() {
     wait_until test ! -e /dev/hidraw0
 }
 
-# Report 1: a tip switch and padding.
+# Descriptor of report 1 with a tip switch and padding.
 pen='05 0d 09 02 a1 01 85 01 09 20 a1 00 09 42 15 00 25 01 75 01 95 01 81 02 95 07 81 03 c0 c0'
 mouse='05 01 09 02 a1 01 85 01 05 09 19 01 29 01 15 00 25 01 75 01 95 01 81 02 95 07 81 03 c0'
 

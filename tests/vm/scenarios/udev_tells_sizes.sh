@@ -1,9 +1,9 @@
-# A tablet's size as the kernel and udev know it goes into the recording of its reports.
+# Scenario: a tablet's size, as known to the kernel and udev, must be in the recording of its reports.
 modules='uhid hid-generic evdev'
 udev=yes
 
-# Report 1 of a digitizer's pen: tip switch, in range, X of 0 to 20,000 and Y of 0 to 12,500. The unit
-# is the centimetre with exponent -3 (HID 1.11, 6.2.2.7), so that it has 200 x 125 mm.
+# Descriptor of report 1 of a digitizer's pen: tip switch, in range, X of 0 to 20,000 and Y of 0 to 12,500. The unit
+# is the centimetre with exponent -3 (HID 1.11, 6.2.2.7), so the size is 200 x 125 mm.
 pen='05 0d 09 02 a1 01 85 01 09 20 a1 00'
 pen="$pen 09 42 09 32 15 00 25 01 75 01 95 02 81 02 95 06 81 03"
 pen="$pen 05 01 65 11 55 0d 75 10 95 01 35 00"

@@ -1,4 +1,4 @@
-# A simulated pen at 200 Hz through uhid, hid-generic and hidraw: every report arrives, in step.
+# Scenario: a simulated pen at 200 Hz through uhid, hid-generic and hidraw. Every report must arrive, in order.
 modules='uhid hid-generic'
 files='build/vm/scribble.tractus-log'
 

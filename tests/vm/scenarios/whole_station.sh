@@ -1,5 +1,5 @@
-# The whole station without a screen: a simulated hand's pen and height sensor, as the kernel has
-# them, recorded live; the strokes lie where the hand was.
+# Scenario: the whole station without a screen: pen and height sensor of a simulated hand through the kernel,
+# recorded live. The strokes must be where the hand was.
 modules='uhid hid-generic'
 files='build/vm/scribble.tractus-log tests/vm/scribble.hand.toml app/models/daisy.l app/models/daisy.v'
 

@@ -1,6 +1,6 @@
-# The station's live window, where udevd tells of devices: tablet and height sensor are unplugged in
-# the midst of a stroke, and plugged in again in another socket. Each time the window says so, keeps
-# what was drawn until then as a stroke, finds both again, and the hand draws on.
+# Scenario: the station's live window with udevd. Tablet and height sensor are unplugged during a stroke, and
+# plugged in again in another socket. Each time the window must report it, keep what was drawn as a stroke, and find
+# both again; then the hand continues.
 modules='dummy_hcd:num=2 libcomposite usb_f_hid usb_f_fs usbhid hid-generic'
 files='build/vm/scribble.tractus-log app/models/daisy.l app/models/daisy.v'
 udev=yes
@@ -10,18 +10,19 @@ port=/sys/kernel/config/usb_gadget/tractus/UDC
 
 count_lines() { grep -c "^$1" window || true; }
 has_more() { [ "$(count_lines "$1")" -gt "$2" ]; }
-# What it said last of the pen, and of what is wrong: it tells of either as soon as it sees it.
+# Functions that look at the window's last message about the pen, and its last message about a problem; it prints
+# each at once.
 touches() { [ "$(grep '^the pen' window | tail -n 1)" = 'the pen touches' ]; }
 last_trouble_is() { grep -v -e '^the pen' -e '^stroke' -e '^kept' window | tail -n 1 | grep -q "$1"; }
 
 unplug_in_a_stroke() {
     local strokes
-    # One that was over before enough of it was drawn is let go by: the next one comes.
+    # A stroke that ended before enough of it was drawn is ignored; the next one is used.
     until wait_until has_more 'the pen touches' "$(count_lines 'the pen touches')" && sleep 0.2 && touches; do :; done
     strokes=$(count_lines stroke)
     echo >$port
     wait_until last_trouble_is 'has gone: plug it in again'
-    wait_until has_more stroke $strokes # The one in progress.
+    wait_until has_more stroke $strokes # The stroke in progress.
     [ "$(count_lines stroke)" -eq $((strokes + 1)) ] || fail "there is a stroke that nobody drew" || return
     echo "$1" >$port
     wait_until last_trouble_is 'nothing is wrong'
