@@ -6,15 +6,15 @@
 
 namespace tractus {
 
-// The folder of recordings, descriptors, models and strokes that are not ours to ship, from the
-// environment variable TRACTUS_CORPUS. Empty where it is not set.
+// Returns the folder of recordings, descriptors, models and strokes that may not be distributed
+// with the program, from the environment variable TRACTUS_CORPUS. Empty if it is not set.
 inline std::filesystem::path corpus()
 {
     char const* const folder = std::getenv("TRACTUS_CORPUS");
     return folder ? std::filesystem::path(folder) : std::filesystem::path();
 }
 
-// Path of a file or folder of the data that come with the tests, tests/data.
+// Returns the path of a file or folder in tests/data, which is distributed with the tests.
 inline std::filesystem::path shipped(std::filesystem::path const& name)
 {
     return std::filesystem::path(__FILE__).parent_path() / "data" / name;
@@ -22,8 +22,8 @@ inline std::filesystem::path shipped(std::filesystem::path const& name)
 
 } // namespace tractus
 
-// Skips the running test, visibly, where there is no corpus. Its name belongs to the CORPUS of its
-// program in CMakeLists.txt, which makes one line of all that are skipped.
+// Skips the running test, with a message, if there is no corpus. The test's name must be listed in
+// CORPUS of its program in CMakeLists.txt, which prints one line for all skipped tests.
 #define REQUIRE_CORPUS()                                                                           \
     if (::tractus::corpus().empty())                                                               \
     GTEST_SKIP() << "TRACTUS_CORPUS is not set: this test needs the folder of recordings"

@@ -8,9 +8,8 @@
 
 namespace tractus {
 
-// A file's bytes; empty where there is no such file. Read at once: character by character,
-// unoptimised as tests are, the larger files that the program writes took longer to read than to
-// make.
+// Returns a file's bytes; empty if there is no such file. It is read in one call, since reading
+// large files character by character is slow without optimisation.
 inline std::string file_bytes(std::filesystem::path const& path)
 {
     std::ifstream file(path, std::ios::binary | std::ios::ate);

@@ -12,7 +12,7 @@
 
 namespace tractus {
 
-// A station and the document that its strokes go to, at once: what a log or a hand amounts to.
+// A station together with the document that receives its strokes.
 class DrawingStation : public station::Station {
 public:
     DrawingStation(station::Station station, scene::Scene scene)
@@ -58,7 +58,8 @@ private:
                         std::move_iterator(drawn.end()));
     }
 
-    std::unique_ptr<document::Document> document_; // On the heap, as this moves.
+    // On the heap, so that its address stays the same when this object is moved.
+    std::unique_ptr<document::Document> document_;
     std::vector<document::DrawnStroke> strokes_;
 };
 

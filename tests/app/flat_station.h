@@ -9,13 +9,14 @@
 
 namespace tractus {
 
-// A station with the simple pen and the tools of all methods, whose surface stays at 100 mm.
+// Returns a station with the simple pen and the tools of all methods, whose surface stays at 100
+// mm.
 inline station::Station flat_station(std::optional<tools::Tool> const& tool = {})
 {
     return flat_station(methods::all_methods().tools, tool);
 }
 
-// Returns such a station, and what it draws on.
+// Returns a flat station together with its document.
 inline DrawingStation station_on(scene::Scene scene, std::optional<tools::Tool> const& tool = {})
 {
     return { flat_station(tool), std::move(scene) };

@@ -7,13 +7,13 @@
 
 namespace tractus {
 
-// While one of these is there, no file of this process may grow beyond so many bytes: what a disk
-// that is full looks like to whoever writes.
+// While such an object exists, no file of this process may grow beyond a limit, as on a full disk.
 class FullDisk {
 public:
     explicit FullDisk(std::size_t most_bytes)
     {
-        std::signal(SIGXFSZ, SIG_IGN); // An error of the write, as a full disk's.
+        // Writing then fails with an error, as on a full disk, instead of a signal.
+        std::signal(SIGXFSZ, SIG_IGN);
         EXPECT_EQ(::getrlimit(RLIMIT_FSIZE, &before_), 0);
         rlimit limit = before_;
         limit.rlim_cur = most_bytes;

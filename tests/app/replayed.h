@@ -9,7 +9,7 @@
 
 namespace tractus {
 
-// Result of a log.
+// Result of replaying a log.
 struct Replayed {
     station::StationCounts counts;
     scene::Scene scene;

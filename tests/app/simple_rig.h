@@ -8,8 +8,8 @@
 
 namespace tractus {
 
-constexpr std::size_t kPen = 0;    // Index of the device in simple_rig().
-constexpr std::size_t kHeight = 1; // Likewise.
+constexpr std::size_t kPen = 0;    // Index of the tablet in simple_rig().
+constexpr std::size_t kHeight = 1; // Index of the height sensor in simple_rig().
 
 inline std::vector<drivers::DeviceInfo> simple_rig()
 {
@@ -27,7 +27,7 @@ inline void append_u16(std::vector<std::byte>& report, int value)
     report.push_back(static_cast<std::byte>(value >> 8));
 }
 
-// The simple pen's report of a place, x from the left and y from the far edge.
+// Returns the simple pen's report of a position, x from the left and y from the far edge.
 inline std::vector<std::byte> pen_report(double x_mm, double y_mm, bool touching)
 {
     std::vector<std::byte> report { std::byte { 2 },
@@ -35,7 +35,7 @@ inline std::vector<std::byte> pen_report(double x_mm, double y_mm, bool touching
     append_u16(report, static_cast<int>(100 * x_mm));
     append_u16(report, static_cast<int>(100 * y_mm));
     append_u16(report, touching ? 1000 : 0);
-    append_u16(report, 0); // No tilt.
+    append_u16(report, 0); // The pen is upright.
     return report;
 }
 
@@ -46,7 +46,7 @@ inline std::vector<std::byte> height_report(int counts)
     return report;
 }
 
-// A station with the simple pen and these tools, whose surface stays at 100 mm.
+// Returns a station with the simple pen and these tools, whose surface stays at 100 mm.
 inline station::Station flat_station(tools::ToolKinds tools, std::optional<tools::Tool> const& tool)
 {
     station::StationOptions options;
@@ -60,8 +60,8 @@ inline station::Station flat_station(tools::ToolKinds tools, std::optional<tools
     return station::Station::create(std::vector { drivers::simple_pen() }, options).value();
 }
 
-// A stroke of the simple pen across the middle of the tablet: twenty samples, 5 ms apart, from
-// `start_ms`, and one above the surface after them.
+// Draws a stroke with the simple pen across the middle of the tablet: twenty samples, 5 ms apart,
+// from `start_ms`, and then one sample above the surface.
 template<typename AnyStation> void draw_across(AnyStation& station, std::int64_t start_ms)
 {
     for (int i = 0; i < 20; ++i)

@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A minute of a pen at 200 Hz and heights at 500 Hz, interleaved as they arrive.
+// A minute of pen samples at 200 Hz and heights at 500 Hz, interleaved as they arrive.
 struct Samples {
     std::vector<drivers::PenSample> pens;
     std::vector<drivers::HeightSample> heights;

@@ -19,7 +19,8 @@ namespace {
 constexpr std::size_t kReports = 1'000'000;
 constexpr std::size_t kReportBytes = 10;
 
-// A pen that goes round and round for an hour and a half, touching half of the time.
+// Returns the reports of a pen that draws circles for an hour and a half, touching half of the
+// time.
 std::vector<std::byte> const& reports()
 {
     static auto const all = [] {
@@ -71,7 +72,8 @@ void decode_pen_reports(benchmark::State& state)
 }
 BENCHMARK(decode_pen_reports);
 
-// One maker's format: a pen that touches, whose place is in bytes `x` and on, low byte first.
+// Decodes reports in a maker's format: a pen that touches, with its x coordinate at byte `x`, low
+// byte first.
 void decode_family_reports(benchmark::State& state, char const* family, char const* text,
                            std::size_t x)
 {

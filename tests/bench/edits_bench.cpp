@@ -1,5 +1,5 @@
-// Steps of all methods on plants of 50,000 segments and more: from a finished stroke, or from undo,
-// to the document's next snapshot.
+// Steps of all methods on plants of 50,000 segments and more: time from a finished stroke, or from
+// undo, to the document's next snapshot.
 #include "app/batch/malloc_tuning.h"
 #include "app/document/document.h"
 #include "app/methods/all_methods.h"
@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kSegments = 50'000;
 constexpr std::size_t kMostSegments = 100'000;
 constexpr std::size_t kSteps = 1000;
-constexpr int kTreeSteps = 16; // 2^16 - 1 segments.
+constexpr int kTreeSteps = 16; // Makes 2^16 - 1 segments.
 
 std::size_t segment_count(scene::Scene const& scene)
 {
@@ -31,12 +31,12 @@ std::size_t segment_count(scene::Scene const& scene)
     return count;
 }
 
-// The seconds that each of a random hand's steps took.
+// Durations of the steps of a random hand, in seconds.
 class RandomSteps {
 public:
     RandomSteps()
     {
-        batch::return_large_blocks(); // The window does it, too.
+        batch::return_large_blocks(); // As in the window.
         while (seconds_.size() < kSteps) {
             auto const segments = segment_count(document_.newest()->scene);
             if (segments < kSegments)
@@ -52,7 +52,7 @@ public:
         }
     }
 
-    // The time that so large a share of the steps stayed within.
+    // Returns the time that the given share of the steps did not exceed.
     double within(double share) const
     {
         auto sorted = seconds_;
@@ -60,8 +60,8 @@ public:
         return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
     }
 
-    // Of each tool, and of undo and redo: how often it was a step, how long the longest took, and
-    // how many segments there were then.
+    // Statistics of a tool, of undo or of redo: the number of steps, the longest time, and the
+    // number of segments at that time.
     struct Kind {
         std::size_t count = 0;
         double longest_s = 0;
@@ -82,7 +82,7 @@ private:
         } });
     }
 
-    // What is refused is no step.
+    // Refused strokes do not count as steps.
     void draw()
     {
         auto stroke = hand_.stroke(document_.newest()->scene);
@@ -103,7 +103,8 @@ private:
         return std::chrono::duration<double>(Clock::now() - begin).count();
     }
 
-    // What makes far larger plants is measured by its method's own benchmarks.
+    // Adds a step; steps on far larger plants are skipped, since the methods' own benchmarks
+    // measure them.
     void add(std::string const& what, double took)
     {
         auto const now = segment_count(document_.newest()->scene);
@@ -131,7 +132,8 @@ void print_kinds(RandomSteps const& steps)
                    kind.count, 1000 * kind.longest_s, kind.segments);
 }
 
-// Of each kind of step the longest is printed where the environment has TRACTUS_BENCH_EACH_TOOL.
+// Runs the steps; the longest step of each kind is printed if the environment variable
+// TRACTUS_BENCH_EACH_TOOL is set.
 RandomSteps const& random_steps()
 {
     static RandomSteps const steps;

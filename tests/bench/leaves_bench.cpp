@@ -1,7 +1,7 @@
-// Leaves of every species that comes with the program, all different: a thousand of them painted
-// and packed as three maps of 512 pixels each, one by one, and ten thousand grown and cut into
-// triangles. Says besides how many pages of memory were touched for the first time ("minor
-// faults"), and how much memory was in use at most.
+// Leaves of all species that come with the program, all different: a thousand of them painted and
+// packed as three maps of 512 pixels each, one by one, and ten thousand grown and triangulated.
+// Also reports the number of memory pages touched for the first time ("minor faults"), and the peak
+// memory use.
 #include "app/methods/leaves/leaf_library.h"
 #include "app/methods/leaves/leaf_maps.h"
 #include "app/methods/leaves/leaf_study.h"
@@ -43,7 +43,7 @@ struct Used {
     rusage usage {};
 };
 
-// Prints what the program took since `before`; memory at most since it began.
+// Prints the time and memory used since `before`; peak memory is that since the program's start.
 void say(char const* what, Used const& before, double items)
 {
     Used const now;
@@ -97,7 +97,7 @@ void leaves_with_maps(benchmark::State& state)
 }
 BENCHMARK(leaves_with_maps)->Unit(benchmark::kSecond)->UseRealTime();
 
-// Measures a leaf as a window shows it while somebody drags a slider.
+// Measures the update of a leaf in the window while the user drags a slider.
 void leaf_with_maps(benchmark::State& state)
 {
     auto const grammar = leaf::load_leaf_grammar("maple").value();
@@ -112,8 +112,8 @@ void leaf_with_maps(benchmark::State& state)
 }
 BENCHMARK(leaf_with_maps)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-// Measures what the window's page of leaves shows while somebody drags a slider: a leaf with four
-// maps, and six others.
+// Measures the update of the window's page of leaves while the user drags a slider: a leaf with
+// four maps, and six others.
 void leaf_study(benchmark::State& state)
 {
     auto const grammar = leaf::load_leaf_grammar("maple").value();

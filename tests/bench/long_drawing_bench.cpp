@@ -1,7 +1,6 @@
-// Eight hours of drawing, as fast as they can be replayed: a stroke of a second, three seconds of
-// looking at it, and now and then one taken back. Says after each hour what memory the program has
-// when nothing is under way, which should stay the same; what was drawn is kept in a session, and
-// nothing of it may be missing at the end.
+// Replays eight hours of drawing as fast as possible: strokes of one second, pauses of three
+// seconds, and an occasional undo. Reports after each hour the memory of the idle program, which
+// should stay constant; the drawing is kept in a session, which must be complete at the end.
 #include "app/batch/malloc_tuning.h"
 #include "app/batch/session_plant.h"
 #include "app/controllers/station_controller.h"
@@ -45,7 +44,7 @@ public:
     {
     }
 
-    // One stroke and what follows it.
+    // Draws one stroke, with the pause after it.
     void cycle()
     {
         for (std::int64_t ms = 0; ms < kCycle_ms; ++ms, ++now_ms_) {
@@ -64,19 +63,21 @@ public:
             return;
         controller_.perform(view::Undo {}, station_);
         controller_.settle(station_,
-                           at_ms(now_ms_)); // Growing keeps up with a hand, but not with this.
+                           // Waits for growing, which keeps up with a hand, but not with this
+                           // replay.
+                           at_ms(now_ms_));
     }
 
     void settle()
     {
         controller_.settle(station_, at_ms(now_ms_));
-        // A plant that nobody wanted any more is freed on its thread, for which nobody waits.
+        // Waits for plants that are freed on another thread, which nothing else waits for.
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
 
     std::size_t kept() const { return controller_.document().newest()->scene.associations.size(); }
 
-    // Whether the session has each stroke that was not taken back, and no other.
+    // True if the session contains exactly the strokes that were not undone.
     bool has_lost_nothing(fs::path const& path) const
     {
         auto const session = session::read_session(path, scene::core_edit_kinds());

@@ -10,13 +10,13 @@
 namespace tractus {
 namespace {
 
-// The workloads that published measurements of L-system engines use.
+// Workloads of published measurements of L-system engines.
 
 // ABoP figure 1.24a: 2.5 * 5^n - 1.5 modules after n steps.
 constexpr char const* kBush
     = "Lsystem: 1\nderivation length: 10\nAxiom: F\nF --> F[+F]F[-F]F\nendlsystem\n";
 
-// ABoP figure 1.31a: contexts over brackets.
+// ABoP figure 1.31a: contexts across brackets.
 constexpr char const* kSignals = R"(Lsystem: 1
 derivation length: 30
 ignore: +-F
@@ -40,7 +40,7 @@ std::string row_of_signals()
         + "\nB < A --> B\nB --> A\nendlsystem\n";
 }
 
-// Allows as many threads as the benchmark's second argument says.
+// Limits the number of threads to the benchmark's second argument.
 tbb::global_control limited_threads(benchmark::State const& state)
 {
     return { tbb::global_control::max_allowed_parallelism,
@@ -54,7 +54,8 @@ lsystem::Model compiled(std::string const& rules)
     return lsystem::compile_model(source).value();
 }
 
-// Bytes are those of the last string, read or written once: steps before it are much shorter.
+// Derives a model. The bytes are those of the last string, read or written once, since the strings
+// of earlier steps are much shorter.
 void derive_model(benchmark::State& state, std::string const& rules)
 {
     auto const threads = limited_threads(state);
@@ -134,7 +135,7 @@ void interpret_tree(benchmark::State& state)
              .limit = Limit::Fill });
 }
 
-// Runs on one thread and on two.
+// Registers runs with one thread and with two.
 void for_steps(benchmark::internal::Benchmark* bench, std::vector<std::int64_t> const& steps)
 {
     bench->ArgNames({ "", "threads" })

@@ -1,7 +1,7 @@
-// Meshing the monopodial tree of ABoP figure 2.6 and writing it as .glb; writing a collection.
+// Meshes the monopodial tree of ABoP figure 2.6 and writes it as .glb; writes a collection.
 //
-// Files are written where temporary files are, into the page cache, as cp writes them: neither
-// waits for the disk, and neither finds a file of that name.
+// Files are written to the folder of temporary files, into the page cache, as cp does it: neither
+// waits for the disk, and neither overwrites an existing file.
 #include "engine/export/glb_writer.h"
 #include "engine/lsystem/derivation/derive.h"
 #include "engine/lsystem/fast_drawing/interpret.h"
@@ -21,7 +21,7 @@
 namespace tractus {
 namespace {
 
-constexpr int kSteps = 20; // 1,048,575 segments.
+constexpr int kSteps = 20; // Makes 1,048,575 segments.
 
 Plant const& plant()
 {
@@ -36,14 +36,14 @@ Plant const& plant()
     return made;
 }
 
-// Sixteen triangles a segment and nothing else, as other programs' figures are counted.
+// Options for sixteen triangles per segment and nothing else, as in the figures of other programs.
 constexpr mesh::MeshOptions kBareTubes { .min_sides = 8,
                                          .max_sides = 8,
                                          .subdivision = 0,
                                          .collar = 0,
                                          .ends = mesh::MeshOptions::Ends::Open };
 
-// Allows as many threads as the benchmark's argument says.
+// Limits the number of threads to the benchmark's argument.
 class Threads {
 public:
     explicit Threads(benchmark::State const& state)
@@ -60,8 +60,8 @@ constexpr std::size_t kCollectionPlants = 200;
 constexpr std::size_t kCollectionSegments = 10000;
 constexpr std::size_t kCollectionLeaves = 5000;
 
-// Plant of which a collection's are variations: axes of eight segments on the nodes of earlier
-// ones, leaves on the last.
+// Returns the plant whose variations make the collection: axes of eight segments on the nodes of
+// earlier ones, with leaves on the last axes.
 Plant collected_plant()
 {
     Random random({ .seed = 1 });
@@ -122,7 +122,7 @@ void make_mesh_bench(benchmark::State& state, mesh::MeshOptions const& options)
     Threads const threads(state);
     mesh::Mesh mesh;
     for (auto _ : state) {
-        mesh = {}; // Every run pays for its memory, as the first one does.
+        mesh = {}; // Memory is freed, so that every run allocates it again.
         mesh = mesh::make_mesh(plant(), options);
     }
     report(state,
@@ -132,7 +132,7 @@ void make_mesh_bench(benchmark::State& state, mesh::MeshOptions const& options)
              .limit = Limit::Fill });
 }
 
-// Fills the same arrays, also new in every run, by memset.
+// Fills arrays of the same size by memset, also newly allocated in every run.
 void fill_arrays_of_bare_tubes(benchmark::State& state)
 {
     mesh::Mesh const mesh = mesh::make_mesh(plant(), kBareTubes);
@@ -211,7 +211,7 @@ void write_glb_while_meshing(benchmark::State& state)
     write_glb_bench(state, std::span(&placed, 1));
 }
 
-// 200 plants of 10,000 segments and 5,000 leaves, grown when their turn comes.
+// Writes 200 plants of 10,000 segments and 5,000 leaves, each grown when it is needed.
 void write_glb_of_a_collection(benchmark::State& state)
 {
     auto const plan = variation::plan_of(collected_plant(), {});

@@ -2,9 +2,8 @@
 
 namespace tractus {
 
-// ABoP figure 2.6, a monopodial tree, each rule split into two of which chance takes one:
-// 7 * 2^n - 6 modules and 2^n - 1 segments after n steps. Published measurements of L-system
-// engines use it.
+// ABoP figure 2.6, a monopodial tree with each rule split into two stochastic ones: 7 * 2^n - 6
+// modules and 2^n - 1 segments after n steps. Published measurements of L-system engines use it.
 constexpr char const* kMonopodialTree = R"(#define r1 0.9
 #define r2 0.6
 #define wr 0.707

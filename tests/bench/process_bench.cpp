@@ -12,7 +12,7 @@
 #include <unistd.h>
 #include <vector>
 
-// Whole processes, from start to end: what people wait for. The models are those of lsystem_bench.
+// Measures whole processes, from start to end, with the models of lsystem_bench.
 
 namespace tractus {
 namespace {
@@ -39,7 +39,7 @@ Axiom: F1F1F1
 endlsystem
 )";
 
-// A folder that is there as long as the program runs.
+// A temporary folder that exists while the program runs.
 class Folder {
 public:
     Folder() { fs::create_directories(path_); }
@@ -63,7 +63,7 @@ std::string model(std::string const& name, std::string const& rules)
     return path.string();
 }
 
-// Runs the program; its minor page faults, or less than 0 where it has failed.
+// Runs the program and returns its minor page faults; negative if it failed.
 double run_program(std::vector<std::string> arguments)
 {
     arguments.insert(arguments.begin(), TRACTUS_PROGRAM);
@@ -85,7 +85,7 @@ double run_program(std::vector<std::string> arguments)
     return static_cast<double>(usage.ru_minflt);
 }
 
-// `bytes`: of the result.
+// Measures a command; `work` has the bytes of its result.
 void measure(benchmark::State& state, std::vector<std::string> const& arguments, Work work)
 {
     for (auto _ : state)
@@ -119,7 +119,7 @@ void whole_tree(benchmark::State& state)
 }
 void whole_signals(benchmark::State& state)
 {
-    derive_and_count(state, model("signals.l", kSignals), 9'239'061); // After 60 steps.
+    derive_and_count(state, model("signals.l", kSignals), 9'239'061); // Modules after 60 steps.
 }
 void whole_row(benchmark::State& state)
 {
@@ -130,7 +130,7 @@ void whole_row(benchmark::State& state)
                      20'001.0 * static_cast<double>(state.range(0)));
 }
 
-// Start, derive, draw, mesh and write.
+// Measures starting, deriving, drawing, meshing and writing.
 void grow_into_file(benchmark::State& state, std::vector<std::string> const& options)
 {
     auto const path = model("grown.l", kMonopodialTree);

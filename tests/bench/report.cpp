@@ -20,9 +20,10 @@ namespace tractus {
 
 namespace {
 
-constexpr std::array<char const*, 4> kLimitNames { "copy", "fill", "disk", "cp" }; // By Limit.
+// Names in the order of Limit.
+constexpr std::array<char const*, 4> kLimitNames { "copy", "fill", "disk", "cp" };
 constexpr std::size_t kBlockBytes = 64 << 20;
-constexpr int kRuns = 12; // The best one counts: the machine may have other things to do.
+constexpr int kRuns = 12; // The best run counts, since the machine may be busy with other things.
 
 void write_once(std::vector<char> const& block)
 {
@@ -51,7 +52,7 @@ double measure_bytes_per_second(Limit limit)
         case Limit::Disk:
             write_once(from);
             break;
-        case Limit::Cp: // Limit for a file: copy_bytes_per_second().
+        case Limit::Cp: // Depends on the file: see copy_bytes_per_second().
             break;
         }
         benchmark::DoNotOptimize(to.data());
@@ -99,7 +100,7 @@ std::string counter_name(std::string_view limit)
     return fmt::format("{}_bytes_per_second", limit);
 }
 
-// This process' minor page faults since the last call.
+// Returns this process's minor page faults since the last call.
 double new_faults()
 {
     static long before = 0;
@@ -110,7 +111,8 @@ double new_faults()
     return static_cast<double>(faults);
 }
 
-// Four digits or so and a unit with a prefix, such as "12.35 ns" or "2.31 G modules/s".
+// Formats a value with about four digits and a prefixed unit, such as "12.35 ns" or "2.31 G
+// modules/s".
 std::string with_prefix(double value, std::string_view unit)
 {
     struct Prefix {
@@ -163,8 +165,8 @@ std::string limit_of(Run const& run)
     return "";
 }
 
-// Why a benchmark was broken off; null if it was not. Google Benchmark 1.8 gave the members other
-// names.
+// Returns why a benchmark was aborted; null if it was not. Google Benchmark 1.8 renamed these
+// members.
 template<typename AnyRun> std::string const* failure_of(AnyRun const& run)
 {
     if constexpr (requires { run.skip_message; })
@@ -192,7 +194,8 @@ void print_run(Run const& run)
               share > 0 ? fmt::format("{:.4f}", share) : "");
 }
 
-// One line per benchmark: of its best repetition, since the machine may have other things to do.
+// Prints one line for each benchmark, for its best repetition, since the machine may be busy with
+// other things.
 class TableReporter : public benchmark::BenchmarkReporter {
 public:
     bool ReportContext(Context const&) override { return true; }
@@ -234,7 +237,7 @@ void report(benchmark::State& state, Work const& work)
 
 } // namespace tractus
 
-// Prints, with --heading, the table's first line and nothing else.
+// With --heading, prints only the table's first line.
 int main(int argc, char** argv)
 {
     if (argc == 2 && std::string_view(argv[1]) == "--heading") {

@@ -6,34 +6,34 @@
 
 namespace tractus {
 
-// Limit of the work on this machine.
+// Hardware limit of the work, measured on this machine.
 enum class Limit {
-    Copy, // memcpy: for work that reads as much as it writes.
-    Fill, // memset: for work that writes.
-    Disk, // Writing a file in the folder for temporary files, the page cache included.
-    Cp,   // Copying a file that the page cache holds with the program cp.
+    Copy, // For work that reads as much as it writes: memcpy.
+    Fill, // For work that only writes: memset.
+    Disk, // For writing a file in the folder for temporary files, including the page cache.
+    Cp,   // For writing files: copying a file in the page cache with the program cp.
 };
 
 struct Work {
-    double items = 1;      // Done in one iteration.
-    std::string item = {}; // Plural noun for them: "reports", "segments".
-    double bytes = 0; // What one iteration has to read (Copy) or write (Fill, Disk, Cp) at least.
-                      // 0: so little that memory says nothing about the time.
+    double items = 1;      // Items processed in one iteration.
+    std::string item = {}; // Plural noun for the items: "reports", "segments".
+    // Bytes that one iteration has to read (Copy) or write (Fill, Disk, Cp) at least. 0: so few
+    // that memory does not limit the time.
+    double bytes = 0;
     Limit limit = Limit::Copy;
-    std::filesystem::path file = {}; // Limit::Cp: what cp copies, in its folder.
-    // Page faults of one iteration: pages of memory that it was the first to touch, which is what
-    // makes the same work take different times on different machines. Less than 0: this process'
-    // own since the table's line before, so the first iteration's and what was prepared, shared
-    // among all.
+    std::filesystem::path file = {}; // For Limit::Cp, the file to copy within its folder.
+    // Page faults of one iteration: memory pages touched for the first time, which make the same
+    // work take different times on different machines. Negative: those of this process since the
+    // table's previous line, including the first iteration and shared preparations.
     double faults = -1;
 };
 
-// Adds a benchmark to the table: items per second, the time and bytes of each, the time of an
-// iteration, its minor page faults, and the share of what the machine's memory or disk allows (1:
-// as fast as moving the bytes and nothing else). Call it once, after the loop.
+// Adds a benchmark to the table: items per second, time and bytes of each, time of an iteration,
+// its minor page faults, and the share of the limit of the machine's memory or disk (1: as fast as
+// only moving the bytes). Call it once, after the loop.
 //
-// The limits are measured by the same program on one thread, on blocks that no cache holds. The
-// time is the thread's own; a benchmark that works on several threads needs UseRealTime().
+// The limits are measured by the same program on one thread, with blocks larger than any cache. The
+// time is the thread's own; a benchmark with several threads needs UseRealTime().
 void report(benchmark::State& state, Work const& work);
 
 } // namespace tractus

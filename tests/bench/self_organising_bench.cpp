@@ -1,5 +1,5 @@
-// Measures trees that organise themselves: a year of a large one, a brush's step among many
-// markers, and a whole life.
+// Measures self-organising trees: a year of a large tree, a brush step among many markers, and a
+// whole life.
 #include "engine/base/random.h"
 #include "engine/methods/self_organising/life.h"
 #include "engine/methods/self_organising/tree_plant.h"
@@ -15,7 +15,7 @@ tbb::global_control limited_to(std::int64_t threads)
     return { tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads) };
 }
 
-// An oak in the open.
+// Returns the habit of an oak in the open.
 Habit oak()
 {
     return { .name = "oak",
@@ -46,7 +46,7 @@ Habit oak()
              .leaves_at_node = 4 };
 }
 
-// The tree at the age at which it has so many internodes.
+// Returns the tree at the age at which it has the given number of internodes.
 GrowingTree oak_of(std::size_t internodes)
 {
     auto tree = plant_seed(Vec3::Zero());
@@ -57,7 +57,7 @@ GrowingTree oak_of(std::size_t internodes)
     return tree;
 }
 
-// The goal is 100 ms for a year of 100,000 internodes.
+// Measures a year of growth. The goal is 100 ms for 100,000 internodes.
 void grow_a_year(benchmark::State& state)
 {
     auto const threads = limited_to(state.range(0));
@@ -73,7 +73,8 @@ void grow_a_year(benchmark::State& state)
 }
 BENCHMARK(grow_a_year)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-// A step of the brush among the buds of such a tree and a million markers; the goal is 16 ms.
+// Measures a step of the brush among the buds of such a tree and a million markers; the goal is 16
+// ms.
 void step_of_brush(benchmark::State& state)
 {
     auto const threads = limited_to(state.range(0));
@@ -96,7 +97,8 @@ void step_of_brush(benchmark::State& state)
 }
 BENCHMARK(step_of_brush)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-// From the seedling to the plant with its leaves; the goal is 2 s for 300,000 internodes.
+// Measures growth from the seedling to the plant with its leaves; the goal is 2 s for 300,000
+// internodes.
 void grow_a_life(benchmark::State& state)
 {
     auto const threads = limited_to(state.range(0));

@@ -8,7 +8,7 @@ namespace tractus {
 namespace {
 
 constexpr std::size_t kFrames = 200'000;
-constexpr std::size_t kSamplesPerFrame = 5; // The sensor's own choice.
+constexpr std::size_t kSamplesPerFrame = 5; // Default of the sensor.
 constexpr std::uint16_t kPeriodUs = 1000;
 
 struct Frame {
@@ -16,7 +16,7 @@ struct Frame {
     Timestamp arrival;
 };
 
-// A quarter of an hour of a sensor whose clock is slow by 200 ppm.
+// Returns a quarter of an hour of frames from a sensor whose clock is slow by 200 ppm.
 std::vector<Frame> const& frames()
 {
     static auto const all = [] {

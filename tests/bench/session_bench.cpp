@@ -1,6 +1,6 @@
-// A session of a thousand edits on the largest trees that people bring: how long it takes to open,
-// and until one undo can be shown. The tree is a published one of a million segments (ABoP figure
-// 2.6), its strokes are for branches of all orders.
+// A session of a thousand edits on a very large tree: time to open it, and time until one undo is
+// visible. The tree is a published one with a million segments (ABoP figure 2.6), and its strokes
+// belong to branches of all orders.
 #include "app/batch/malloc_tuning.h"
 #include "app/batch/session_plant.h"
 #include "app/document/model_cost.h"
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSteps = 20; // 2^20 - 1 segments.
+constexpr int kSteps = 20; // Makes 2^20 - 1 segments.
 constexpr std::size_t kEdits = 1000;
 
 Stroke bent_stroke(std::size_t number)
@@ -42,13 +42,13 @@ session::SessionOptions options()
                                          [] { return document::load_options(); });
 }
 
-// Half of its edits choose a branch, the others draw it.
+// A session of which half of the edits select a branch, and the others draw it.
 class BigSession {
 public:
     BigSession()
         : path_(fs::temp_directory_path() / fmt::format("tractus-bench-{}.tractus", ::getpid()))
     {
-        batch::return_large_blocks(); // The window does it, too.
+        batch::return_large_blocks(); // As in the window.
         fs::remove(path_);
         scene::Edit const model
             = scene::LoadModel { .source = { .name = "tree.l", .text = kMonopodialTree },

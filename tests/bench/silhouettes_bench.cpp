@@ -1,5 +1,5 @@
-// Measures the way from an outline to a skeleton of some thousand branches, arrangements around a
-// parent, and a tree of more than a million leaves.
+// Measures inference from an outline to a skeleton of several thousand branches, arrangements
+// around a parent, and a tree of more than a million leaves.
 #include "engine/mesh/make_mesh.h"
 #include "engine/methods/silhouettes/arrangement.h"
 #include "engine/methods/silhouettes/chordal_axis.h"
@@ -16,7 +16,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// A crown of nine lobes around a trunk.
+// Returns a crown with nine lobes around a trunk.
 Drawing crown()
 {
     Drawing drawing { { {} }, { Vec2(0, -110), Vec2(0, 55) } };
@@ -43,8 +43,8 @@ void triangulate_outline(benchmark::State& state)
 }
 BENCHMARK(triangulate_outline)->ArgName("samples")->Arg(128)->Arg(256)->Arg(512);
 
-// Measures what happens at pen-up; the goal is 16 ms for a thousand branches. There are four times
-// as many, on three levels.
+// Measures the inference at pen-up, here with 4,000 branches on three levels; the goal is 16 ms for
+// a thousand.
 void infer_branches(benchmark::State& state)
 {
     auto const threads = limited_to(state.range(0));
@@ -66,9 +66,9 @@ Stroke stroke_of(std::vector<Vec2> const& points)
     return { std::move(tips) };
 }
 
-// Measures pen-up where the crown of a tree that is built is drawn anew, three per cent wider:
-// branches keep their names, and what is inferred for these is what is built then. The goal is the
-// same.
+// Measures pen-up after redrawing the crown of an existing tree three per cent wider: branches keep
+// their names, and the inferred branches replace those of the tree. The goal is 16 ms for a
+// thousand branches.
 void change_outline(benchmark::State& state)
 {
     auto const threads = limited_to(state.range(0));
@@ -106,7 +106,7 @@ void arrange_branches(benchmark::State& state)
 }
 BENCHMARK(arrange_branches)->ArgName("branches")->Arg(12)->Arg(30)->Arg(60)->Arg(200);
 
-// 1.3 million elements, and what a view draws of them.
+// Makes a tree of 1.3 million elements, and what a view draws of it.
 void make_large_tree(benchmark::State& state)
 {
     auto const threads = limited_to(state.range(0));

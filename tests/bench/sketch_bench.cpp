@@ -1,6 +1,5 @@
-// A rule that grows along a stroke: what a sample of the pen costs the station's thread meanwhile,
-// what it takes until an application of the rule is seen, and until the plant is there when the pen
-// is lifted.
+// A rule that grows along a stroke: the cost of a pen sample to the station's thread, the time
+// until an application of the rule is visible, and the time from pen-up to the finished plant.
 #include "app/batch/malloc_tuning.h"
 #include "app/methods/all_methods.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
@@ -25,10 +24,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kSegments = 20; // Of the strokes.
+constexpr double kSegments = 20; // Number of segments in a stroke.
 
-// A rule with two laterals at a node, whose plant of kSegments has about so many internodes; they
-// are cut off at the depth for it.
+// Returns a rule with two laterals per node, whose plant of kSegments has about the given number of
+// internodes; the depth is limited accordingly.
 sketch::SketchTool rule_for(std::size_t internodes)
 {
     sketch::SketchTool tool { .first_length_mm = 6, .length_ratio = 1, .lateral_length = 0.9 };
@@ -60,11 +59,11 @@ double length_mm(sketch::SketchTool const& tool)
     return kSegments * tool.first_length_mm + 0.5;
 }
 
-// The time of the 99th of a hundred samples that make no application while a stroke is drawn at 200
-// samples a second, after the first half second.
+// Measures the 99th percentile of the time of samples that do not apply the rule, while a stroke is
+// drawn at 200 samples a second, after its first half second.
 void sketch_sample_p99(benchmark::State& state)
 {
-    batch::return_large_blocks(); // The window does it, too.
+    batch::return_large_blocks(); // As in the window.
     constexpr int kSamples = 600;
     constexpr int kFirst = 100;
     auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
@@ -93,12 +92,12 @@ void sketch_sample_p99(benchmark::State& state)
 }
 BENCHMARK(sketch_sample_p99)->ArgName("internodes")->Arg(20'000)->UseManualTime()->Iterations(3);
 
-// From the sample that makes an application to the lines of pad and skeleton.
+// Measures the time from a sample that applies the rule to the lines of pad and skeleton.
 void sketch_application(benchmark::State& state)
 {
     auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
-    // With the last internode and without it by turns, since what is there already is not made
-    // anew.
+    // Alternates between strokes with and without the last internode, since an existing application
+    // is not repeated.
     std::array const inks { tips_up(length_mm(tool)),
                             tips_up(length_mm(tool) - tool.first_length_mm) };
     std::size_t turn = 0;
@@ -129,7 +128,7 @@ scene::Scene drawn(sketch::SketchTool const& tool)
         .value();
 }
 
-// From the pen's leaving the tablet to the plant and its skeleton.
+// Measures the time from pen-up to the plant and its skeleton.
 void sketch_plant_and_skeleton(benchmark::State& state)
 {
     batch::return_large_blocks();
@@ -150,7 +149,7 @@ BENCHMARK(sketch_plant_and_skeleton)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-// From there to the triangles with leaves.
+// Measures the time from the plant to the triangles with leaves.
 void sketch_mesh(benchmark::State& state)
 {
     batch::return_large_blocks();

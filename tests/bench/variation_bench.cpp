@@ -1,5 +1,5 @@
-// Growing plants of 131,071 segments, laying strokes along the branches of larger ones, and the
-// selection pen over a skeleton of a million.
+// Growth of plants of 131,071 segments, shaping larger ones along strokes, and the selection pen
+// over a skeleton of a million segments.
 #include "engine/plant/join_axes.h"
 #include "engine/variation/place_nodes.h"
 #include "engine/variation/selection.h"
@@ -17,22 +17,22 @@
 namespace tractus {
 namespace {
 
-// 131,071 axes of one segment: the hardest case, since all that is done per axis is done per
-// segment.
+// Returns a plant of 131,071 axes with one segment each: the hardest case, since all work per axis
+// is done per segment.
 Plant const& twigs()
 {
     static Plant const plant = variation::forking_tree(17, 1);
     return plant;
 }
 
-// 8,191 axes of sixteen segments.
+// Returns a plant of 8,191 axes with sixteen segments each.
 Plant const& branches()
 {
     static Plant const plant = variation::forking_tree(13, 16);
     return plant;
 }
 
-// Bytes that one plant's growth reads and writes of memory when it is copied and nothing else.
+// Returns the bytes of memory that growing a plant reads and writes if it only copies it.
 double bytes_of(Plant const& plant)
 {
     return static_cast<double>(plant.node_position_mm.size() * sizeof(Vec3)
@@ -90,8 +90,8 @@ void grow_twigs_in_wind(benchmark::State& state)
 }
 BENCHMARK(grow_twigs_in_wind)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-// Measures the way from one association to where all nodes are: what a person waits for after a
-// stroke.
+// Measures the time from a new association to the positions of all nodes, for which the user waits
+// after a stroke.
 void reshape(benchmark::State& state, Plant const& plant)
 {
     auto const threads = limited_to(state.range(0));
@@ -120,7 +120,7 @@ void reshape_twigs(benchmark::State& state)
 }
 BENCHMARK(reshape_twigs)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-// 50,176 segments: 3,136 axes of sixteen.
+// Measures a plant of 50,176 segments: 3,136 axes of sixteen.
 void reshape_50_thousand(benchmark::State& state)
 {
     static auto const plant = variation::wide_tree(3136, 16);
@@ -128,7 +128,7 @@ void reshape_50_thousand(benchmark::State& state)
 }
 BENCHMARK(reshape_50_thousand)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-// 1,310,704 segments: 81,919 axes of sixteen.
+// Measures a plant of 1,310,704 segments: 81,919 axes of sixteen.
 void reshape_1300_thousand(benchmark::State& state)
 {
     static auto const plant = variation::wide_tree(81'919, 16);
@@ -161,7 +161,7 @@ void plan_growth_of_branches(benchmark::State& state)
 }
 BENCHMARK(plan_growth_of_branches);
 
-// A window of 1,200 pixels in which the whole tree is seen from the front.
+// Returns the projection of a window of 1,200 pixels that shows the whole tree from the front.
 variation::SkeletonProjection window()
 {
     Eigen::Matrix4d clip;
@@ -180,7 +180,7 @@ void project_skeleton(benchmark::State& state)
 }
 BENCHMARK(project_skeleton);
 
-// A skeleton of 1,048,568 segments, and what a pen needs to select in it.
+// A skeleton of 1,048,568 segments with all data that the selection pen needs.
 struct MillionSegments {
     Plant plant = variation::forking_tree(17, 8);
     variation::BranchTree tree = variation::build_branch_tree(plant);
@@ -206,8 +206,8 @@ void turn_view_of_million(benchmark::State& state)
 }
 BENCHMARK(turn_view_of_million)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-// A fast hand that sweeps through the crown: 12 pixels and more between two samples. The time is
-// that of the sample which so many per cent of the samples do not exceed.
+// Measures the selection pen of a fast hand that sweeps through the crown, with 12 pixels and more
+// between samples. The time is a percentile over the samples.
 void selection_pen_over_million(benchmark::State& state)
 {
     auto& segments = million();
@@ -218,7 +218,8 @@ void selection_pen_over_million(benchmark::State& state)
         variation::PathSelection selection(segments.tree);
         std::optional<variation::SelectionPen> pen;
         for (int i = 0; i < kSamples; ++i) {
-            if (i % 50 == 0) { // A new stroke, from the trunk into another part of the crown.
+            // Begins a new stroke, from the trunk into another part of the crown.
+            if (i % 50 == 0) {
                 selection.clear();
                 pen.emplace(segments.skeleton, segments.tree, selection);
             }

@@ -1,12 +1,11 @@
-// Work of the station's window itself, without the graphics card, while plants grow in the
-// background, 60 times a second: from a frame's reports to their ink's vertices in the list of what
-// is drawn (ink, by the clock, so only an idle machine shows it), and a whole frame's own work
-// (cpu).
+// Work of the station's window, without the graphics card, while plants grow in the background, 60
+// times a second: time from a frame's reports to the vertices of their ink in the draw list (ink,
+// elapsed time, so the machine must be idle), and a whole frame's processor time (cpu).
 //
-// The times are those of the 99th of a hundred frames (p99) or of the usual one (median). A minute
-// of drawing shows what is rare as well: how late the ink of the 999th of a thousand frames is
-// after the moment at which its reports were due, beside a thread that sleeps until the same
-// moments and does nothing, since what the system holds back is not the station's doing.
+// The times are the 99th percentile of frames (p99) or the median. A minute of drawing also shows
+// rare delays: the 99.9th percentile of the time from the moment at which a frame's reports were
+// due to their ink, beside that of a thread that only sleeps until the same moments, since delays
+// by the system are not the station's.
 #include "app/batch/malloc_tuning.h"
 #include "app/view/station_view.h"
 #include "app/window/view_curves.h"
@@ -28,10 +27,11 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kFrames = 240;
 constexpr int kFramesPerStroke = 60;
-constexpr int kPenReports = 4;     // A frame: a pen of 250 Hz.
-constexpr int kHeightReports = 16; // A sensor of 1 kHz.
+constexpr int kPenReports = 4;     // Reports in a frame, from a pen with 250 Hz.
+constexpr int kHeightReports = 16; // Readings in a frame, from a sensor with 1 kHz.
 
-// A trunk with limbs and twigs on them: so many segments, in axes of a hundred.
+// Returns a plant of a trunk with limbs and twigs, with the given number of segments in axes of a
+// hundred.
 Plant big_plant(std::size_t segments)
 {
     constexpr std::uint32_t kAxis = 100;
@@ -69,19 +69,19 @@ scene::Scene scene_of(std::size_t segments)
     return scene;
 }
 
-// A hand that draws circles, a stroke a second, each for the next branch.
+// A hand that draws circles, one stroke a second, each for the next branch.
 class Drawing {
 public:
     explicit Drawing(scene::Scene scene)
         : document_(std::move(scene), document::Document::Working::OnItsThread)
         , view_(station_, document_)
     {
-        batch::return_large_blocks(); // The window does it, too.
+        batch::return_large_blocks(); // As in the window.
     }
 
     struct Took {
-        double ink_s = 0; // Clock time from when the reports are taken to their ink's vertices.
-        double cpu_s = 0; // Own time of the thread: all that a frame does.
+        double ink_s = 0; // Elapsed time from taking the reports to the vertices of their ink.
+        double cpu_s = 0; // Processor time of the thread for the whole frame.
     };
 
     Took frame()
@@ -151,7 +151,7 @@ private:
 void frames_while_drawing(benchmark::State& state, double Drawing::Took::*part, double percentile)
 {
     Drawing drawing(scene_of(static_cast<std::size_t>(state.range(0))));
-    drawing.frame(); // The first one makes everything.
+    drawing.frame(); // The first frame includes one-time work.
     for (auto _ : state) {
         std::vector<double> took_s;
         auto next = Clock::now();
@@ -180,12 +180,14 @@ void frame_cpu_p99(benchmark::State& state)
 }
 
 struct Minute {
-    std::vector<double> ink_s {};       // Time from waking to the ink's vertices.
-    std::vector<double> late_ink_s {};  // Time from the moment at which the reports were due.
-    std::vector<double> late_idle_s {}; // The idle thread's waking.
+    std::vector<double> ink_s {}; // Time from waking up to the ink's vertices.
+    // Time from the moment at which the reports were due to the ink's vertices.
+    std::vector<double> late_ink_s {};
+    std::vector<double> late_idle_s {}; // Delay in waking up of the idle thread.
 };
 
-// A minute of drawing while a plant of 1.3 million segments grows on all cores. Measured once.
+// Returns the measurements of a minute of drawing while a plant of 1.3 million segments grows on
+// all cores. Measured once.
 Minute const& minute_of_drawing()
 {
     static Minute const minute = [] {
@@ -195,7 +197,7 @@ Minute const& minute_of_drawing()
             return std::chrono::duration<double>(Clock::now() - moment).count();
         };
         Drawing drawing(scene_of(1'300'000));
-        drawing.frame(); // The first one makes everything.
+        drawing.frame(); // The first frame includes one-time work.
         Minute result;
         auto const begin = Clock::now();
         std::thread idle([&] {
@@ -235,8 +237,8 @@ BENCHMARK_CAPTURE(minute_of_ink, late_idle_p999, &Minute::late_idle_s, 0.999)
     ->Iterations(1)
     ->UseManualTime();
 
-// Closing the window while a plant grows and is made ready to be seen: at many moments of that, the
-// one that took longest.
+// Measures closing the window while a plant grows and is prepared for display: the longest time
+// over many moments.
 void close_while_growing(benchmark::State& state)
 {
     auto scene = scene_of(static_cast<std::size_t>(state.range(0)));

@@ -13,15 +13,15 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-// Promises of calibration, against the truth, a hundred times each. The distributions are in the
-// tests' properties and in their failures.
+// Accuracy promised for calibration, compared with the truth in a hundred cases each. The
+// distributions are reported as test properties and in failures.
 
 namespace tractus::calib {
 namespace {
 
 constexpr std::uint64_t kSeeds = 100;
 
-// Seven heights, closer together where the string of the simulated rig runs aslant the most.
+// Seven heights, closer together where the string of the simulated rig is farthest from vertical.
 constexpr double kHeights[] { 0, 20, 60, 120, 200, 300, 400 };
 
 class Distribution {
@@ -140,7 +140,7 @@ TEST(CalibrationQuality, OneSlippedCaptureIsNamedAndDoesNoHarm)
     EXPECT_LE(slipped.rms(), 1.5 * clean.rms()) << slipped.text() << " / " << clean.text();
 }
 
-// Pen and heights of a simulated run as samples.
+// Pen and height samples of a simulated run.
 struct Samples {
     std::vector<drivers::PenSample> pens;
     std::vector<drivers::HeightSample> heights;
@@ -158,7 +158,8 @@ Samples decode(sim::SimulatedRun const& run)
     return samples;
 }
 
-// Moves up and down along a straight edge, `times` each, as fast as a hand moves the carriage.
+// Returns a hand that moves up and down along a straight edge, `times` each, as fast as a hand
+// moves the carriage.
 sim::Hand follow_edge(Vec3 const& low_mm, Vec3 const& high_mm, int times, std::uint64_t seed)
 {
     std::vector<sim::HandStroke> strokes;

@@ -20,7 +20,7 @@ double seconds_of(Timestamp time)
     return to_seconds(time.time_since_epoch());
 }
 
-// A sample, by when it was taken and when it came.
+// A sample with the time at which it was taken and its arrival.
 struct Sample {
     double taken_s = 0;
     double arrival_s = 0;
@@ -41,7 +41,7 @@ Delivery bursts(double every_s)
     return [=](double t) { return std::ceil(t / every_s) * every_s; };
 }
 
-// How much later than they were taken the samples are told to be, from `from_s` on.
+// Returns how much later than the true times the estimated times are, from `from_s` on.
 std::vector<double> late_ms(std::vector<Sample> const& samples, double from_s)
 {
     EvenTimes times;
@@ -73,7 +73,7 @@ void expect_arrivals(std::vector<Sample> const& samples)
     }
 }
 
-// Where a few bursts bring a whole number of samples, delays are a few parts of a period.
+// Bursts with a whole number of samples, so that delays are a few fractions of a period.
 TEST(EvenTimes, PutsWhatBurstsBringOneAfterTheOther)
 {
     for (double const every_s : { 0.016, 0.032 })
@@ -100,7 +100,7 @@ TEST(EvenTimes, EvensBurstsAtRandomInstants)
     EXPECT_GT(least(late), -0.5);
 }
 
-// Bursts of 8 ms bring one sample of 133 Hz each, now and then two.
+// Bursts of 8 ms with one sample at 133 Hz, or occasionally two.
 TEST(EvenTimes, SeesBurstsThatHardlyHoldMoreThanOne)
 {
     auto const late = late_ms(samples(133, 5, bursts(0.008)), 1.5);
@@ -115,7 +115,7 @@ TEST(EvenTimes, LeavesWhatComesOneByOneAsItIs)
     expect_arrivals(samples(133, 4, [&](double t) { return t + jitter(random); }));
 }
 
-// Some tablets report what changed, when it changed.
+// Some tablets report changes at the time of the change.
 TEST(EvenTimes, LeavesADeviceThatSamplesUnevenlyAsItIs)
 {
     std::mt19937 random(7);
@@ -126,7 +126,7 @@ TEST(EvenTimes, LeavesADeviceThatSamplesUnevenlyAsItIs)
     expect_arrivals(uneven);
 }
 
-// Bursts that are the device's own, at a rate that wanders by a tenth within a second.
+// The bursts are the device's own, at a rate that varies by a tenth within a second.
 TEST(EvenTimes, LeavesARateThatWandersAsItIs)
 {
     std::vector<Sample> wandering;
@@ -139,7 +139,7 @@ TEST(EvenTimes, LeavesARateThatWandersAsItIs)
     EXPECT_LT(moved, wandering.size() / 20);
 }
 
-// A loss shows at the latest when three bursts have come late by it.
+// A loss must be found at the latest when three bursts have been late because of it.
 TEST(EvenTimes, CountsLostSamples)
 {
     auto all = samples(133, 6, bursts(0.016));
@@ -160,7 +160,7 @@ TEST(EvenTimes, CountsLostSamples)
     }
 }
 
-// What is lost while the rate is learnt is waited out, not learnt.
+// A loss while the rate is learnt must delay learning, and not change the rate.
 TEST(EvenTimes, LearnsTheRateFromTheFirstHalfSecondWithoutALoss)
 {
     auto all = samples(497, 4, bursts(0.016));
@@ -189,7 +189,8 @@ TEST(EvenTimes, CountsSamplesThatAreOneTooMany)
     }
 }
 
-// A pen that was away: its samples fall elsewhere, and the first come as they are.
+// After a pen was away, the phase of its samples is different, and its first samples are not
+// corrected.
 TEST(EvenTimes, FindsAgainWhereSamplesFallAfterASilence)
 {
     auto all = samples(133, 2, bursts(0.016));

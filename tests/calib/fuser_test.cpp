@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// 1 count is 0.1 mm; the tablet's corner is at (-100, -50).
+// Rig with 0.1 mm per count, and the tablet's corner at (-100, -50).
 Rig const kRig {
     .height_model = LinearHeight { .mm_per_count = 0.1 },
     .height_latency = 3ms,
@@ -37,7 +37,8 @@ drivers::PenSample pen(Duration time, Vec2 position_mm = { 0, 0 })
     return sample;
 }
 
-// The carriage rises 1,000 counts (100 mm) a second from time 0: readings each 2 ms.
+// Pushes readings every 2 ms of a carriage that rises by 1,000 counts (100 mm) a second from time
+// 0.
 void push_rise(Fuser& fuser, Duration from, Duration to)
 {
     for (auto time = from; time < to; time += 2ms)
@@ -56,14 +57,16 @@ TEST(Fuser, TakesBothLatenciesOff)
 {
     Fuser fuser(kRig);
     push_rise(fuser, 0ms, 200ms);
-    auto const tip = fuser.push(pen(108ms)); // The pen was there at 100 ms, at 100 counts.
+    // The pen was there at 100 ms, when the reading was 100 counts.
+    auto const tip = fuser.push(pen(108ms));
     ASSERT_TRUE(tip);
     EXPECT_EQ(tip->time, at(100ms));
     EXPECT_NEAR(tip->position_mm.z(), 10, 1e-9);
     EXPECT_EQ(tip->height_source, TipSample::HeightSource::Interpolated);
 }
 
-// A quarter turn of the tablet takes a pen that leans to the right away from the user.
+// With the tablet rotated by 90 degrees, a pen that leans to the right on the tablet leans away
+// from the user in the world.
 TEST(Fuser, TurnsThePensTiltWithTheTablet)
 {
     auto rig = kRig;
@@ -93,8 +96,8 @@ TEST(Fuser, PutsTheTipInTheWorld)
 TEST(Fuser, CarriesTheHeightOnForLiveInk)
 {
     Fuser fuser(kRig);
-    push_rise(fuser, 0ms, 101ms);            // Up to 100 ms.
-    auto const tip = fuser.push(pen(113ms)); // The pen was there at 105 ms.
+    push_rise(fuser, 0ms, 101ms);            // Readings up to 100 ms.
+    auto const tip = fuser.push(pen(113ms)); // The pen was there at 105 ms, after the last reading.
     ASSERT_TRUE(tip);
     EXPECT_NEAR(tip->position_mm.z(), 10.5, 1e-9);
     EXPECT_EQ(tip->height_source, TipSample::HeightSource::Extrapolated);
@@ -115,7 +118,7 @@ TEST(Fuser, SettlesATipOnceReadingsSurroundIt)
     push_rise(fuser, 0ms, 100ms);
     auto const live = fuser.push(pen(108ms));
     EXPECT_TRUE(fuser.take_settled().empty());
-    for (int i = 0; i < 15; ++i) // The carriage stops at 100 ms, which nobody could foresee.
+    for (int i = 0; i < 15; ++i) // The carriage stops at 100 ms, which could not be foreseen.
         fuser.push(height(103ms + i * 2ms, 100));
     auto const settled = fuser.take_settled();
     ASSERT_EQ(settled.size(), 1u);
@@ -201,7 +204,7 @@ TEST(Fuser, SurvivesHeightsLateTwiceAndBackwards)
     Fuser shuffled(kRig);
     push_rise(in_order, 0ms, 1000ms);
     for (auto block = 0ms; block < 1000ms;
-         block += 10ms) // Each five backwards, the middle one twice.
+         block += 10ms) // Each block of five readings is reversed, and its middle one repeated.
         for (auto late : { 8ms, 6ms, 4ms, 4ms, 2ms, 0ms })
             push_rise(shuffled, block + late, block + late + 2ms);
     EXPECT_EQ(in_order.push(pen(508ms))->position_mm, shuffled.push(pen(508ms))->position_mm);
@@ -256,8 +259,8 @@ TEST(Fuser, UsesAndCountsReadingsOutsideTheCalibratedRange)
 TEST(Fuser, MarksTipsOutsideTheCalibratedRange)
 {
     auto rig = kRig;
-    rig.calibrated_min_counts = 1000; // 100 mm.
-    rig.calibrated_max_counts = 3000; // 300 mm.
+    rig.calibrated_min_counts = 1000; // Equals 100 mm.
+    rig.calibrated_max_counts = 3000; // Equals 300 mm.
     struct Case {
         std::int32_t counts = 0;
         bool is_outside = false;
@@ -278,14 +281,14 @@ TEST(Fuser, TakesASensorThatCountsDown)
 {
     auto rig = kRig;
     rig.height_model = LinearHeight { .mm_per_count = -0.1, .zero_counts = 4000 };
-    rig.calibrated_min_counts = 1000; // 300 mm.
-    rig.calibrated_max_counts = 3000; // 100 mm.
+    rig.calibrated_min_counts = 1000; // Equals 300 mm.
+    rig.calibrated_max_counts = 3000; // Equals 100 mm.
     Fuser fuser(rig);
     fuser.push(height(3ms, 1500));
     auto const tip = fuser.push(pen(8ms));
     EXPECT_NEAR(tip->position_mm.z(), 250, 1e-9);
     EXPECT_FALSE(tip->outside_calibration);
-    fuser.push(height(99ms, 500)); // Long enough for the way.
+    fuser.push(height(99ms, 500)); // Long enough for the carriage to get there.
     EXPECT_TRUE(fuser.push(pen(106ms))->outside_calibration);
 }
 
@@ -337,7 +340,8 @@ TEST(Fuser, TakesHeightsFromAScenarioWhereThereIsNoSensor)
     EXPECT_EQ(settled[0].position_mm, live->position_mm);
 }
 
-// A carriage that rises 100 mm a second and a pen that goes with it; all of it comes every 30 ms.
+// Returns the errors for a carriage that rises at 100 mm a second and a pen that moves with it,
+// with samples that arrive in bursts every 30 ms.
 std::vector<double> errors_in_bursts_mm(SampleTimes sample_times)
 {
     auto rig = kRig;
@@ -350,7 +354,7 @@ std::vector<double> errors_in_bursts_mm(SampleTimes sample_times)
     for (Duration burst = 30ms; burst < 3s; burst += 30ms) {
         for (; next_height < burst; next_height += 1970us)
             fuser.push(height(burst, static_cast<int>(next_height / 1ms)));
-        for (; next_pen < burst; next_pen += 7310us) // Its place is a tenth of its time.
+        for (; next_pen < burst; next_pen += 7310us) // The pen's position is one tenth of its time.
             (void)fuser.push(pen(burst, { to_seconds(next_pen) * 10, 0 }));
     }
     fuser.flush();

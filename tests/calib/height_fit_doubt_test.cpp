@@ -5,7 +5,7 @@
 namespace tractus::calib {
 namespace {
 
-// The captures of an exact person, of a string that runs aslant, at told heights.
+// Returns captures with a string at an angle, at exact heights, of which some are stated wrongly.
 std::vector<HeightCapture> captures_told(std::vector<double> const& heights_mm,
                                          std::vector<double> const& told_mm)
 {
@@ -59,8 +59,8 @@ TEST(HeightFitDoubt, NamesThreeThatDisagree)
         << doubt->reason;
 }
 
-// Of a rig of tests/physics (seed 70003), whose string is 77 mm aside. With the highest capture
-// left out, a curve through the false ones below it would do.
+// From a rig of tests/physics (seed 70003) with a string 77 mm to the side. If the highest capture
+// could be left out, a curve would fit the wrong ones below it.
 TEST(HeightFitDoubt, LetsNoCurveLeaveOutItsHighestCapture)
 {
     std::vector<double> const told_mm { 0.1,   70.7, 200.3, 400.0, 294.0,

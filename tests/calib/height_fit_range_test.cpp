@@ -46,7 +46,7 @@ TEST(HeightFitRange, RefusesALawThatEndsLessThanATenthBeyondTheCaptures)
     auto const captures = exact_captures(kAslantString, kFiveHeights_mm);
     auto fit = fit_height(captures, { .kind = HeightModelKind::String }).value();
     auto& string = std::get<StringHeight>(fit.model);
-    string.base_mm = 39; // The law ends at -39 mm.
+    string.base_mm = 39; // The law then ends at -39 mm.
     EXPECT_NE(refused_range(fit, captures).find("law ends before -40 mm"), std::string::npos)
         << refused_range(fit, captures);
     string.base_mm = 41;
@@ -71,7 +71,7 @@ TEST(HeightFitRange, RefusesHeightsThatTheCapturesLeaveOpen)
         << refused_range(fit, captures);
 }
 
-// Heights of a rig over its calibrated range, and a tenth of their span beyond.
+// True if a rig has heights over its calibrated range, and a tenth of their span beyond.
 bool has_all_heights(Rig const& rig)
 {
     auto const span = rig.calibration.height->heights_mm;
@@ -84,7 +84,8 @@ bool has_all_heights(Rig const& rig)
     return check_calibrated_range(rig).has_value();
 }
 
-// Strings from plumb to aslant, spools below and above, converters that count up and down.
+// Returns a random sensor: strings from vertical to far to the side, spools below and above,
+// converters that count up and down.
 HeightModel random_sensor(std::mt19937_64& dice)
 {
     auto const uniform = [&](double low, double high) {
@@ -101,7 +102,8 @@ HeightModel random_sensor(std::mt19937_64& dice)
                           = is_above ? StringHeight::Spool::Above : StringHeight::Spool::Below };
 }
 
-// By a ruler's error of 0.3 mm and a track that bends by a sine or two of a millimetre.
+// Returns captures with a ruler's error of 0.3 mm and a track bent by one or two sines of a
+// millimetre.
 std::vector<HeightCapture> measured_captures(HeightModel const& sensor, std::mt19937_64& dice)
 {
     auto captures = exact_captures(sensor, kFiveHeights_mm);
@@ -133,7 +135,8 @@ TEST(HeightFitRange, IsWholeInEveryRigThatIsKept)
         EXPECT_TRUE(has_all_heights(*again)) << "seed " << seed;
         ++kept;
     }
-    EXPECT_GE(kept, static_cast<int>(kDrawnRigs * 8 / 10)); // Captures so bent may well be doubted.
+    // Some captures with such a bend may be refused.
+    EXPECT_GE(kept, static_cast<int>(kDrawnRigs * 8 / 10));
 }
 
 TEST(HeightFitRange, NothingIsWrittenThatNobodyCouldRead)
@@ -142,7 +145,8 @@ TEST(HeightFitRange, NothingIsWrittenThatNobodyCouldRead)
     std::filesystem::remove(path);
     Rig rig;
     rig.height_model = StringHeight { .mm_per_count = 0.1, .offset_mm = 100, .base_mm = 0 };
-    rig.calibrated_min_counts = 900; // A string of 90 mm, shorter than its offset.
+    // At this reading the string is 90 mm long, shorter than its offset.
+    rig.calibrated_min_counts = 900;
     rig.calibrated_max_counts = 3000;
     auto const saved = save_rig(rig, path);
     ASSERT_FALSE(saved);

@@ -12,7 +12,7 @@ HeightCapture capture(double ruler_mm, double counts)
     return { .ruler_mm = ruler_mm, .counts = counts, .noise_counts = 1, .readings = 500 };
 }
 
-// Captures from a sensor by a person who makes no error.
+// Returns captures of a sensor by a person without error.
 std::vector<HeightCapture> captures_of(HeightModel const& model, std::vector<double> const& heights)
 {
     std::vector<HeightCapture> captures;
@@ -50,7 +50,7 @@ TEST(HeightFit, FindsALinearSensor)
     EXPECT_LT(fit.max_mm, 1e-6);
 }
 
-// Where a law is asked for, the track is straight: then exact captures give it exactly.
+// Options that request a law; the track is then straight, so exact captures give the exact law.
 HeightFitOptions const kStraightString { .kind = HeightModelKind::String };
 
 TEST(HeightFit, FindsAString)
@@ -67,7 +67,7 @@ TEST(HeightFit, FindsAString)
     EXPECT_NE(chosen.reason.find("string: it gains more than chance"), std::string::npos);
 }
 
-// Most of what tells it lies in one capture, which is no slip.
+// Most of the evidence is in one capture, which must not be taken for a slip.
 TEST(HeightFit, TakesFiveCapturesOfAStringForAString)
 {
     auto captures = captures_of(kFittedString, { 0, 60, 160, 280, 400 });
@@ -82,7 +82,7 @@ TEST(HeightFit, TakesFiveCapturesOfAStringForAString)
                     0.8);
 }
 
-// Returns those captures with the potentiometer's outer wires swapped.
+// Returns the captures with the potentiometer's outer wires swapped.
 std::vector<HeightCapture> counting_down(std::vector<HeightCapture> captures)
 {
     for (auto& one : captures)
@@ -162,7 +162,7 @@ TEST(HeightFit, NamesACaptureThatSlipped)
     EXPECT_LT(fit.max_mm, 0.1) << "of the others";
 }
 
-// Captures of a plumb string with slack, up the table's way and down again.
+// Returns captures of a vertical string with slack, on the way up and down.
 std::vector<HeightCapture> captures_up_and_down(double slack_mm)
 {
     std::vector<HeightCapture> captures;
@@ -183,7 +183,7 @@ TEST(HeightFit, TellsHysteresis)
     EXPECT_LT(fit.hysteresis->standard_error_mm, 0.4);
 }
 
-// A slack that errs the same way each time does not make the ruler a worse one.
+// A slack with the same error each time must not increase the estimated error of the ruler.
 TEST(HeightFit, TakesHysteresisForNoErrorOfTheRuler)
 {
     auto const tight = fit_height(captures_up_and_down(0)).value();
@@ -273,7 +273,7 @@ TEST(HeightFit, RefusesCapturesOutOfOrder)
               "again");
 }
 
-// Captures of a potentiometer on a plumb string, loaded as text-books say, and read exactly.
+// Returns exact captures of a potentiometer on a vertical string, loaded as in textbooks.
 std::vector<HeightCapture> captures_under_load(double load)
 {
     std::vector<HeightCapture> captures;
@@ -305,7 +305,7 @@ TEST(HeightFit, BendsTheTrackWhenTheDataSheetSaysSo)
     EXPECT_GT(height_error_mm(bent, 2500), height_error_mm(straight, 2500) * 0.9);
 }
 
-// Straight captures that lie beside any line by twice the ruler's error, now this way and now that.
+// The captures deviate from a straight line by twice the ruler's error, with alternating sign.
 TEST(HeightFit, WidensItsErrorsForARulerThatIsReadWorseThanWasSaid)
 {
     auto captures = captures_of(kFittedLinear, kRulerHeights);
@@ -318,8 +318,8 @@ TEST(HeightFit, WidensItsErrorsForARulerThatIsReadWorseThanWasSaid)
     EXPECT_GT(height_error_mm(worse, 2000), 1.8 * height_error_mm(as_said, 2000));
 }
 
-// A ruler tells no track's bend for certain, so that a better one does not make the curve as much
-// better.
+// The track's bend is uncertain whatever the ruler's error is, so a better ruler improves the curve
+// less than proportionally.
 TEST(HeightFit, KnowsOfATracksBendWithoutBeingTold)
 {
     auto const captures = captures_of(kFittedLinear, kRulerHeights);
@@ -341,7 +341,7 @@ TEST(HeightFit, FollowsABendWithoutBeingTold)
     EXPECT_LT(bent.max_mm, straight.max_mm / 2);
 }
 
-// Slips are judged as of a straight track all the same.
+// Slips must be detected as with a straight track.
 TEST(HeightFit, DoesNotBendTheTrackToASlip)
 {
     auto captures = captures_of(kFittedLinear, kRulerHeights);
@@ -354,7 +354,7 @@ TEST(HeightFit, DoesNotBendTheTrackToASlip)
 
 TEST(HeightFit, TakesNoBendForASlip)
 {
-    // A divider that is loaded so much that a straight track throws a capture out.
+    // A divider with so much load that a straight track would leave out a capture.
     auto const bent = captures_under_load(0.15);
     HeightFitOptions options { .kind = HeightModelKind::Linear };
     EXPECT_TRUE(doubt_about(fit_height(bent, options).value(), bent, options));

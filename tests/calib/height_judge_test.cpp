@@ -26,7 +26,7 @@ struct Judged {
     }
 };
 
-// A hand that sways the surface by 100 mm to either side, at most at 420 mm/s.
+// Returns the height of a surface swayed by 100 mm to either side, at up to 420 mm/s.
 double sway_mm(double seconds)
 {
     return 250 + 100 * std::sin(2 * 3.14159265 * seconds / 1.5);
@@ -59,7 +59,7 @@ TEST(HeightJudge, BelievesReadingsThatComeInBundles)
     EXPECT_EQ(judged.believed.size(), judged.verdicts.size());
 }
 
-// Up to ten readings in a row say anything, over and over.
+// Up to ten arbitrary readings in a row, repeatedly.
 TEST(HeightJudge, NeverBelievesUpToTenWrongReadingsInARow)
 {
     for (double const rate_hz : kRates_hz)
@@ -108,7 +108,8 @@ TEST(HeightJudge, FollowsTheSurfaceToWhereItIsNow)
         for (; seconds < 2; seconds += 1 / rate_hz)
             judged.push(seconds, 180);
         EXPECT_EQ(std::count(judged.verdicts.begin(), judged.verdicts.end(), Verdict::Step), 1);
-        EXPECT_EQ(judged.believed.size(), judged.verdicts.size()); // Those in doubt as well.
+        // Includes readings that were in doubt.
+        EXPECT_EQ(judged.believed.size(), judged.verdicts.size());
         EXPECT_LE(judged.judge.doubted_in_a_row(), 0u);
     }
 }

@@ -64,7 +64,7 @@ TEST(HeightModel, StringWithoutOffsetIsLinear)
     EXPECT_DOUBLE_EQ(*height_mm(plumb, 1200), *height_mm(kLinear, 1200));
 }
 
-// Rises steeply, hardly, steeply again.
+// A curve that rises steeply, hardly, and steeply again.
 MonotoneHeight const kCurve { .knots = { { 100, 0 }, { 600, 90 }, { 1500, 110 }, { 2000, 200 } } };
 
 MonotoneHeight mirrored(MonotoneHeight curve)
@@ -145,7 +145,8 @@ TEST(HeightModel, KnowsWhichNumbersMakeSense)
 
 TEST(HeightModel, ReadsABentTrackAsAStraightOneAndBack)
 {
-    // A divider whose lower half a converter bridges, by the text-book: p / (1 + a p (1 - p)).
+    // Loaded voltage divider, whose lower half the converter's input bridges: p / (1 + a p (1 -
+    // p)).
     constexpr double kFull = 4096;
     constexpr double kLoad = 0.015;
     TrackBend bend;

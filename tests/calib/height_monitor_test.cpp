@@ -14,7 +14,7 @@ using enum HeightFaultKind;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-// 0.1 mm per count, 12 bits.
+// Rig with 0.1 mm per count and 12 bits.
 Rig const kPlainRig;
 
 Timestamp moment(Duration time)
@@ -22,7 +22,7 @@ Timestamp moment(Duration time)
     return Timestamp(time);
 }
 
-// Readings every 2 ms from `begin` on, until before `end`.
+// Pushes readings every 2 ms from `begin` to before `end`.
 template<typename Counts>
 void push(HeightMonitor& monitor, Duration begin, Duration end, Counts const& counts)
 {
@@ -55,7 +55,7 @@ TEST(HeightMonitor, FindsNoFaultInAHealthySensor)
     EXPECT_NEAR(monitor.rate_hz(), 500, 0.1);
 }
 
-// The surface rises at 100 mm/s, and in the midst of it the string slips within 20 ms.
+// Returns readings of a surface that rises at 100 mm/s while the string slips within 20 ms.
 int rising_with_slip(int index, double slip_mm)
 {
     double const time_s = index * 0.002;
@@ -88,7 +88,8 @@ TEST(HeightMonitor, TakesTheBeginningOfAMovementForNoSlip)
 {
     HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), seconds(1),
-         [](int i) { return 1000 + std::max(0, i - 250) * 6; }); // 300 mm/s at once.
+         // Starts at 300 mm/s without acceleration.
+         [](int i) { return 1000 + std::max(0, i - 250) * 6; });
     expect_no_fault(monitor);
 }
 
@@ -171,7 +172,7 @@ TEST(HeightMonitor, CountsASpikeOnce)
 TEST(HeightMonitor, LetsAHandMoveAsFastAsItCan)
 {
     HeightMonitor monitor(kPlainRig);
-    // 1.9 m/s are 38 counts in 2 ms.
+    // A speed of 1.9 m/s is 38 counts in 2 ms.
     push(monitor, seconds(0), milliseconds(200), [](int i) { return 100 + 38 * i; });
     expect_no_fault(monitor);
 }
@@ -180,7 +181,7 @@ TEST(HeightMonitor, DoesNotTakeABurstForAJump)
 {
     HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), milliseconds(100), [](int i) { return 1000 + 10 * i; });
-    // Readings that were held up for 50 ms come at once: a hand at 0.5 m/s, 50 us apart.
+    // Readings delayed by 50 ms arrive at once, 50 us apart, of a surface at 0.5 m/s.
     auto time = milliseconds(150);
     for (int i = 0; i < 25; ++i)
         monitor.push({ .time = moment(time + i * std::chrono::microseconds(50)),
@@ -224,7 +225,7 @@ TEST(HeightMonitor, AddsUpWhatHappenedSeveralTimes)
                                          "the longest at 3.0 s: check its plug and its cable" }));
 }
 
-// Shows a monitor the simulated height sensor's bytes, counts at places 1 and 2.
+// Returns a monitor that has seen the reports of the simulated height sensor.
 HeightMonitor watch(sim::SimulatedRun const& run)
 {
     HeightMonitor monitor(run.rig);
@@ -269,13 +270,13 @@ TEST(HeightMonitor, FindsExactlyTheFaultsThatWereSimulated)
         ASSERT_GT(hand.end(), fault.end);
         auto const found = monitor.total(fault.kind);
         EXPECT_EQ(found.count, 1U) << describe_fault({ .kind = fault.kind });
-        // The latency is 3 ms, and readings come every 2 ms.
+        // Tolerance for the latency of 3 ms and the interval of 2 ms.
         auto const near = milliseconds(8);
         EXPECT_LE(found.worst.begin, fault.begin + near);
         EXPECT_GE(found.worst.begin, fault.begin - near);
         EXPECT_GE(found.worst.end, fault.kind == Jump ? fault.begin : fault.end - near);
         for (auto const other : { Silence, Rail, Jump, Stuck }) {
-            // A string that comes loose after the hand has moved on jumps.
+            // A stuck string that comes loose after the hand has moved causes a jump.
             bool const may_be = other == fault.kind || (fault.kind == Stuck && other == Jump);
             EXPECT_TRUE(may_be || monitor.total(other).count == 0);
         }

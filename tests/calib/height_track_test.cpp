@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 constexpr Timestamp kStart {};
 
-// A track with a reading each 2 ms from 0 to 1 s.
+// Returns a track with a reading every 2 ms from 0 to 1 s.
 HeightTrack track_of(std::function<double(double seconds)> const& height_mm)
 {
     HeightTrack track(10s);
@@ -42,7 +42,7 @@ TEST(HeightTrack, CarriesARiseOnForFiveMillisecondsAndHoldsItThen)
     EXPECT_NEAR(track.newest_at(kStart + 1004ms, 50ms)->height_mm, 200.8, 1e-9);
 }
 
-// Readings that come together every 30 ms are not waited for.
+// If readings arrive together every 30 ms, the height is extrapolated until the next delivery.
 TEST(HeightTrack, CarriesARiseOnUntilTheNextDelivery)
 {
     auto const track = track_of([](double t) { return 200 * t; });
@@ -51,7 +51,7 @@ TEST(HeightTrack, CarriesARiseOnUntilTheNextDelivery)
     EXPECT_NEAR(track.newest_at(kStart + 1040ms, 50ms)->height_mm, 201, 1e-9);
 }
 
-// A reading each so many milliseconds, to one second.
+// Returns a track with sparse readings, up to one second.
 HeightTrack scarce_track(int spacing_ms, std::function<double(double seconds)> const& height_mm)
 {
     HeightTrack track(10s);
@@ -76,7 +76,7 @@ TEST(HeightTrack, CarriesNothingOnThatHasStopped)
 
 TEST(HeightTrack, SlowsDownWithTheCarriage)
 {
-    // The hand goes from 300 mm/s to nothing within 100 ms, of which 20 are left.
+    // The hand decelerates from 300 mm/s to 0 within 100 ms, 20 of which are left.
     auto const braking = [](double t) { return -1500 * std::pow(std::max(1.02 - t, 0.0), 2); };
     double const ahead = scarce_track(10, braking).newest_at(kStart + 1010ms, 50ms)->height_mm;
     EXPECT_NEAR(ahead, -0.15, 0.1) << "0.45 without braking: -0.6 + 10 ms of 45 mm/s";
@@ -106,7 +106,7 @@ TEST(HeightTrack, JoinsBothSidesOfAGap)
     auto const rounded = [](double t) { return 100 * std::sin(6 * t); };
     HeightTrack track(10s);
     for (int i = 0; i <= 500; ++i)
-        if (i * 2 < 240 || i * 2 > 280) // Over the top of the sine.
+        if (i * 2 < 240 || i * 2 > 280) // The gap includes the top of the sine.
             track.add(kStart + i * 2ms, rounded(i * 0.002));
     for (int time_ms = 236; time_ms < 285; ++time_ms) {
         auto const height = track.at(kStart + time_ms * 1ms, 50ms);
@@ -153,12 +153,13 @@ TEST(HeightTrack, SmoothesNoiseAway)
     double sum_of_squares = 0;
     for (int i = 100; i < 400; ++i)
         sum_of_squares += std::pow(track.at(kStart + i * 2ms, 50ms)->height_mm, 2);
-    EXPECT_LT(std::sqrt(sum_of_squares / 300), 0.45); // 1 / sqrt(18 readings) = 0.24, and luck.
+    // Expected: 1 / sqrt(18 readings) = 0.24, with a margin for chance.
+    EXPECT_LT(std::sqrt(sum_of_squares / 300), 0.45);
 }
 
 TEST(HeightTrack, RoundsABumpOnlyAsFarAsItSays)
 {
-    // +-100 mm in 1.5 s: 1,755 mm/s^2 at the top.
+    // Swaying by +-100 mm in 1.5 s has an acceleration of 1,755 mm/s^2 at the top.
     auto const sway = [](double t) { return 100 * std::sin(2 * kPi * t / 1.5); };
     auto const track = track_of(sway);
     for (int i = 20; i < 480; ++i)
@@ -169,7 +170,7 @@ TEST(HeightTrack, PutsALateReadingInItsPlace)
 {
     auto const in_order = track_of([](double t) { return t * t * 300; });
     HeightTrack shuffled(10s);
-    for (int i = 0; i <= 500; i += 2) { // Each pair swapped.
+    for (int i = 0; i <= 500; i += 2) { // The readings of each pair are swapped.
         if (i + 1 <= 500)
             shuffled.add(kStart + (i + 1) * 2ms, std::pow((i + 1) * 0.002, 2) * 300);
         shuffled.add(kStart + i * 2ms, std::pow(i * 0.002, 2) * 300);

@@ -9,10 +9,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A surface that a hand moves at 200 mm/s from one height to the next, and leaves there.
+// A surface that a hand moves at 200 mm/s from one height to the next and leaves there.
 class Moved {
 public:
-    // Returns whether the stop was told to have moved, on the way or in half a second there.
+    // Moves to a height and rests there for half a second. Returns true if a moved stop was
+    // reported meanwhile.
     bool to(double height_mm)
     {
         constexpr double kStep_mm = 0.4;
@@ -24,7 +25,8 @@ public:
         return is_told;
     }
 
-    // Returns how often it was told that the stop had moved, of so many times down from 150 mm.
+    // Lets the surface down from 150 mm to a height several times, and returns how often a moved
+    // stop was reported.
     int down_to(double height_mm, int times)
     {
         int told = 0;

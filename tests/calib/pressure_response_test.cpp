@@ -30,7 +30,7 @@ TEST(PressureResponse, BendsWithItsExponent)
     EXPECT_NEAR(respond({ .exponent = 0.5 }, 0.25), 0.5, 1e-12);
 }
 
-// The tips that a fuser makes of a pen that touches, or not, with these pressures.
+// Returns the tips that a fuser makes from a pen, touching or not, with these pressures.
 std::vector<TipSample> tips(PressureResponse const& response, std::vector<double> const& pressures,
                             bool touching = true)
 {

@@ -25,14 +25,14 @@ size_mm = [254, 158.75]
 latency_ms = 8
 )";
 
-// kText and what follows it.
+// Returns kText followed by more text.
 std::string text_with(std::string_view more)
 {
     std::string text(kText);
     return text.append(more);
 }
 
-// kText with its first `from` replaced.
+// Returns kText with the first occurrence of `from` replaced.
 std::string with(std::string_view from, std::string_view to)
 {
     std::string text(kText);
@@ -92,7 +92,7 @@ void expect_same(Rig const& a, Rig const& b)
     EXPECT_EQ(a.pressure.exponent, b.pressure.exponent);
 }
 
-// Numbers that no short decimal gives.
+// Returns a rig with numbers that have no short decimal form.
 Rig awkward_rig()
 {
     return {
@@ -194,7 +194,7 @@ TEST(RigFile, KeepsAMeasuredSurface)
         << refused.error().message;
 }
 
-// Files of before it was there say nothing, and are written as they were.
+// Older files do not contain the setting, and are written without it.
 TEST(RigFile, KeepsHowSampleTimesAreTold)
 {
     Rig rig;
@@ -422,7 +422,7 @@ TEST(RigFile, ReadsAPensPressures)
     EXPECT_EQ(rig.pressure.exponent, 1);
 }
 
-// Files of before they were there say nothing, and are written as they were.
+// Older files do not contain these settings, and are written without them.
 TEST(RigFile, KeepsWhereTheTabletSeesThePenAndHowItsInkLooks)
 {
     Rig rig;
@@ -519,7 +519,7 @@ TEST(RigFile, SurvivesChangedBytes)
             text[random.next_u32() % text.size()] = static_cast<char>(random.next_u32());
         auto const rig = parse_rig(text, "my.rig.toml");
         refused += !rig;
-        if (rig) // What is taken for a rig can be kept.
+        if (rig) // A text that is accepted as a rig must also be savable.
             expect_same(parse_rig(print_rig(*rig), "printed").value(), *rig);
     }
     EXPECT_GT(refused, 1500);

@@ -13,8 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Along an edge of the unit cube's diagonal the shaft rises as much as it goes to either side: both
-// tilts are 45 degrees, and a millimetre up the pen is 1/sqrt(3) aside along each axis.
+// Along the diagonal of a cube, both tilts are 45 degrees, and a point 1 mm up the pen is displaced
+// by 1/sqrt(3) along each axis.
 TEST(LeanOf, IsWhatAMillimetreUpThePenIsAside)
 {
     double const side = 1 / std::sqrt(3.0);
@@ -24,7 +24,8 @@ TEST(LeanOf, IsWhatAMillimetreUpThePenIsAside)
     EXPECT_LE(lean_of({ kPi / 2, kPi / 2 }).norm(), 1 + 1e-12) << "a pen that lies down";
 }
 
-// Keeps the nib at (60, 40) while the pen is leaned by so many degrees to all sides.
+// Returns samples with the nib at (60, 40) while the pen is leaned in all directions by up to some
+// degrees.
 std::vector<drivers::PenSample> leaned_around(double coil_mm, double farthest_deg,
                                               double for_s = 20)
 {
@@ -109,7 +110,7 @@ TEST(TiltFit, SaysWhatIsMissing)
               "the tablet tells none for this pen");
 }
 
-// A pen that leans by 30 degrees to the right, with a coil ten millimetres up: five aside.
+// A pen that leans by 30 degrees to the right, with a coil ten millimetres up: displaced by five.
 struct Leaning {
     Rig rig;
     std::vector<drivers::PenSample> pens;
@@ -148,7 +149,8 @@ TEST(Fuser, PutsATipUnderItsCoil)
     EXPECT_NEAR(Leaning().last_tip().position_mm.y(), 0, 1e-9);
 }
 
-// Turned by a quarter, the pen leans to the tablet's right, and away from the user in the world.
+// With the tablet rotated by 90 degrees, the pen leans to the tablet's right, and away from the
+// user in the world.
 TEST(Fuser, PutsATipUnderItsCoilBeforeItTurnsTheTablet)
 {
     Leaning turned;

@@ -15,8 +15,8 @@ Rig aslant_rig()
     return rig;
 }
 
-// A capture at a height after the string has slipped by so many counts and the table has come to
-// stand so much higher than the ruler says.
+// Returns a capture after the string has slipped by some counts and the table has been raised by
+// `move_mm` above the ruler's zero.
 HeightCapture capture_after(double slip_counts, double move_mm, double ruler_mm)
 {
     return { .ruler_mm = ruler_mm,

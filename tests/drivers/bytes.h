@@ -8,7 +8,7 @@
 
 namespace tractus::drivers {
 
-// Bytes as people write them: "05 0d 09 02".
+// Parses bytes written as "05 0d 09 02".
 inline std::vector<std::byte> bytes(std::string_view text)
 {
     std::vector<std::byte> result;

@@ -1,4 +1,4 @@
-// Descriptors and recordings of real devices, made by others.
+// Tests with descriptors and recordings of real devices, made by others.
 
 #include "tests/corpus.h"
 #include "tests/drivers/decode_one.h"
@@ -30,7 +30,7 @@ std::vector<fs::path> files_below(fs::path const& folder)
     return files;
 }
 
-// The logs: everything but the kernel's own events.
+// Returns all logs except the kernel's own events.
 std::vector<fs::path> recordings()
 {
     auto files = files_below(corpus() / "recordings");
@@ -86,8 +86,8 @@ TEST(Corpus, FindsAPenInEveryPenDescriptor)
     EXPECT_GT(declared, pens * 9 / 10);
 }
 
-// "sysinfo.X8pBxWhnQo__0003_256C_006D.0008.hid.bin": bus, vendor, product; older ones have the last
-// two alone.
+// Parses names such as "sysinfo.X8pBxWhnQo__0003_256C_006D.0008.hid.bin" with bus, vendor and
+// product; older names have only the last two.
 DeviceInfo device_of(fs::path const& path)
 {
     DeviceInfo info { .name = path.filename().string() };
@@ -138,8 +138,8 @@ TEST(Corpus, FindsNoPenInOtherDescriptors)
 {
     REQUIRE_CORPUS();
     for (auto const& path : files_below(corpus() / "descriptors" / "other")) {
-        // Three of them do have one: a mouse with tip pressure, a touch screen's stylus, and one on
-        // Wacom's own page.
+        // Three of these devices do have a pen: a mouse with tip pressure, a touch screen's stylus,
+        // and one on Wacom's own page.
         auto const name = path.filename().string();
         if (name.find("2FEB_0001.0005") != std::string::npos
             || name.find("03EB_8ABB.0006") != std::string::npos
@@ -155,7 +155,7 @@ TEST(Corpus, FindsNoPenInOtherDescriptors)
 TEST(Corpus, ReadsThePenOnWacomsOwnPage)
 {
     REQUIRE_CORPUS();
-    // A CTL-4100: 152 x 95 mm, 4095 levels, and reports of its own making that it describes.
+    // A CTL-4100: 152 x 95 mm, 4095 levels, and reports in its own format that it describes.
     auto const descriptor = parse_file(corpus() / "descriptors" / "other"
                                        / "sysinfo.SnJcZT74MO__0003_056A_0374.000A.hid.bin");
     ASSERT_TRUE(descriptor);
@@ -212,7 +212,8 @@ TEST(Corpus, DecodesRecordingsWithinTheirDevicesMaxima)
             ASSERT_TRUE(pen.in_range || !pen.touching) << path;
             has_touched |= pen.touching;
         }
-        // The streams of barrel buttons hover, one is of a dial, and one of Wacom's is of a mouse.
+        // Recordings of barrel buttons only hover, one is of a dial, and one of Wacom's is of a
+        // mouse.
         auto const is_of = [&](char const* what) {
             return path.filename().string().find(what) != std::string::npos;
         };
@@ -225,7 +226,8 @@ TEST(Corpus, DecodesRecordingsWithinTheirDevicesMaxima)
 TEST(Corpus, ReadsTheWholeSurfaceOfAnHs610)
 {
     REQUIRE_CORPUS();
-    // Its owner drew round the edges: both axes reach both ends, and pressure its 8191.
+    // The owner drew around the edges, so both axes reach both ends, and the pressure its maximum
+    // of 8191.
     auto const log = read_log(corpus() / "recordings" / "uclogic"
                               / "Huion_HS610__dumps__default__pen_coords__if1.hidrec");
     ASSERT_TRUE(log);

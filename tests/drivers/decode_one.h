@@ -9,7 +9,7 @@
 
 namespace tractus::drivers {
 
-// The sample of a report that has room for one; no value if it says nothing of a pen.
+// Returns the sample of a report that can contain only one; no value if it is not about a pen.
 inline Result<std::optional<PenSample>> decode_one(PenDecoder& decoder, Timestamp received,
                                                    std::span<std::byte const> report)
 {

@@ -6,7 +6,7 @@
 
 namespace tractus::drivers {
 
-// Decodes one report alone.
+// Decodes a single report.
 inline Result<std::vector<HeightSample>> decode_heights(HeightDecoder& decoder, Timestamp received,
                                                         std::span<std::byte const> report)
 {

@@ -1,5 +1,5 @@
-// Whatever a device or a file contains, the parsers answer, and never read or write beyond their
-// bounds: the sanitizers watch while these tests run.
+// Parsers must return a result for any content of a device or a file, without reading or writing
+// out of bounds; the sanitizers check this while these tests run.
 
 #include "drivers/height_decoders.h"
 #include "drivers/logs/log.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kCases = 10'000;
 
-// Replaces, inserts or removes a few elements at random places.
+// Replaces, inserts or removes a few elements at random positions.
 template<typename Container> Container mutated(Container bytes, Random& random)
 {
     using Value = typename Container::value_type;
@@ -72,7 +72,8 @@ TEST(HostileInput, MutatedDescriptorsGiveADecoderOrAnError)
             EXPECT_TRUE((*sample)->position_mm.allFinite());
         }
     }
-    EXPECT_GT(decoders, kCases / 100); // The mutations reach both ways.
+    // The mutations must produce both valid and invalid descriptors.
+    EXPECT_GT(decoders, kCases / 100);
     EXPECT_GT(refused, kCases / 100);
 }
 

@@ -1,5 +1,5 @@
-// The recording of a person's hand on an N-trig pen display, decoded here and by Linux 3.10, which
-// evemu wrote down: an oracle that nobody of this project made.
+// A recording of a hand on an N-trig pen display, decoded here and by Linux 3.10, whose events
+// evemu recorded: an independent reference.
 
 #include "drivers/logs/log.h"
 #include "drivers/tablets/pen_decoders.h"
@@ -18,11 +18,11 @@
 namespace tractus::drivers {
 namespace {
 
-// x, y, tip.
+// A pen state: x, y, tip.
 using State = std::tuple<std::int32_t, std::int32_t, bool>;
 
-// The states after each EV_SYN of an evemu file: "E: <time> <type> <code> <value>", type and code
-// hexadecimal, value decimal.
+// Returns the states after each EV_SYN in an evemu file: "E: <time> <type> <code> <value>", type
+// and code hexadecimal, value decimal.
 std::set<State> kernel_states(std::string const& text)
 {
     constexpr int kSync = 0, kKey = 1, kAbsolute = 3;
@@ -61,8 +61,7 @@ std::set<State> our_states(Log const& log)
         EXPECT_TRUE(sample) << sample.error().message;
         if (!sample || !*sample)
             continue;
-        // The kernel's BTN_TOUCH there is the tip alone; the eraser's contact is ours to tell
-        // apart.
+        // There, the kernel's BTN_TOUCH is only the tip; the eraser's contact is not included.
         auto const& pen = **sample;
         states.insert({ pen.raw_x, pen.raw_y, pen.touching && !pen.eraser });
     }
@@ -88,12 +87,13 @@ TEST(KernelAgreement, SeesTheSameStatesOfAnNtrigPen)
         EXPECT_TRUE(kernel.contains({ x, y, tip })) << "only here: " << x << ' ' << y << ' ' << tip;
     RecordProperty("states", static_cast<int>(kernel.size()));
 
-    // The kernel's own words are a recording, too.
+    // The kernel's events can also be read as a recording.
     auto const recorded = read_log(folder / "n-trig_1b96_1000.pen.kernel-3.10.ev");
     ASSERT_TRUE(recorded) << recorded.error().message;
     auto const replayed = our_states(*recorded);
     auto const is_there = [](auto const& states, State const& state) {
-        return states.contains(state) || std::get<1>(state) == 0; // Before its place was told.
+        // States before the first position are ignored.
+        return states.contains(state) || std::get<1>(state) == 0;
     };
     for (auto const& state : replayed)
         EXPECT_TRUE(is_there(kernel, state)) << std::get<0>(state) << ' ' << std::get<1>(state);

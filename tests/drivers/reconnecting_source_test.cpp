@@ -10,7 +10,7 @@
 namespace tractus::drivers {
 namespace {
 
-// A socket on a bus that is not there: what is plugged in, and what has come of it.
+// A fake bus: the devices plugged in, and counts of what was done with them.
 struct Bus {
     std::vector<DeviceInfo> plugged {};
     int opened = 0;
@@ -72,7 +72,8 @@ DeviceInfo pen_at(std::string location, std::string path = "usb-1/input0")
     return info;
 }
 
-// "r": a report, "g": the device has gone, "-": nothing.
+// Reads several times and returns a letter for each: 'r' a report, 'g' the device has gone, '-'
+// nothing.
 std::string reads(ReportSource& source, int count)
 {
     std::string result;
@@ -171,7 +172,7 @@ TEST(ReconnectingSource, SaysWhyTheDeviceThatIsBackCannotBeOpened)
     bus.plugged = { pen_at("/dev/hidraw1") };
     bus.may_open = false;
     EXPECT_EQ(reads(*source, 1), "-");
-    EXPECT_EQ(source->refusal(), ""); // Udev may be at work still.
+    EXPECT_EQ(source->refusal(), ""); // Udev may not have set the permissions yet.
     bus.now += ReconnectingSource::kPatience;
     EXPECT_EQ(reads(*source, 1), "-");
     EXPECT_EQ(source->refusal(), "permission denied");
@@ -196,7 +197,7 @@ TEST(ReconnectingSource, LooksForItNoOftenerThanAsked)
     EXPECT_EQ(lists, 2);
 }
 
-// Events that a test says have come.
+// Device events under the test's control.
 class FakeEvents final : public DeviceEvents {
 public:
     explicit FakeEvents(bool& has_come)
@@ -231,7 +232,7 @@ TEST(ReconnectingSource, LooksForItWhenSomethingHasCome)
         EXPECT_EQ(reads(*source, 1), "-");
     }
     EXPECT_EQ(lists, 1) << "nobody has told of anything";
-    has_come = true; // Something else.
+    has_come = true; // An event of another device.
     EXPECT_EQ(reads(*source, 2), "--");
     EXPECT_EQ(lists, 2);
     bus.plugged = { pen_at("/dev/hidraw3") };
@@ -252,7 +253,8 @@ TEST(ReconnectingSource, LooksForItNowAndThenThoughNobodyTells)
     bus.may_open = false;
     bus.now += means.retry_beside_events;
     EXPECT_EQ(reads(*source, 1), "-");
-    bus.may_open = true; // No event comes of a changed permission: it is tried soon.
+    // No event announces a changed permission, so the device is tried again soon.
+    bus.may_open = true;
     EXPECT_EQ(reads(*source, 2), "-r");
 }
 
@@ -264,7 +266,7 @@ TEST(DeviceEvents, OfUdevComeOrDoNot)
         return;
     }
     ASSERT_TRUE(events);
-    (void)events->wait(Duration(0)); // Somebody may plug something in meanwhile.
+    (void)events->wait(Duration(0)); // Another device may be plugged in meanwhile.
 }
 
 TEST(ReconnectingSource, OpensTheDeviceAnewAfterTheMachineSlept)
@@ -313,15 +315,16 @@ TEST(ReconnectingSource, FindsATabletReadPastTheKernelInAnotherSocket)
     auto const tablet = [](std::string location, std::string path) {
         auto info = pen_at(std::move(location), std::move(path));
         if (info.location.starts_with("libusb:"))
-            info.report_descriptor.clear(); // The descriptor is not known before it is opened.
+            // The descriptor is not known before the device is opened.
+            info.report_descriptor.clear();
         return info;
     };
     Bus bus { .plugged = { tablet("libusb:1-2:0", "usb-1-2/input0") } };
     auto const source = ReconnectingSource::open(bus.plugged[0], reconnection(bus)).value();
     bus.plugged.clear();
     EXPECT_EQ(reads(*source, 2), "g-");
-    bus.plugged
-        = { tablet("/dev/hidraw0", "usb-0000:00:14.0-4.1/input0") }; // Its node comes first.
+    // The node of the device comes first.
+    bus.plugged = { tablet("/dev/hidraw0", "usb-0000:00:14.0-4.1/input0") };
     EXPECT_EQ(reads(*source, 2), "--");
     bus.plugged.push_back(tablet("libusb:3-4.1:0", "usb-3-4.1/input0"));
     EXPECT_EQ(reads(*source, 2), "-r");
@@ -331,7 +334,7 @@ TEST(ReconnectingSource, FindsATabletReadPastTheKernelInAnotherSocket)
 TEST(ReconnectingSource, IsReadOnAThread)
 {
     Bus bus { .plugged = { pen_at("/dev/hidraw0") } };
-    bus.plugged[0].location = "/dev/hidraw1"; // It has gone before it is read.
+    bus.plugged[0].location = "/dev/hidraw1"; // The device has gone before it is read.
     auto source = ReconnectingSource::open(pen_at("/dev/hidraw0"), reconnection(bus)).value();
     auto const threaded = ThreadedSource::start(std::move(source)).value();
     std::string seen;

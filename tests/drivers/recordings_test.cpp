@@ -1,5 +1,5 @@
-// Every recording of a real pen, by the decoder that its device gets: what came out has to fit what
-// its maker publishes of the tablet, and what a hand can do.
+// Every recording of a real pen, decoded as its device would be: the result must agree with what
+// its maker publishes about the tablet, and with what a hand can do.
 
 #include "calib/fuser.h"
 #include "drivers/logs/log.h"
@@ -17,11 +17,11 @@
 namespace tractus::drivers {
 namespace {
 
-// Facts known of a recording, by the beginning of its file's name.
+// Known facts about a recording, by the beginning of its file name.
 struct Published {
     std::string_view file;
     Vec2 size_mm = Vec2::Zero();
-    // The greatest counts that it reaches, where somebody drew round the edges; 0: nobody did.
+    // Greatest counts in the recording, if somebody drew around the edges; otherwise 0.
     std::int32_t reached_x = 0;
     std::int32_t reached_y = 0;
     std::int32_t reached_pressure = 0;
@@ -86,12 +86,12 @@ Published published(std::string_view file)
     return {};
 }
 
-// One pen of one recording, decoded to its end, silence included.
+// A pen in a recording, decoded to its end, including silences.
 struct DecodedPen {
     std::string file {};
     PenTraits traits {};
     std::vector<PenSample> samples {};
-    std::size_t refused = 0; // Reports.
+    std::size_t refused = 0; // Number of refused reports.
 };
 
 DecodedPen decode_pen(Log const& log, std::size_t device, PenDecoder& decoder)
@@ -118,7 +118,7 @@ DecodedPen decode_pen(Log const& log, std::size_t device, PenDecoder& decoder)
     return pen;
 }
 
-// The pens of recordings in a folder. The touches of a tablet's fingers are no pen.
+// Returns the pens of all recordings in a folder. Finger touches are not pens.
 std::vector<DecodedPen> decode_pens(std::filesystem::path const& folder)
 {
     std::vector<DecodedPen> pens;
@@ -138,14 +138,14 @@ std::vector<DecodedPen> decode_pens(std::filesystem::path const& folder)
     return pens;
 }
 
-// Every pen that other people recorded.
+// Returns all pens recorded by other people.
 std::vector<DecodedPen> const& recorded_pens()
 {
     static auto const all = decode_pens(corpus() / "recordings");
     return all;
 }
 
-// Pens of the corpus, if there is one, and those of our own demonstrations.
+// Returns the pens of the corpus, if there is one, and those of the program's own demonstrations.
 std::vector<DecodedPen> const& all_pens()
 {
     static auto const all = [] {
@@ -250,7 +250,7 @@ TEST(Recordings, EndWithThePenUp)
 
 TEST(Recordings, HaveNoStrokeThatLeapsToTheOriginOrElsewhere)
 {
-    // A fast hand makes 2 m/s; a report may be lost.
+    // A fast hand moves at 2 m/s, and a report may be lost.
     constexpr double kFastest_mm_per_s = 2000, kSlack_mm = 2;
     for (auto const& pen : all_pens())
         for (std::size_t i = 1; i < pen.samples.size(); ++i) {
@@ -301,12 +301,12 @@ TEST(Recordings, HaveBothButtonsWhereSomebodyPressedThem)
         std::uint32_t pressed = 0;
         for (auto const& sample : pen.samples)
             pressed |= sample.buttons;
-        // Its tablet, switched as Linux does it, sends no more than the second.
+        // This tablet, switched as Linux does it, sends only two buttons.
         EXPECT_EQ(pressed, pen.file.starts_with("Huion_New_1060_Plus") ? 2u : 3u) << pen.file;
     }
 }
 
-// The settled tips of a pen that draws at height 0, cut into strokes.
+// Returns the settled tips of a pen that draws at height 0, split into strokes.
 std::vector<std::vector<TipSample>> strokes_of(DecodedPen const& pen, calib::Rig const& rig)
 {
     calib::Fuser fuser(rig, calib::ScriptedHeight {});
@@ -327,8 +327,8 @@ std::vector<std::vector<TipSample>> strokes_of(DecodedPen const& pen, calib::Rig
 
 TEST(Recordings, HaveNoBlobAtAStrokesStartOrEnd)
 {
-    // An end is a blob if it presses harder than all of the stroke's next five tips do, by more
-    // than a tenth of the greatest pressure.
+    // The end of a stroke is a blob if it has a higher pressure than all of the next five tips, by
+    // more than a tenth of the maximum.
     constexpr double kBlob = 0.1;
     constexpr std::size_t kNext = 5;
     std::size_t count = 0;
@@ -357,7 +357,7 @@ TEST(Recordings, HaveNoBlobAtAStrokesStartOrEnd)
 
 TEST(Recordings, MakeNoMoreStrokesWithAThreshold)
 {
-    // A light hand near the threshold draws one stroke, and no crumbs of it.
+    // With a threshold, a light hand must draw one stroke, and not fragments.
     for (auto const& pen : all_pens())
         EXPECT_LE(strokes_of(pen, { .pressure = { .threshold = 0.02 } }).size(),
                   strokes_of(pen, {}).size())

@@ -1,5 +1,5 @@
-// An edit's record as a session holds it: kind, fields and numbers, parted by zero bytes. An edit
-// that is read is written as a record that reads as the same edit.
+// Fuzzes an edit's record in a session: kind, fields and numbers, separated by zero bytes. An edit
+// that is read must be written as a record that reads as an equal edit.
 
 #include "app/methods/all_methods.h"
 #include "app/session/edit_record.h"

@@ -11,7 +11,7 @@
 
 namespace tractus {
 
-// What libFuzzer gives, as our readers take it.
+// The input from libFuzzer, in the form that the readers need.
 class FuzzInput {
 public:
     FuzzInput(std::uint8_t const* data, std::size_t size)
@@ -22,7 +22,8 @@ public:
     std::string_view text() const { return text_; }
     std::span<std::byte const> bytes() const { return std::as_bytes(std::span(text_)); }
 
-    // Takes a byte away, by which a fuzzer of several readers chooses; 0 where none is left.
+    // Removes a byte and returns it; a fuzzer of several readers uses it to choose one. 0 if none
+    // is left.
     unsigned take_byte()
     {
         if (text_.empty())
@@ -32,7 +33,8 @@ public:
         return byte;
     }
 
-    // Takes what stands before the first zero byte away, and that byte; everything without one.
+    // Removes the part before the first zero byte, and that byte, and returns the part; without a
+    // zero byte, everything.
     std::string_view take_part()
     {
         auto const end = text_.find('\0');
@@ -45,7 +47,7 @@ private:
     std::string_view text_;
 };
 
-// Readers refuse bytes as the user's fault, in one sentence.
+// True if the input was read; otherwise the error must be the user's fault, in one sentence.
 template<typename T> bool is_read(Result<T> const& result)
 {
     if (result)

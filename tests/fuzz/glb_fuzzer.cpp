@@ -1,4 +1,4 @@
-// A binary glTF file of any content, as a mesh and as a skeleton of lines.
+// Fuzzes the readers of binary glTF files, as a mesh and as a skeleton of lines.
 
 #include "engine/export/glb_lines.h"
 #include "engine/export/glb_reader.h"

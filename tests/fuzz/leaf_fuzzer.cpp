@@ -1,4 +1,4 @@
-// A leaf grammar of any content, and the leaf that it grows in a few steps.
+// Fuzzes leaf grammars, and the leaf that they grow in a few steps.
 
 #include "engine/methods/leaves/leaf.h"
 #include "engine/methods/leaves/leaf_triangles.h"

@@ -1,4 +1,4 @@
-// A device log of any content; what can be read of it is written again and must read the same.
+// Fuzzes device logs; a log that can be read must be equal after writing and reading it again.
 
 #include "drivers/logs/log.h"
 #include "drivers/logs/log_writer.h"

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// Rules and view, divided by a zero byte, from text to plant.
+// Fuzzes rules and view, separated by a zero byte, from text to plant.
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     tractus::lsystem::run_whole_pipeline({ reinterpret_cast<char const*>(data), size });

@@ -8,7 +8,7 @@
 
 using namespace tractus; // NOLINT(google-build-using-namespace): one function.
 
-// Every register, jump and kind of a program is inside of its frame, program and alphabet.
+// Checks that every register, jump and kind in a program is within its frame, program and alphabet.
 static void check_program(lsystem::Program const& program, lsystem::RegisterFile const& frame)
 {
     for (auto const& instruction : program) {
@@ -56,7 +56,7 @@ static void check_system(lsystem::Model const& model, lsystem::LSystem const& sy
         CHECK(external.index < (external.is_array ? system.arrays.size() : system.globals.size()));
 }
 
-// Rules alone, from text to compiled model.
+// Fuzzes rules without a view, from text to compiled model.
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     lsystem::ModelSource source;

@@ -1,6 +1,6 @@
-// The first byte chooses a format of some maker's; the rest are its reports, each behind a byte
-// that is its length, in the lower seven bits, and says whether the pen was silent before it.
-// Whatever comes, the samples tell of one pen that behaves.
+// Fuzzes the decoders of makers' own formats. The first byte chooses a format; the rest are
+// reports, each after a byte with its length in the lower seven bits, and whether the pen was
+// silent before it. For any input, the samples must describe one consistent pen.
 
 #include "drivers/pens/family_decoder.h"
 #include "engine/base/check.h"
@@ -20,7 +20,7 @@ public:
     {
         CHECK(sample.position_mm.allFinite());
         CHECK(sample.in_range || (!sample.touching && sample.buttons == 0));
-        CHECK(sample.in_range || last_.in_range); // A pen that is away says nothing.
+        CHECK(sample.in_range || last_.in_range); // A pen that is away must give no samples.
         CHECK(!(sample.in_range && last_.in_range && sample.eraser != last_.eraser));
         CHECK(sample.in_range || sample.position_mm == last_.position_mm);
         CHECK(!sample.pressure || (*sample.pressure >= 0 && *sample.pressure <= 1));
@@ -47,7 +47,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     auto rest = std::as_bytes(std::span(data, size)).subspan(1);
     Watch watch;
     drivers::PenSilence silence;
-    Timestamp time { std::chrono::seconds(1) }; // A report's first states are older than it.
+    // The first samples of a report are dated before it.
+    Timestamp time { std::chrono::seconds(1) };
     while (!rest.empty()) {
         auto const header = std::to_integer<unsigned>(rest[0]);
         auto const length = std::min<std::size_t>(header & 0x7F, rest.size() - 1);

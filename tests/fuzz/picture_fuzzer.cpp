@@ -1,4 +1,4 @@
-// A picture of any content, with what its camera says of it.
+// Fuzzes the readers of pictures and of their camera metadata.
 
 #include "app/render/read_picture.h"
 #include "tests/fuzz/fuzz_input.h"

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
-// The input before a zero byte is a model's text, the rest the text of every file that it includes.
-// Every character that comes out has its place.
+// Fuzzes the preprocessor. The input before a zero byte is a model's text, the rest the text of
+// every file that it includes. Every output character must have a position in the input.
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     std::string_view const input(reinterpret_cast<char const*>(data), size);

@@ -1,5 +1,5 @@
-// The first byte is the size of a report, which stands at the end; what is between them is the
-// report descriptor that it is decoded with.
+// Fuzzes report descriptors. The first byte is the size of a report at the end of the input; the
+// bytes between are the report descriptor with which it is decoded.
 
 #include "drivers/height_decoders.h"
 #include "drivers/reports/height_decoder.h"
@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     drivers::DeviceInfo const info { .report_descriptor
                                      = { descriptor.begin(), descriptor.end() } };
     if (auto pen = drivers::make_pen_decoder(info))
-        for (int i = 0; i < 2; ++i) { // Twice, since the decoder remembers.
+        for (int i = 0; i < 2; ++i) { // Twice, because the decoder keeps state.
             std::vector<drivers::PenSample> samples;
             (void)(*pen)->decode({}, report, samples);
         }

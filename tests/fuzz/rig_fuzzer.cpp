@@ -1,4 +1,4 @@
-// A rig's file, which reads again as it was written, and a script for the simulated hand.
+// Fuzzes rig files, which must read back as they were written, and scripts for the simulated hand.
 
 #include "calib/rig_file.h"
 #include "sim/gesture_script.h"

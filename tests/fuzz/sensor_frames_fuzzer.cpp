@@ -1,6 +1,6 @@
-// Feeds the height sensors' decoders with anything. The first byte chooses the sensor, and with its
-// highest bit every report ends with the CRC of a frame, which no fuzzer finds by itself. What
-// follows is cut into reports: a byte of length, then so many bytes.
+// Fuzzes the height sensors' decoders. The first byte chooses the sensor; if its highest bit is
+// set, every report ends with the CRC of a frame, which a fuzzer cannot find by itself. The rest
+// are reports, each after a byte with its length.
 
 #include "drivers/height_decoders.h"
 #include "drivers/sensors/height_sensor_protocol.h"
@@ -69,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         if (is_mended)
             end_with_crc(report);
         (void)decoder->decode(received, report, samples);
-        // Now and then much later: an hour for the longest reports.
+        // The longest reports arrive an hour later.
         received += std::chrono::milliseconds(1) * (length < 200 ? 1 : 3'600'000);
         input = input.subspan(1 + length);
     }

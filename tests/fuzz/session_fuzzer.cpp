@@ -1,4 +1,4 @@
-// A session's file of any content: read as it is, and searched for what can be saved.
+// Fuzzes session files: reads the input as a session, and repairs it.
 
 #include "app/methods/all_methods.h"
 #include "app/session/session_file.h"
@@ -10,7 +10,7 @@
 #include <fstream>
 #include <unistd.h>
 
-// In memory where the system has such a folder.
+// Returns a file in memory if the system has such a folder.
 static std::filesystem::path own_file()
 {
     std::filesystem::path const memory = "/dev/shm";

@@ -1,5 +1,5 @@
-// Plants of other programs: the first byte says of which kind the file is, the rest is its content.
-// What is read is a sound plant, and as an MTG it can be written and read again.
+// Fuzzes the readers of plants of other programs: the first byte chooses the kind of file, the rest
+// is its content. The result must be a valid plant, which can be written as an MTG and read again.
 
 #include "engine/plant/mtg.h"
 #include "engine/plant/ply_skeleton.h"

@@ -1,4 +1,4 @@
-// Strokes of other programs: a text of points, or an Open Brush sketch.
+// Fuzzes strokes of other programs: a text of points, or an Open Brush sketch.
 
 #include "engine/stroke/read_tilt.h"
 #include "engine/stroke/stroke_text.h"
@@ -16,7 +16,7 @@ static void check_strokes(std::vector<tractus::Stroke> const& strokes)
     }
 }
 
-// Times of more digits than a double has are only nearly the same.
+// Times with more digits than a double are only approximately equal.
 static void check_same(std::vector<tractus::Stroke> const& one,
                        std::vector<tractus::Stroke> const& other)
 {

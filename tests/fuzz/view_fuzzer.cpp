@@ -1,5 +1,5 @@
-// Files that a model names or that lie beside it: the first byte says which, the rest is the file.
-// A view has the text behind a zero byte for whatever it includes.
+// Fuzzes files that a model refers to or that are beside it: the first byte chooses the kind, the
+// rest is the file. For a view, the text behind a zero byte is that of all included files.
 
 #include "engine/lsystem/view/color_files.h"
 #include "engine/lsystem/view/contour_file.h"

@@ -8,7 +8,7 @@ namespace tractus::physics {
 namespace {
 
 constexpr double kBetweenCaptures_s = 4;
-constexpr double kReading_s = 0.0101; // Not in step with the hum.
+constexpr double kReading_s = 0.0101; // Interval of readings, out of step with the hum.
 constexpr double kCaptured_s = 1.2;
 
 template<typename... Values> void append(std::string& text, char const* format, Values... values)
@@ -18,8 +18,8 @@ template<typename... Values> void append(std::string& text, char const* format, 
     text += line;
 }
 
-// A multi-axis controller (a joystick is a game's) with one slider of 16 bits: 0 to the converter's
-// full scale.
+// Appends the sensor's descriptor: a multi-axis controller (a joystick would be for games) with one
+// slider of 16 bits, from 0 to the converter's full scale.
 void append_sensor(std::string& text, int full_scale)
 {
     auto const low = static_cast<unsigned>(full_scale & 0xff);

@@ -9,13 +9,13 @@ namespace tractus::physics {
 
 // A person who sets the table to heights by a ruler, one capture after another.
 struct Person {
-    std::vector<double> heights_mm {}; // Where the table goes …
-    std::vector<double> told_mm {};    // … and what is typed there, without the ruler's error.
+    std::vector<double> heights_mm {}; // Heights to which the table is set.
+    std::vector<double> told_mm {};    // Heights that are typed, without the ruler's error.
     double ruler_error_mm = 0.3;
 };
 
-// The recording of a height calibration, in the log format that `tractus calibrate height LOG`
-// reads, with a slider of HID as the sensor.
+// Returns the recording of a height calibration with a HID slider as the sensor, in the log format
+// that `tractus calibrate height LOG` reads.
 std::string capture_log(Potentiometer const& sensor, int full_scale, Person const& person,
                         Dice& dice);
 

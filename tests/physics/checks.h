@@ -2,7 +2,7 @@
 
 namespace tractus::physics {
 
-// Rigs that a check looks at: so many of each row, with the seeds from the first on.
+// Number of rigs in each row of a check, and the first seed.
 struct Run {
     unsigned rigs = 60;
     unsigned first_seed = 1;
@@ -10,18 +10,17 @@ struct Run {
     unsigned end_seed() const { return first_seed + rigs; }
 };
 
-// Checks each print a table, a row for each kind of physics, with the seeds of the rigs that miss
-// the row's goal. False if a row that is held to its goal misses it.
+// Checks, each of which prints a table with a row for each kind of physics, and the seeds of rigs
+// that miss the row's goal. False if a row with a goal misses it.
 bool check_heights(Run const& run); // Checks `calibrate height`.
-// Checks `calibrate zero`, after a string slipped or a table moved.
+// Checks `calibrate zero`, after a string slipped or a table was moved.
 bool check_zeroing(Run const& run);
 bool check_fusing(Run const& run);  // Checks live and settled tips while the table moves.
 bool check_latency(Run const& run); // Checks `calibrate latency`.
-bool check_slips(Run const& run);   // Checks what tells a slip while drawing.
-bool check_tilt(Run const& run);    // Checks tips of a pen that leans, and `calibrate tilt`.
+bool check_slips(Run const& run);   // Checks the detection of slips while drawing.
+bool check_tilt(Run const& run);    // Checks tips of a leaning pen, and `calibrate tilt`.
 
-// Whether so great a part of a run's rigs is good enough for a row's goal: a small run may miss by
-// what chance makes of so many rigs.
+// True if this share of a run's rigs meets a row's goal, allowing for chance in a small run.
 bool is_enough(double part, double goal, Run const& run);
 
 } // namespace tractus::physics

@@ -12,7 +12,7 @@ namespace tractus::physics {
 
 namespace {
 
-constexpr double kBegins_s = 0.2; // Before, there is nothing to be told from.
+constexpr double kBegins_s = 0.2; // Before this time there is too little data.
 
 double rms_mm(std::vector<Tip> const& tips, double from_s = kBegins_s)
 {
@@ -40,7 +40,7 @@ struct Row {
     std::string missed {};
 };
 
-// A number for each of a run's rigs; greater than `most` is a miss.
+// Runs a trial for each of a run's rigs; results greater than `most` are misses.
 template<typename Trial> Row measure(Run const& run, double most, Trial const& trial)
 {
     Row row;
@@ -90,7 +90,7 @@ bool check_lag(Run const& run)
     return all_good;
 }
 
-// The tips beyond the place where the table stopped.
+// Checks how far tips overshoot when the table stops.
 bool check_stops(Run const& run)
 {
     bool all_good = true;
@@ -133,7 +133,7 @@ bool check_gaps(Run const& run)
         return most_mm(fuse(sway(200), { .spike_part = 0.01 }, dice).settled, kBegins_s, 3.9);
     });
     all_good &= print("spikes of 30 mm, one in a hundred, mm", spikes, 0.5, 0.75, run);
-    // Five milliseconds' way at 300 mm/s, and a tenth.
+    // The distance covered in 5 ms at 300 mm/s, and a tenth of a millimetre.
     auto const lost = measure(run, 1.6, [&](Dice& dice) {
         auto const tips = fuse(stop(300, 0), { .gap_from_s = 0.998, .gap_to_s = 9 }, dice);
         return most_mm(tips.settled, 0.9, 1.1);
@@ -148,7 +148,7 @@ struct Bursts {
     double most_burst_s = 0;
     double lost_part = 0;
     bool pens_come_first = false;
-    double most_times = 1.5; // Of the error without bursts, in the median.
+    double most_times = 1.5; // Limit of the median error, as a multiple of that without bursts.
     double least_part = 0.95;
 };
 
@@ -158,7 +158,7 @@ double median(std::vector<double> values)
     return values[values.size() / 2];
 }
 
-// Which of a fuser's tips a check looks at.
+// The tips of a fuser that a check evaluates.
 struct Looked {
     char const* name = "";
     std::vector<Tip> Tips::*tips = nullptr;
@@ -199,7 +199,7 @@ bool check_bursts(Looked const& looked, Bursts const& bursts, double speed_mm_pe
     return is_good && times <= bursts.most_times;
 }
 
-// Tips of devices whose rates keep no step with the bursts, as two crystals do not.
+// Checks tips of devices whose rates are unrelated to that of the bursts, as with two crystals.
 bool check_bursts(Run const& run)
 {
     bool all_good = true;

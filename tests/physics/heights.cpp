@@ -22,9 +22,11 @@ using Heights = std::vector<double>;
 enum class Mistake { None, TwoSwapped, OneFalse, ThreeFalse, Centimetres };
 
 enum class Desk {
-    Usual, // The spool below, 600 mm of string, of which height zero takes up 8 %.
-    Plumb, // The string hangs plumb, from above or below; string and its share are drawn.
-    Any, // All is drawn: string, share, offset, rest height, side of the spool, wiring, converter.
+    Usual, // The spool is below, with 600 mm of string, of which height zero takes up 8 %.
+    Plumb, // The string is vertical, from above or below; its length and share are random.
+    // Everything is random: string, share, offset, rest height, side of the spool, wiring,
+    // converter.
+    Any,
 };
 
 // One row of the table.
@@ -32,13 +34,14 @@ struct Scenario {
     char const* name = "";
     Heights heights_mm {};
     Desk desk = Desk::Usual;
-    double track_mm = 600;       // Of the usual desk.
-    bool follows_advice = false; // Gives the linearity that a refusal names.
+    double track_mm = 600;       // String length of the usual desk.
+    bool follows_advice = false; // True: the person gives the linearity named in a refusal.
     Faults faults {};
     Mistake mistake = Mistake::None;
-    double linearity_percent = 0; // What the person takes from the data sheet.
-    double least_part = 0;   // Share of the rigs, within kGoal_mm or refused; 0: only measured.
-    bool is_covered = false; // Whether errors are to be as great as the standard errors say.
+    double linearity_percent = 0; // Linearity from the data sheet.
+    // Required share of the rigs that are within kGoal_mm or refused; 0: only measured.
+    double least_part = 0;
+    bool is_covered = false; // True: errors must be as large as the standard errors say.
     double ruler_error_mm = 0.3;
     double told_ruler_error_mm = 0.3;
 };
@@ -49,7 +52,7 @@ Heights const kFive { 0, 60, 160, 280, 400 };
 Heights const kSeven { 0, 60, 200, 400, 300, 120, 20 };
 Heights const kTen { 0, 60, 200, 400, 300, 120, 20, 250, 350, 160 };
 
-// Rigs that are not as the models have them, measured without a mistake.
+// Returns rigs that deviate from the models, measured without a mistake.
 std::vector<Scenario> honest_scenarios()
 {
     return {
@@ -85,7 +88,7 @@ std::vector<Scenario> honest_scenarios()
     };
 }
 
-// What the data sheet says of the track, or how badly the ruler is read, is told.
+// Returns rigs for which the track's linearity, or the ruler's error, is given.
 std::vector<Scenario> told_scenarios()
 {
     return {
@@ -124,8 +127,8 @@ std::vector<Scenario> told_scenarios()
     };
 }
 
-// Desks as people build them, and the potentiometer that the parts list recommends: 0.5 %, 10
-// kiloohms into 100 of the converter.
+// Returns typical desks with the potentiometer recommended in the parts list: 0.5 %, with 10
+// kiloohms loaded by 100 kiloohms of the converter.
 std::vector<Scenario> drawn_scenarios()
 {
     Faults const recommended { .nonlinearity = 0.005, .loading = 0.1 };
@@ -225,16 +228,17 @@ Heights told(Scenario const& scenario, Dice& dice)
 }
 
 struct Trial {
-    std::optional<double> rms_mm {}; // No value: refused.
+    std::optional<double> rms_mm {}; // No value if the fit was refused.
     std::string refusal {};
     std::vector<double> deviations {}; // Error over standard error.
-    bool is_unreadable = false;        // The rig's file cannot be read.
-    bool lacks_heights = false;        // Readings of heights from 0 to 400 mm have none.
+    bool is_unreadable = false;        // True if the rig's file cannot be read.
+    // True if readings of heights from 0 to 400 mm have no height.
+    bool lacks_heights = false;
 };
 
 constexpr double kTravel_mm = 400;
 
-// The track takes up all of the string, with some to spare at either end.
+// Chooses a string for which the track is long enough, with some to spare at either end.
 void draw_string(Geometry& geometry, Dice& dice)
 {
     auto const string_mm = [&](double height_mm) {
@@ -268,7 +272,7 @@ Geometry draw_desk(Scenario const& scenario, Dice& dice)
     return geometry;
 }
 
-// What a person does who is refused and told which linearity to give.
+// Returns the linearity that a refusal advises.
 std::optional<double> advised_linearity_percent(std::string const& refusal)
 {
     static constexpr std::string_view kOption = "--linearity ";
@@ -293,7 +297,7 @@ Result<calibration::CalibrationOutcome> calibrate(Scenario const& scenario, driv
     return calibration::calibrate_from_log(log, options, "2026-11-24");
 }
 
-// The rig as whoever reads its file sees it, against the sensor.
+// Compares the rig, as read from its file, with the sensor.
 void compare(calibration::CalibrationOutcome const& outcome, Potentiometer const& sensor,
              Trial& trial)
 {
@@ -356,8 +360,8 @@ double quantile(std::vector<double>& sorted, double part)
     return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
 }
 
-// Whether the curve lies within 1, 2 and 3 standard errors as often as the goal has it. Errors of a
-// curve's points go together: a rig counts as two.
+// True if the curve lies within 1, 2 and 3 standard errors as often as required. Errors at points
+// of one curve are correlated, so a rig counts as two values.
 bool is_covered(std::vector<double> const& deviations, Run const& run)
 {
     struct Goal {
@@ -376,7 +380,7 @@ bool is_covered(std::vector<double> const& deviations, Run const& run)
     return true;
 }
 
-// False if the row misses its goal.
+// Runs a row of the table. Returns false if it misses its goal.
 bool run_row(Scenario const& scenario, Run const& run)
 {
     std::vector<double> errors;
@@ -384,7 +388,7 @@ bool run_row(Scenario const& scenario, Run const& run)
     std::string missed;
     std::string refusal;
     unsigned good = 0;
-    unsigned broken = 0; // Rigs that nobody can read, or without heights for some readings.
+    unsigned broken = 0; // Rigs whose files cannot be read, or that lack heights for some readings.
     for (unsigned seed = run.first_seed; seed < run.end_seed(); ++seed) {
         auto const trial = try_rig(scenario, seed);
         bool const is_good

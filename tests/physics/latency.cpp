@@ -15,8 +15,8 @@ namespace {
 
 struct Scenario {
     char const* name = "";
-    double drag_mm = 0;       // The pen's tip stays behind within this play …
-    double hysteresis_mm = 0; // … and the string's end within this one.
+    double drag_mm = 0;       // Play within which the pen's tip lags.
+    double hysteresis_mm = 0; // Play within which the string's end lags.
     double most_ms = 0.5;
     double least_part = 0.99;
 };
@@ -32,7 +32,7 @@ std::vector<Scenario> scenarios()
     };
 }
 
-// Follows something within a play of some width.
+// Follows a position with a given play.
 class Follower {
 public:
     explicit Follower(double width)
@@ -52,7 +52,7 @@ private:
     bool is_first_ = true;
 };
 
-// A hand that moves the table up and down, now slower and now quicker.
+// Returns the height of a table that a hand moves up and down at varying speed.
 double hand_mm(double seconds, double phase)
 {
     double const slow = std::sin(2 * std::numbers::pi * 0.11 * seconds + phase);
@@ -69,7 +69,7 @@ struct Recording {
     std::vector<drivers::HeightSample> heights {};
 };
 
-// Twenty seconds along an edge that leans, the pen so much later than the height.
+// Records twenty seconds along an inclined edge, with the pen delayed relative to the height.
 Recording record(Scenario const& scenario, double delay_s, Dice& dice)
 {
     constexpr double kSeconds = 20;

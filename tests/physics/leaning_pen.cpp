@@ -6,7 +6,8 @@ namespace tractus::physics {
 
 namespace {
 
-// The shaft of a pen that stood upright, leaned over to +x and then turned about the upright.
+// Returns the direction of a pen's shaft: upright, leaned towards +x, and then rotated about the
+// vertical axis.
 Vec3 shaft_of(Hold const& hold)
 {
     double const aside = std::sin(hold.lean_rad);
@@ -14,7 +15,8 @@ Vec3 shaft_of(Hold const& hold)
              std::cos(hold.lean_rad) };
 }
 
-// Angle between the plane upright along the other axis and the one through the shaft and that axis.
+// Returns the tilt angle between the vertical plane along the other axis and the plane through the
+// shaft and that axis.
 double tilt_deg(double along, double up, double noise_deg, Dice& dice)
 {
     double const angle = std::atan2(along, up) * 180 / kPi;

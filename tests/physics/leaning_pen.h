@@ -9,35 +9,37 @@
 
 namespace tractus::physics {
 
-// A pen that leans on a tablet which finds it by its coil, written from what a coil and a shaft
-// are: a rod turned about two axes, and what of it is seen from above.
+// A leaning pen on a tablet that locates it by its coil, modelled from first principles: a rod
+// rotated about two axes, seen from above.
 
-// How a person holds the pen at one moment: how far from upright, and towards where,
+// How a person holds the pen at one moment: the angle from upright, and the direction,
 // counterclockwise from +x seen from above.
 struct Hold {
     double lean_rad = 0;
     double azimuth_rad = 0;
 };
 using Holding = std::function<Hold(double seconds)>;
-using NibWay = std::function<Vec2(double seconds)>; // The nib's place on the tablet, mm.
+// Returns the nib's position on the tablet, in millimetres.
+using NibWay = std::function<Vec2(double seconds)>;
 
 enum class Sight {
-    Below, // The tablet finds the point right below the coil.
-    Along, // It finds where the coil's axis, carried on upwards, would be over the nib's height:
-           // the tangent of the lean, as a magnet's field that leans with its coil might shift it.
+    Below, // The tablet locates the point directly below the coil.
+    // The tablet locates the point where the coil's axis meets the nib's height, displaced by the
+    // tangent of the lean, as a tilted magnetic field could cause it.
+    Along,
 };
 
 struct Tablet {
-    double coil_mm = 10; // Up the pen from its nib.
+    double coil_mm = 10; // Distance of the coil from the nib along the pen.
     Sight sight = Sight::Below;
     double place_noise_mm = 0.02;
-    double tilt_noise_deg = 0.5;    // Before tilts are rounded to whole degrees.
-    double tilt_late_s = 0;         // Tilts are so much older than places.
-    bool is_y_turned_round = false; // It counts the tilt towards the user as away.
+    double tilt_noise_deg = 0.5;    // Noise before tilts are rounded to whole degrees.
+    double tilt_late_s = 0;         // Delay of tilts relative to positions.
+    bool is_y_turned_round = false; // True: the tilt towards the user has the opposite sign.
     double pen_hz = 133;
 };
 
-// What the tablet sends while the nib goes its way, and the nib's true places beside it.
+// The tablet's samples while the nib moves, and the nib's true positions.
 struct PenRecording {
     std::vector<drivers::PenSample> samples {};
     std::vector<Vec2> nibs_mm {};

@@ -17,7 +17,7 @@ Timestamp at(double seconds)
     return Timestamp(std::chrono::nanoseconds(std::llround(seconds * 1e9)));
 }
 
-// When bursts come; none where samples come as they are.
+// Returns the times of bursts; none if samples arrive one by one.
 std::vector<double> delivery_times_s(Sampling const& sampling, Dice& dice)
 {
     std::vector<double> times_s;
@@ -70,7 +70,8 @@ std::vector<drivers::PenSample> pen_samples(Sampling const& sampling,
     for (double t = phase_s; t < sampling.seconds; t += 1 / sampling.pen_hz)
         if (!is_lost(sampling, dice))
             samples.push_back({ .time = at(arrival_s(t, deliveries_s)),
-                                .position_mm = { t, 0 }, // The place tells when the pen was there.
+                                // The position encodes the time at which the pen was there.
+                                .position_mm = { t, 0 },
                                 .pressure = 1,
                                 .in_range = true,
                                 .touching = true });

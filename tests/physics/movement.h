@@ -8,10 +8,10 @@
 
 namespace tractus::physics {
 
-// A table that moves under a pen, and what the two devices of a plumb rig send of it: a millimetre
-// is ten counts of 4096.
+// A table that moves under a pen, and the samples of both devices of a rig with a vertical string:
+// a millimetre is ten counts of 4096.
 
-// The table's height in millimetres after so many seconds.
+// Returns the table's height in millimetres at a time in seconds.
 using Movement = std::function<double(double seconds)>;
 
 struct Sampling {
@@ -19,19 +19,21 @@ struct Sampling {
     double height_hz = 500;
     double pen_hz = 133;
     double noise_counts = 1;
-    double gap_from_s = 0;   // No readings come from here …
-    double gap_to_s = 0;     // … to here.
-    double spike_part = 0;   // Share of the readings that are off by 30 mm, alone.
-    double burst_s = 0;      // Readings and pen samples come together, so often; 0: as they are.
-    double most_burst_s = 0; // Greater: each burst at random from burst_s to this.
-    double lost_part = 0;    // Share of the readings and pen samples that are lost.
-    bool pens_come_first = false; // Of what comes together, before the readings.
+    double gap_from_s = 0; // Beginning of a gap without readings.
+    double gap_to_s = 0;   // End of the gap.
+    double spike_part = 0; // Share of isolated readings that are off by 30 mm.
+    // Interval of bursts in which readings and pen samples arrive together; 0: one by one.
+    double burst_s = 0;
+    // If greater than burst_s, the interval of each burst is random between the two.
+    double most_burst_s = 0;
+    double lost_part = 0;         // Share of readings and pen samples that are lost.
+    bool pens_come_first = false; // True: within a burst, pen samples precede the readings.
     calib::SampleTimes sample_times = calib::SampleTimes::AsArrived;
 };
 
-// Result of the program for a pen sample.
+// The program's result for a pen sample.
 struct Tip {
-    double seconds = 0; // When the pen was there.
+    double seconds = 0; // Time at which the pen was there.
     double error_mm = 0;
     bool is_extrapolated = false;
 };
@@ -41,13 +43,13 @@ struct Tips {
     std::vector<Tip> settled {};
 };
 
-// Pushes both devices' samples through the program's fuser as they come.
+// Pushes both devices' samples through the program's fuser in order of arrival.
 Tips fuse(Movement const& movement, Sampling const& sampling, Dice& dice);
 
-// A hand that sways the table about 200 mm with a greatest speed.
+// Returns the movement of a hand that sways the table about 200 mm with a maximum speed.
 Movement sway(double speed_mm_per_s);
 
-// Rises at a speed for a second and stops within `stopping_s`.
+// Returns a movement that rises at a speed for a second and stops within `stopping_s`.
 Movement stop(double speed_mm_per_s, double stopping_s);
 
 } // namespace tractus::physics

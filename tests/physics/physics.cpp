@@ -1,10 +1,10 @@
-// Rigs whose physics the program did not choose, and how wrong they come out.
+// Calibrates rigs with independently modelled physics, and measures their errors.
 //
-//     tractus_physics [RIGS [FIRST_SEED [CHECK...]]]
+//   tractus_physics [RIGS [FIRST_SEED [CHECK...]]]
 //
-// CHECK is one of the names below; without it, all are run. Rigs of a row have the seeds from
-// FIRST_SEED on; the seeds of those that miss their goal are printed. Ends with 1 if a row that is
-// held to its goal misses it.
+// CHECK is one of the names below; by default all are run. The rigs of a row have the seeds from
+// FIRST_SEED on; the seeds of those that miss their goal are printed. Exit code 1 if a row with a
+// goal misses it.
 
 #include "tests/physics/checks.h"
 

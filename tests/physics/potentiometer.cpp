@@ -30,7 +30,7 @@ Potentiometer::Potentiometer(Geometry const& geometry, Faults const& faults, Dic
     hum_phase_ = uniform(dice, 0, 2 * kPi);
     for (std::size_t k = 0; k < waves_.size(); ++k)
         waves_[k] = normal(dice, 1) / static_cast<double>(k + 1);
-    // Data sheets give the greatest deviation.
+    // Scaled so that the greatest deviation is that of the data sheet.
     wave_scale_ = 1;
     double greatest = 1e-12;
     for (int i = 0; i <= 200; ++i)
@@ -44,8 +44,8 @@ void Potentiometer::befall(double slip_mm, double move_mm)
     geometry_.base_mm += move_mm;
 }
 
-// Length from the pulley's tangent point to the table, and what is wound round the pulley up to
-// there.
+// Returns the length from the pulley's tangent point to the table, plus the length wound around the
+// pulley up to there.
 double Potentiometer::length(double height_mm) const
 {
     double const rise_mm

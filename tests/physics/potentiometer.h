@@ -6,48 +6,49 @@
 
 namespace tractus::physics {
 
-// The physics of a rig as a second pair of eyes sees it: written from how strings, potentiometers
-// and converters behave, not from `sim` nor from `calib`, whose assumptions it is there to doubt.
+// An independent model of a rig's physics: written from the behaviour of strings, potentiometers
+// and converters, without the assumptions of `sim` and `calib`, which it tests.
 
 using Dice = std::mt19937_64;
 
 double uniform(Dice& dice, double low, double high);
 double normal(Dice& dice, double deviation);
 
-// Faults that a rig may have. It has none by default.
+// Faults of a rig. By default there are none.
 struct Faults {
-    double pulley_radius_mm = 0;   // The string leaves a pulley, not a point.
-    double nonlinearity = 0;       // Greatest deviation of the track, in parts of its length.
-    double loading = 0;            // Resistance of the track over that of the converter's input.
-    double noise_counts = 0.5;     // White.
+    double pulley_radius_mm = 0; // Radius of the pulley that the string leaves; 0: a point.
+    double nonlinearity = 0;     // Greatest deviation of the track, as a share of its length.
+    // Resistance of the track divided by that of the converter's input.
+    double loading = 0;
+    double noise_counts = 0.5;     // White noise.
     double hum_counts = 0;         // Hum at 50 Hz.
-    double drift_counts_per_s = 0; // Drift of the supply, as it warms up.
-    double hysteresis_mm = 0;      // The string's end lags behind the table by half of it.
+    double drift_counts_per_s = 0; // Drift of the supply as it warms up.
+    double hysteresis_mm = 0;      // The string's end lags behind the table by half of this.
 };
 
 struct Geometry {
     double offset_mm = 100;
     double base_mm = 100;
-    double track_mm = 600;    // String that the whole potentiometer takes up.
-    double first_part = 0.08; // Share of the track that is used up at height zero.
+    double track_mm = 600;    // String length that the whole potentiometer takes up.
+    double first_part = 0.08; // Share of the track in use at height zero.
     int full_scale = 4095;
-    bool is_spool_above = false; // base_mm is then how far the spool is above height zero.
-    bool counts_down = false;    // The potentiometer's outer wires are swapped.
+    bool is_spool_above = false; // True: base_mm is the distance of the spool above height zero.
+    bool counts_down = false;    // True: the potentiometer's outer wires are swapped.
 };
 
 class Potentiometer {
 public:
     Potentiometer(Geometry const& geometry, Faults const& faults, Dice& dice);
 
-    // The string slips by so much, and from now on the wiper stands so much farther; the table's
-    // zero comes to lie so much higher over the pulley.
+    // Lets the string slip, which shifts the wiper from now on, and raises the table's zero
+    // relative to the pulley.
     void befall(double slip_mm, double move_mm);
 
-    // The converter's input, in counts that are not rounded yet, with the table at rest.
+    // Returns the converter's input in counts before rounding, with the table at rest.
     double counts(double height_mm) const;
 
-    // One reading; `direction` is +1 where the table came from below, -1 from above, 0 from
-    // nowhere.
+    // Returns one reading; `direction` is +1 if the table came from below, -1 from above, 0
+    // otherwise.
     int read(double height_mm, double direction, double seconds, Dice& dice) const;
 
 private:
@@ -56,7 +57,7 @@ private:
 
     Geometry geometry_;
     Faults faults_;
-    double shortest_mm_ = 0; // The string, with the wiper at the track's first part.
+    double shortest_mm_ = 0; // Length of the string with the wiper at the beginning of the track.
     double hum_phase_ = 0;
     std::array<double, 4> waves_ {};
     double wave_scale_ = 0;

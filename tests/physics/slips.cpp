@@ -16,9 +16,9 @@ namespace {
 constexpr double kSeconds = 60;
 constexpr double kLowest_mm = 50;
 
-// A hand that draws: rests and movements of least jerk, one after the other. One that sets the
-// surface down does so every now and then: it comes down to a stop, where it stays for a second or
-// two, off by a tenth of a millimetre.
+// A hand that draws: rests and minimum-jerk movements, one after the other. It may let the surface
+// down occasionally: then the surface comes to a stop, where it stays for a second or two, within a
+// tenth of a millimetre.
 class Hand {
 public:
     explicit Hand(Dice& dice, double sets_down_part = 0)
@@ -45,7 +45,7 @@ private:
             is_set_down_ = true;
         }
         if (was_set_down) {
-            ends_s_ += uniform(dice_, 1, 2); // It lies at its stop.
+            ends_s_ += uniform(dice_, 1, 2); // The surface rests at its stop.
             return;
         }
         if (is_set_down_) {
@@ -56,7 +56,7 @@ private:
         bool const rests = uniform(dice_, 0, 1) < 0.3;
         if (!rests)
             to_mm_ = std::clamp(to_mm_ + uniform(dice_, -150, 150), kLowest_mm, 350.0);
-        // Speed is 400 mm/s at most, where it is quickest.
+        // The maximum speed is 400 mm/s.
         double const least_s = 1.875 * std::abs(to_mm_ - from_mm_) / 400;
         ends_s_ = begins_s_ + std::max(0.25, least_s) + uniform(dice_, 0, 1);
     }
@@ -75,7 +75,7 @@ struct Slip {
     double lasts_s = 0;
 };
 
-// What the monitor makes of a hand whose string slips halfway.
+// Returns a monitor that has watched a hand whose string slips halfway through.
 calib::HeightMonitor watch(Slip const& slip, Hand hand, double seconds, Dice& dice)
 {
     calib::Rig rig;
@@ -97,7 +97,7 @@ std::size_t jumps(Slip const& slip, Dice& dice)
     return watch(slip, Hand(dice), kSeconds, dice).total(calib::HeightFaultKind::Jump).count;
 }
 
-// How often a surface that is set down every now and then is said to have another stop.
+// Returns how often a moved stop is reported for a surface that is let down occasionally.
 std::size_t moved_stops(Slip const& slip, double sets_down_part, double seconds, Dice& dice)
 {
     return watch(slip, Hand(dice, sets_down_part), seconds, dice)
@@ -126,9 +126,9 @@ bool run_row(double mm, double lasts_s, double goal, Run const& run)
     return is_good;
 }
 
-// Slips that no movement shows, by the stop: ten minutes, in which the surface is set down some
-// twenty times before the slip and after it. Then as many without a slip, and without being set
-// down.
+// Checks slips that only the stop reveals: ten minutes, in which the surface is let down about
+// twenty times before the slip and after it. Then runs without a slip, and without letting the
+// surface down.
 bool check_stops(Run const& run)
 {
     constexpr double kLong_s = 600;

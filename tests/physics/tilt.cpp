@@ -14,7 +14,7 @@ namespace tractus::physics {
 
 namespace {
 
-// Somebody who leans the pen around, to all sides and now less, now farther.
+// Returns how a pen is held that is leaned in all directions by varying amounts.
 Holding leaned_around(double farthest_deg, Dice& dice)
 {
     double const farthest = farthest_deg * kPi / 180;
@@ -26,7 +26,8 @@ Holding leaned_around(double farthest_deg, Dice& dice)
     };
 }
 
-// A hand that draws: it leans by 25 to 55 degrees, and its wrist and arm turn as it goes.
+// Returns how a pen is held while drawing: leaned by 25 to 55 degrees, with the wrist and arm
+// turning.
 Holding drawing_hand(Dice& dice)
 {
     double const lean = uniform(dice, 30, 45) * kPi / 180;
@@ -38,13 +39,14 @@ Holding drawing_hand(Dice& dice)
     };
 }
 
-// Loops of up to 300 mm/s.
+// Returns the position on loops at up to 300 mm/s.
 Vec2 loops(double t)
 {
     return { 120 + 40 * std::sin(2 * kPi * 0.8 * t), 80 + 30 * std::sin(2 * kPi * 1.1 * t) };
 }
 
-// A nib in a dent: it trembles, and slides up the side that the pen leans to, or the other one.
+// Returns the movement of a nib in a dent: it trembles, and slides up the side towards which the
+// pen leans, or the opposite one.
 NibWay dent(double moved_mm, Holding const& holding, Dice& dice)
 {
     double const play_mm = uniform(dice, -0.1, 0.1);
@@ -58,7 +60,7 @@ NibWay dent(double moved_mm, Holding const& holding, Dice& dice)
 }
 
 struct TipErrors {
-    double live_mm = 0; // Roots of mean squares.
+    double live_mm = 0; // Root mean squares.
     double settled_mm = 0;
 };
 
@@ -70,7 +72,7 @@ double rms(std::vector<Vec2> const& tips, std::vector<Vec2> const& truth)
     return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(tips.size(), 1)));
 }
 
-// Tips of a recording, over a table that stands still.
+// Returns the errors of tips of a recording over a table at rest.
 TipErrors fuse(PenRecording const& recording, Vec2 const& coil_height_mm)
 {
     calib::Rig rig;
@@ -107,7 +109,7 @@ double at(std::vector<double> values, double part)
 struct Scenario {
     char const* name = "";
     Tablet tablet {};
-    double goal = 0.95; // Share of fits within two standard errors, or within 0.1 mm.
+    double goal = 0.95; // Required share of fits within two standard errors, or within 0.1 mm.
 };
 
 // Fits a coil's height, and draws with it.
@@ -173,7 +175,7 @@ struct Case {
     double goal = 0.99;
 };
 
-// How often a calibration that must not give a height gives none.
+// Checks how often a calibration that must be refused is refused.
 bool run_case(Case const& one, Run const& run)
 {
     unsigned good = 0;

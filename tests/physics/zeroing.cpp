@@ -15,13 +15,14 @@ namespace tractus::physics {
 
 namespace {
 
-// A calibrated rig to which something happens, and that is zeroed then.
+// A calibrated rig that is changed and then zeroed.
 struct Scenario {
     char const* name = "";
     double slip_mm = 0; // Slip of the string.
-    double move_mm = 0; // Move of the table's zero.
+    double move_mm = 0; // Movement of the table's zero.
     std::vector<double> zeroed_at_mm { 0 };
-    double least_part = 0; // Share of the rigs, at most kLoss_mm worse than before.
+    // Required share of the rigs that are at most kLoss_mm worse than before.
+    double least_part = 0;
 };
 
 constexpr double kLoss_mm = 0.5;

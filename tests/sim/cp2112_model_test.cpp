@@ -19,7 +19,7 @@ std::vector<std::byte> bytes_of(std::initializer_list<int> values)
 
 } // namespace
 
-// Lines 0 and 1 are outputs, line 2 is wired to a switch that is on.
+// Fixture in which lines 0 and 1 are outputs, and line 2 is connected to a switch that is on.
 struct Cp2112ModelTest : testing::Test {
     std::uint8_t driven = 0xff;
     Cp2112Model model { { .driven = [this](std::uint8_t levels) { driven = levels; },

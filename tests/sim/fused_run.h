@@ -18,7 +18,8 @@ struct FusedRun {
     calib::FuserCounts counts;
 };
 
-// The reports of a run, through the real decoders and the fuser, with `rig` for its calibration.
+// Feeds the reports of a run through the real decoders and the fuser, with `rig` as its
+// calibration.
 inline FusedRun fuse(SimulatedRun const& run, calib::Rig const& rig)
 {
     auto const pens = drivers::make_pen_decoder(run.tablet.info);
@@ -50,13 +51,13 @@ inline FusedRun fuse(SimulatedRun const& run, calib::Rig const& rig)
     return fused;
 }
 
-// A hand at 300 mm/s in the plane and 200 mm/s in height at once, in strokes of every kind.
+// Returns a hand at 300 mm/s in the plane and 200 mm/s in height at once, in strokes of every kind.
 inline Hand fast_hand(std::uint64_t seed)
 {
     auto const fast = [](PathShape const& shape) {
         return HandStroke { .path = make_path(shape), .speed_mm_s = 1000 };
     };
-    // 2.5 turns of 188.5 mm and 314 mm up: as much faster in the plane as 300 is to 200.
+    // 2.5 turns of 188.5 mm and 314 mm of rise: the ratio of the speeds, 300 to 200.
     HelixShape const up {
         .foot_mm = { 0, 0, 20 }, .radius_mm = 30, .end_radius_mm = 30, .turns = 2.5, .rise_mm = 314
     };
@@ -79,7 +80,7 @@ inline Hand fast_hand(std::uint64_t seed)
                 { .seed = seed });
 }
 
-// How far tips lie from where the hand was at their time.
+// Distances of tips from where the hand was at their time.
 struct Errors {
     double rms_mm = 0;
     double max_mm = 0;

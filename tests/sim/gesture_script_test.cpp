@@ -33,7 +33,7 @@ from_mm = [0, 0, 100]
 to_mm = [80.5, 0, 100]
 )";
 
-// kScript with its first `from` replaced.
+// Returns kScript with the first occurrence of `from` replaced.
 std::string with(std::string_view from, std::string_view to)
 {
     std::string text(kScript);
@@ -51,7 +51,7 @@ std::string error_of(std::string const& text)
     return script.error().message;
 }
 
-// One gesture with these lines, which start at line 4.
+// Returns a script of one gesture with these lines, which start at line 4.
 GestureScript one_path(std::string const& lines)
 {
     auto const script = parse_gesture_script(

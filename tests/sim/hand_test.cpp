@@ -81,13 +81,13 @@ TEST(Hand, KeepsBothSpeedLimitsAndReachesThem)
     auto const hand = fast_hand(1);
     double plane_mm_s = 0;
     double height_mm_s = 0;
-    auto const [chosen, down, up] = hand.strokes()[0]; // The helix up.
+    auto const [chosen, down, up] = hand.strokes()[0]; // The first stroke is the rising helix.
     for (auto t = Timestamp {}; t < hand.end(); t += 1ms) {
         auto const velocity = hand.at(t).velocity_mm_s;
         plane_mm_s = std::max(plane_mm_s, velocity.head<2>().norm());
         height_mm_s = std::max(height_mm_s, std::abs(velocity.z()));
     }
-    // The tremor comes on top.
+    // The tolerance allows for the tremor.
     EXPECT_NEAR(plane_mm_s, 300, 30);
     EXPECT_NEAR(height_mm_s, 200, 12);
     auto const middle = hand.at(down + (up - down) / 2).velocity_mm_s;
@@ -100,7 +100,7 @@ TEST(Hand, VelocityIsThePositionsSlope)
     auto const hand = fast_hand(3);
     for (auto t = Timestamp { 1ms }; t < hand.end(); t += 13ms) {
         Vec3 const slope = (hand.at(t + 10us).position_mm - hand.at(t - 10us).position_mm) / 20e-6;
-        // A helix is piecewise straight, so the direction jumps a little between its pieces.
+        // A helix is piecewise linear, so the direction changes slightly between pieces.
         ASSERT_LT((hand.at(t).velocity_mm_s - slope).norm(), 10) << to_seconds(t);
     }
 }

@@ -24,7 +24,7 @@ bool set(HeightSensorModel& model, drivers::HeightSensorRequest request, std::ui
                         data);
 }
 
-// The listings of firmware-notes/height-sensor-protocol.md.
+// The listings in firmware-notes/height-sensor-protocol.md.
 TEST(HeightSensorModel, HasTheDescriptorsOfTheProtocol)
 {
     HeightSensorModel const model;
@@ -51,7 +51,7 @@ TEST(HeightSensorModel, TellsWindowsWhichDriverToTake)
     ASSERT_TRUE(set);
     EXPECT_EQ(*set, model.microsoft_os_descriptors());
     ASSERT_EQ(set->size(), 162u);
-    // Each part says its length: together they are the whole.
+    // Each part contains its length; their sum is the whole.
     auto const length = [&](std::size_t at) { return std::to_integer<std::size_t>((*set)[at]); };
     EXPECT_EQ(length(0) + length(10) + length(30), set->size());
     EXPECT_EQ(length(8), set->size());
@@ -76,10 +76,14 @@ TEST(HeightSensorModel, StallsWhatItDoesNotDoAndKeepsItsSettings)
 {
     HeightSensorModel model;
     using Request = drivers::HeightSensorRequest;
-    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("01 00 05 00"))); // Too fast.
-    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 18 00"))); // 24 in a frame.
-    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 00 00"))); // None.
-    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 05 01"))); // Reserved.
+    // The rate is too high.
+    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("01 00 05 00")));
+    // A frame of 24 readings is too long.
+    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 18 00")));
+    // A frame without readings.
+    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 00 00")));
+    // A reserved byte is set.
+    EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 05 01")));
     EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 05")));
     EXPECT_FALSE(set(model, Request::SetRate, 1, drivers::bytes("d0 07 05 00")));
     EXPECT_FALSE(set(model, Request::SetReference, 0, drivers::bytes("02")));
@@ -117,7 +121,8 @@ TEST(HeightSensorModel, MarksTheFirstFrameAndNumbersAll)
     EXPECT_EQ(second[6], std::byte { 1 });
     EXPECT_EQ(third[4], std::byte { drivers::kHeightFrameOverrun });
     EXPECT_EQ(third[6], std::byte { 5 });
-    ASSERT_TRUE(set(model, drivers::HeightSensorRequest::SetStreaming, 1)); // Again.
+    // Streaming is switched on again.
+    ASSERT_TRUE(set(model, drivers::HeightSensorRequest::SetStreaming, 1));
     auto const again = model.push(6000, 0).value();
     EXPECT_EQ(again[4], std::byte { drivers::kHeightFrameStart });
     EXPECT_EQ(again[6], std::byte { 0 });

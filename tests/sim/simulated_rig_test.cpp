@@ -26,7 +26,7 @@ bool same_reports(SimulatedDevice const& a, SimulatedDevice const& b)
                       });
 }
 
-// Everything that the real decoder makes of a tablet's reports.
+// Returns all samples that the real decoder makes from a tablet's reports.
 std::vector<drivers::PenSample> decoded(SimulatedDevice const& tablet)
 {
     auto const decoder = drivers::make_pen_decoder(tablet.info).value();
@@ -145,7 +145,7 @@ TEST(SimulatedHeight, ReportsDecodeToTheCountsOfTheTrueHeight)
     }
     double const count = static_cast<double>(run.height.reports.size());
     EXPECT_NEAR(count, to_seconds(hand.end()) * 500, 2);
-    // One count of noise and a twelfth of a squared count for the rounding.
+    // One count of noise, and 1/12 squared count for the rounding.
     EXPECT_NEAR(std::sqrt(sum_of_squares / count), std::sqrt(1 + 1.0 / 12), 0.05);
 }
 
@@ -180,7 +180,7 @@ TEST(SimulatedRig, AnotherSeedIsAnotherRun)
     EXPECT_FALSE(same_reports(a.tablet, c.tablet));
 }
 
-// A run as the log of it replays.
+// Returns a run after writing it as a log and replaying that.
 SimulatedRun replayed_from_log(SimulatedRun const& run)
 {
     std::ostringstream file;
@@ -209,11 +209,12 @@ void expect_same_tips_from_log(SimulatedRun const& run)
     auto const live = fuse(run, run.rig).settled;
     auto const read = fuse(replayed, replayed.rig).settled;
     ASSERT_EQ(read.size(), live.size());
-    for (std::size_t i = 0; i < read.size(); ++i) // A log's times are whole microseconds.
+    for (std::size_t i = 0; i < read.size(); ++i) // Times in a log are whole microseconds.
         ASSERT_LT((read[i].position_mm - live[i].position_mm).norm(), 1e-3) << i;
 }
 
-// The station's own kind of sensor at a busy host, its clock slow by 200 ppm.
+// Returns options for the station's own kind of sensor at a busy host, with a clock slow by 200
+// ppm.
 SimulatedRigOptions with_frames()
 {
     SimulatedRigOptions options;
@@ -239,13 +240,13 @@ TEST(SimulatedRig, FramesAreNoWorseThanASlider)
     auto const frames = simulate_rig(hand, with_frames());
     auto const slider_errors = errors_of(fuse(slider, slider.rig).settled, hand);
     auto const frames_errors = errors_of(fuse(frames, frames.rig).settled, hand);
-    // The converter's noise, which is the same, makes nearly all of both.
+    // Nearly all of both errors comes from the converter's noise, which is the same.
     EXPECT_LT(frames_errors.rms_mm, 1.01 * slider_errors.rms_mm);
     EXPECT_LT(frames_errors.max_mm, 1.02 * slider_errors.max_mm);
 }
 
-// Delays reports that come while the host looks away, 60 ms in each half second, to the end of
-// that.
+// Delays reports that arrive while the host is stalled, 60 ms in each half second, to the end of
+// the stall.
 void look_away(SimulatedDevice& device)
 {
     for (auto& report : device.reports)
@@ -291,8 +292,8 @@ TEST(SimulatedRig, AWrongLatencyMissesTheTruth)
     EXPECT_GT(errors_of(fuse(run, rig).settled, hand).max_mm, 1.5);
 }
 
-// With a coil nine millimetres up a pen that leans by some 30 degrees the tablet is off by 5 mm; a
-// rig that knows it puts tips where the hand was.
+// With a coil 9 mm above the nib, the position of a pen that leans by about 30 degrees is off by 5
+// mm; a rig with that coil height must put tips where the hand was.
 TEST(SimulatedRig, SeesThePenByItsCoil)
 {
     auto const hand = fast_hand(1);

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-// Messages for kernels that cannot play gadgets; what the kernel does with gadgets is for tests/vm.
+// Error messages for kernels without gadget support; gadgets themselves are tested in tests/vm.
 
 namespace tractus::sim {
 
@@ -41,7 +41,8 @@ TEST_F(UsbGadgetTest, SaysWhichModuleIsMissing)
 
 TEST_F(UsbGadgetTest, LeavesNothingBehindWhenTheKernelRefuses)
 {
-    fs::create_directories(place.configfs / "usb_gadget"); // No kernel makes its attributes.
+    // There is no kernel to create the attributes.
+    fs::create_directories(place.configfs / "usb_gadget");
     EXPECT_NE(refusal().find("idVendor"), std::string::npos) << refusal();
     EXPECT_TRUE(fs::is_empty(place.configfs / "usb_gadget"));
 }

@@ -1,5 +1,5 @@
-// `tractus record` and `tractus sim` without the rest of the program, for scenarios that have to be
-// built again for them alone.
+// The commands `tractus record` and `tractus sim` without the rest of the program, for scenarios
+// that must rebuild them.
 
 #include "app/commands/record.h"
 #include "app/commands/sim.h"
@@ -9,7 +9,7 @@
 #include "app/terminal/error_text.h"
 #include "engine/base/file.h"
 
-// Scenarios draw on models that no method makes anything for.
+// Stub, since the scenarios need no input made by methods.
 tractus::Result<std::optional<std::string>>
 tractus::methods::make_input(std::filesystem::path const&, std::string const&)
 {

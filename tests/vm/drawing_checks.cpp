@@ -17,7 +17,7 @@ namespace tractus {
 
 namespace {
 
-// Sets the clock of a stroke to zero where it begins: each recording has a clock of its own.
+// Sets the clock of a stroke's beginning to zero, because each recording has a clock of its own.
 class FromItsBegin final : public scene::Fields {
 public:
     void field(char const*, scene::FieldRef) override { }
@@ -47,7 +47,7 @@ struct DrawnEdit {
     bool has_stroke = false;
 };
 
-// What was drawn and is not undone.
+// Returns the edits of a session that are not undone.
 Result<std::vector<DrawnEdit>> drawn_edits(std::string const& session)
 {
     auto const contents = TRY(session::read_session(session, methods::all_methods().edits));

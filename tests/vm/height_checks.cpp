@@ -32,7 +32,8 @@ Result<DecodedHeights> decode_heights(std::string const& log_name)
             continue;
         DecodedHeights heights;
         for (auto const& record : log.records)
-            if (record.device == device && record.size > 0 // Else it went away.
+            // Size 0 means that the device was disconnected.
+            if (record.device == device && record.size > 0
                 && !(*decoder)->decode(record.time, log.report(record), heights.samples))
                 ++heights.broken_reports;
         heights.counts = (*decoder)->stream_counts();
@@ -43,7 +44,7 @@ Result<DecodedHeights> decode_heights(std::string const& log_name)
     return fail(Fault::Device, fmt::format("{} has no height sensor", log_name));
 }
 
-// The farthest that samples lie from a curve that is `offset` later than it was recorded.
+// Returns the greatest distance of samples from a curve that is delayed by `offset`.
 double farthest(sim::HeightCurve const& curve, std::vector<drivers::HeightSample> const& samples,
                 Duration offset)
 {
@@ -55,7 +56,7 @@ double farthest(sim::HeightCurve const& curve, std::vector<drivers::HeightSample
     return far;
 }
 
-// The farthest that samples lie from a curve, where all of them may be later than it by the same.
+// Returns the greatest distance of samples from a curve, with the best common delay.
 double farthest_at_best(sim::HeightCurve const& curve,
                         std::vector<drivers::HeightSample> const& samples)
 {
@@ -101,7 +102,7 @@ Result<void> compare_encoder(std::string const& sent_name, std::string const& go
         return static_cast<std::int32_t>(std::floor(curve.fraction_at(time) * counts));
     };
     auto const first = count_at(Timestamp());
-    for (auto& sample : heights.samples) { // It counts from where it begins.
+    for (auto& sample : heights.samples) { // The encoder counts from where it begins.
         sample.counts += first - drivers::kEncoderCountsBelow;
         sample.full_scale = static_cast<std::int32_t>(counts);
     }
@@ -109,7 +110,7 @@ Result<void> compare_encoder(std::string const& sent_name, std::string const& go
     auto const last = heights.samples.back().counts;
     fmt::print("{} samples, from count {} to {}\n", heights.samples.size(), first, last);
     print_figure("encoder behind by", farthest_counts, "counts");
-    if (farthest_counts > 1 + kMostBehind) // A count is one high.
+    if (farthest_counts > 1 + kMostBehind) // A count is one unit high.
         return fail(Fault::Device, "these are not the heights that were sent");
     if (last != count_at(curve.end()))
         return fail(Fault::Device, fmt::format("expected to end at {}", count_at(curve.end())));

@@ -41,7 +41,7 @@ Result<controllers::LiveWindow> open_window(WatchedWindow const& watched)
     return controllers::LiveWindow::create(std::move(devices), std::move(options));
 }
 
-// The other hand, which chooses the tools of a recording, one for each stroke.
+// Simulated user who chooses the tools of a recording, one for each stroke.
 class Chooser {
 public:
     static Result<Chooser> create(std::string const& log_name)
@@ -56,7 +56,7 @@ public:
         return chooser;
     }
 
-    // Chooses what the next stroke is for as soon as the one before it is finished.
+    // Chooses the next stroke's tool as soon as the previous stroke is finished.
     void look_at(controllers::LiveWindow& window)
     {
         if (next_ < tools_.size() && window.station().counts().strokes >= next_)
@@ -68,7 +68,7 @@ private:
     std::size_t next_ = 0;
 };
 
-// Says what the window shows that it did not show before.
+// Prints what the window shows for the first time.
 class Teller {
 public:
     void look_at(controllers::LiveWindow const& window)
@@ -88,7 +88,7 @@ public:
     }
 
 private:
-    // How many strokes are on the disk, when nothing is being done; else how many were.
+    // Returns the number of strokes on the disk; while work is in progress, the previous number.
     std::size_t kept_strokes(document::Document const& document) const
     {
         return document.is_settled() ? document.stroke_count() : kept_;

@@ -14,7 +14,7 @@ namespace tractus {
 
 namespace {
 
-// The hand that write_simulated_recording lets draw.
+// Returns the hand that write_simulated_recording() uses.
 Result<sim::Hand> hand_of(TruthOptions const& options)
 {
     auto const text = TRY(read_file(options.script));
@@ -23,8 +23,8 @@ Result<sim::Hand> hand_of(TruthOptions const& options)
     return play::simulated_hand(script, TRY(scene::apply_edit({}, edit)));
 }
 
-// How much later the recording's clock reads than the hand's: the median over the pen's reports,
-// all of which came through, in the same order; of a torn recording those up to its end.
+// Returns the difference of the recording's clock and the hand's: the median over the pen's
+// reports, all of which arrived in order; for a truncated recording, over those up to its end.
 Result<Duration> clock_offset(drivers::Log const& sent, drivers::Log const& got, bool is_torn)
 {
     std::vector<Timestamp> sent_times;
@@ -44,11 +44,12 @@ Result<Duration> clock_offset(drivers::Log const& sent, drivers::Log const& got,
     return *middle;
 }
 
-// How far tips lie from where the hand was.
+// Distances of tips from where the hand was.
 struct StrokeErrors {
     double sum_of_squares = 0;
     double largest_mm = 0;
-    double largest_from_path_mm = 0; // Where the hand was some time within kLateness.
+    // Distance from where the hand was at any time within kLateness.
+    double largest_from_path_mm = 0;
     std::size_t count = 0;
 
     void add(TipSample const& tip, Timestamp time, sim::Hand const& hand)

@@ -13,7 +13,7 @@ namespace tractus {
 
 namespace {
 
-// The reports of a device, without the empty ones that say that it went away.
+// Returns the reports of a device, without the empty ones that mark a disconnection.
 std::vector<drivers::LogRecord> records_of(drivers::Log const& log, std::size_t device)
 {
     std::vector<drivers::LogRecord> records;
@@ -24,7 +24,7 @@ std::vector<drivers::LogRecord> records_of(drivers::Log const& log, std::size_t 
     return records;
 }
 
-// The device of `log` with the report descriptor of `wanted`.
+// Returns the device of `log` with the report descriptor of `wanted`.
 Result<std::size_t> find_device(drivers::Log const& log, drivers::DeviceInfo const& wanted)
 {
     for (std::size_t i = 0; i < log.devices.size(); ++i)
@@ -35,8 +35,8 @@ Result<std::size_t> find_device(drivers::Log const& log, drivers::DeviceInfo con
         fmt::format("{} has no device with the report descriptor of {}", log.name, wanted.name));
 }
 
-// Reports that the kernel hands on to hidraw: those that the descriptor has, in its length at
-// least.
+// Returns the reports that the kernel passes on to hidraw: those in the descriptor, of at least its
+// length.
 std::vector<drivers::LogRecord> delivered(drivers::Log const& log, std::size_t device)
 {
     auto records = records_of(log, device);
@@ -58,7 +58,7 @@ bool is_same(std::span<std::byte const> a, std::span<std::byte const> b)
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
-// Leaves the last `count` records, if those before only repeat the first of them.
+// Keeps the last `count` records if all earlier ones only repeat the first of them.
 void forget_repetitions(drivers::Log const& log, std::vector<drivers::LogRecord>& records,
                         std::size_t count)
 {
@@ -90,7 +90,7 @@ Result<void> compare_device(drivers::Log const& sent, std::size_t sent_device,
     return {};
 }
 
-// The node, once it is there.
+// Waits for the node and returns it.
 Result<drivers::DeviceInfo> find_node(std::string const& node)
 {
     for (auto const& info : drivers::enumerate_hid())
@@ -155,7 +155,7 @@ Result<void> read_late(std::string const& node, std::string const& sent_name, do
     std::this_thread::sleep_for(from_seconds(seconds));
     auto const expected = records_of(sent, 0);
     std::size_t count = 0;
-    // It ends by being unplugged, which is an error.
+    // The reading ends when the device is unplugged, which is an error.
     for (auto report = source->read(std::chrono::seconds(1)); report && *report;
          report = source->read(std::chrono::seconds(1)), ++count)
         if (count >= expected.size() || !is_same(sent.report(expected[count]), (*report)->bytes()))

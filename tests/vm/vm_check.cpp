@@ -1,4 +1,4 @@
-// The checks of checks.h as a program, for scenarios to call.
+// A program with the checks of checks.h, called by scenarios.
 #include "tests/vm/checks.h"
 
 #include <CLI/CLI.hpp>
@@ -11,7 +11,7 @@ namespace tractus {
 
 namespace {
 
-// Arguments of all checks together; each uses some.
+// Arguments of all checks; each check uses some.
 struct Arguments {
     TruthOptions truth;
     std::vector<std::size_t> devices;

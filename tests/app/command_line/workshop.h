@@ -14,21 +14,22 @@
 
 namespace tractus {
 
-// Outcome of a command. The exit code is the shell's: 128 more than a signal that ended it.
+// Outcome of a shell command. The exit code is the shell's: 128 plus the number of a signal that
+// ended the command.
 struct CommandOutcome {
     int exit_code = 0;
     std::string out {};
     std::string err {};
 };
 
-// A folder of its own in which shell commands run, with the program itself as `tractus`:
+// Fixture with an empty folder in which shell commands run, with the program as `tractus`:
 //   small.l    a model with a trunk and two branches
 //   hand.toml  a hand that shapes the trunk and leans the plant
 class Workshop : public testing::Test {
 protected:
     void SetUp() override
     {
-        // A process that was killed may have had the same number.
+        // Removes what a killed process with the same number may have left.
         std::filesystem::remove_all(folder_);
         std::filesystem::create_directories(folder_);
         write("small.l",
@@ -46,7 +47,7 @@ protected:
 
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
-    // Runs what a user would type.
+    // Runs a command line as a user would type it.
     CommandOutcome run(std::string const& command) const
     {
         auto const script = "cd '" + folder_.string() + "' && tractus() { '" TRACTUS_PROGRAM
@@ -60,7 +61,8 @@ protected:
         return outcome;
     }
 
-    // A recording of the hand, "hand.tractus-log": made once for all tests of a process.
+    // Writes a recording of the hand, "hand.tractus-log", which is made once for all tests of a
+    // process.
     void record() const
     {
         static std::string recording;
@@ -85,7 +87,7 @@ protected:
 
     bool exists(std::string const& name) const { return std::filesystem::exists(folder_ / name); }
 
-    // How many files a folder holds.
+    // Returns the number of files in a folder.
     std::size_t count_files(std::string const& name) const
     {
         auto const entries = std::filesystem::directory_iterator(folder_ / name);
@@ -93,14 +95,14 @@ protected:
     }
 
 private:
-    // Beside the folder, so that what commands print is not among their files.
+    // Returns a path beside the folder, so that the output of commands is not among their files.
     std::string outside(char const* name) const { return folder_.string() + "." + name; }
 
     std::filesystem::path folder_ = std::filesystem::temp_directory_path()
         / ("tractus_workshop_" + std::to_string(::getpid()));
 };
 
-// One sentence, on one line, that says it is an error and contains what the reader needs.
+// Expects a one-line error message that contains `what`.
 inline void expect_error(CommandOutcome const& outcome, int exit_code, std::string const& what)
 {
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;

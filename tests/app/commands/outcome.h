@@ -11,7 +11,7 @@
 
 namespace tractus::commands {
 
-// A command as its caller sees it: exit code, standard output, standard error.
+// Result of a command as its caller sees it: exit code, standard output, standard error.
 struct Outcome {
     int exit_code = 0;
     std::string out {};

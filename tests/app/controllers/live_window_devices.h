@@ -13,7 +13,7 @@
 
 namespace tractus::controllers {
 
-// Sends what it is told to send, when it is told to; nothing else knows the time.
+// Sends reports only when the test tells it to, so no timing is involved.
 class ScriptedSource : public drivers::ReportSource {
 public:
     ScriptedSource(drivers::DeviceInfo info, std::vector<drivers::RawReport> reports)
@@ -44,7 +44,8 @@ inline drivers::RawReport arrived(std::int64_t milliseconds, std::vector<std::by
     return report;
 }
 
-// A stroke across the tablet, which ends when the tablet is unplugged if it `goes_away`.
+// Returns devices that draw a stroke across the tablet; if `goes_away`, the tablet is then
+// unplugged during the stroke.
 inline devices::LiveDevices drawing_devices(bool goes_away)
 {
     std::vector<drivers::RawReport> reports;
@@ -64,8 +65,8 @@ inline LiveWindowOptions live_options()
             } };
 }
 
-// Advances until the script is over and was seen to be: it is read on a thread of its own, which a
-// loaded machine may let wait.
+// Advances until the window has seen the end of the script, which is read on another thread that a
+// loaded machine may delay.
 inline void advance_to_end(LiveWindow& window)
 {
     while (window.state().status.find("is over") == std::string::npos) {

@@ -8,7 +8,7 @@
 
 namespace tractus::desktop {
 
-// A program with two commands, one of which has commands itself, and one that is hidden.
+// A program with two commands, one of which has subcommands, and a hidden command.
 struct SmallProgram {
     SmallProgram()
     {

@@ -8,7 +8,7 @@
 
 namespace tractus::document {
 
-// A step of these edits, whatever the scene is.
+// Returns a step with these edits, independent of the scene.
 inline WantedStep step_of(std::vector<scene::Edit> edits, std::string status = "")
 {
     return { [change = WantedStep::Change { std::move(edits), std::move(status) }](

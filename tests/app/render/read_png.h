@@ -8,7 +8,7 @@
 
 namespace tractus::render {
 
-// The picture in a PNG file's bytes; a failed test and an empty picture if they are none.
+// Decodes a PNG file; if that fails, the test fails and the picture is empty.
 inline Image read_png(std::string const& bytes)
 {
     png_image header {};

@@ -23,8 +23,8 @@ inline void add_quad(mesh::TriangleMesh& mesh, std::array<Vec3f, 4> const& corne
         mesh.indices.push_back(first + corner);
 }
 
-// A square post of bark, 40 mm wide and 300 mm high, and on each side of it, at x = -200 and
-// x = 200 mm, 250 mm up, one leaf: an upright square of 100 mm that faces the user (-y).
+// Returns a square post of bark, 40 mm wide and 300 mm high, and a leaf on each side of it, at x =
+// -200 and x = 200 mm, 250 mm up: an upright square of 100 mm that faces the user (-y).
 inline mesh::Mesh post_with_leaves()
 {
     mesh::Mesh mesh;

@@ -10,7 +10,7 @@
 
 namespace tractus::session {
 
-// Any double there is, also those that are not finite.
+// Returns any double, including infinities and NaN.
 inline double random_double()
 {
     if (*rc::gen::arbitrary<bool>())
@@ -25,13 +25,13 @@ inline Vec3 random_vec3()
     return { x, y, random_double() };
 }
 
-// Any bytes: texts of models and names of files need not be UTF-8.
+// Returns random bytes, since texts of models and names of files need not be UTF-8.
 inline std::string random_bytes()
 {
     return *rc::gen::arbitrary<std::string>();
 }
 
-// A file's name. Of a whole path a session keeps only the end.
+// Returns a random file name without folders, because a session keeps only the last part of a path.
 inline std::string random_file_name()
 {
     auto name = random_bytes();
@@ -97,7 +97,7 @@ inline scene::ItemId random_id()
     return *rc::gen::arbitrary<scene::ItemId>();
 }
 
-// Only a plant that is added stands somewhere and has an id of its own.
+// Gives the edit's plant a position and an id, if the edit adds one.
 template<typename T> void give_place(T& edit)
 {
     if (edit.drawn != scene::Drawn::Beside)
@@ -140,7 +140,7 @@ inline scene::LoadMeasured random_measured()
     return edit;
 }
 
-// Names things by ids, or as sessions before format 4 do.
+// Returns items named by ids, or by numbers as in sessions before format 4.
 inline scene::Items random_items()
 {
     auto const numbers = *rc::gen::arbitrary<std::vector<std::uint64_t>>();
@@ -156,7 +156,7 @@ inline std::vector<PathAddress> random_paths()
     return paths;
 }
 
-// An edit of the plants of a document and their parts.
+// Returns an edit of a document's plants or their parts.
 inline scene::Edit random_plant_edit()
 {
     switch (*rc::gen::inRange(0, 10)) {
@@ -185,7 +185,7 @@ inline scene::Edit random_plant_edit()
     }
 }
 
-// An edit of any kind with any values, whether or not a scene takes it.
+// Returns an edit of any kind with any values, whether or not a scene accepts it.
 inline scene::Edit random_edit()
 {
     auto const numbers = [] { return *rc::gen::arbitrary<std::vector<std::size_t>>(); };

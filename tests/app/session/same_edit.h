@@ -11,7 +11,7 @@
 
 namespace tractus::session {
 
-// Whether two edits are the same in every bit: numbers that are not numbers, too.
+// True if two edits are equal in every bit, including NaN values.
 
 inline bool same(double one, double other)
 {

@@ -15,20 +15,20 @@
 
 namespace tractus::session {
 
-// A clock that stands still.
+// Returns options with a clock that does not advance.
 inline SessionOptions options_for_tests()
 {
     return { scene::core_edit_kinds(), [] { return scene::LoadOptions {}; },
              [] { return std::chrono::sys_seconds(std::chrono::seconds(1'800'000'000)); } };
 }
 
-// Makes a session one as the first format had them.
+// SQL that converts a session to format 1.
 constexpr char const* kToFormat1 = "DROP TABLE copies; DROP TABLE meta_copies;"
                                    "ALTER TABLE edits DROP COLUMN made;"
                                    "ALTER TABLE edits DROP COLUMN checksum;"
                                    "PRAGMA user_version = 1;";
 
-// From the second to the fourth they differed only in what edits there were.
+// SQL that converts a session to format 2; the formats 2 to 4 differ only in the kinds of edits.
 constexpr char const* kToFormat2 = "DROP TABLE copies; DROP TABLE meta_copies;"
                                    "PRAGMA user_version = 2;";
 
@@ -38,7 +38,7 @@ inline std::vector<scene::Edit> const& beginning()
     return edits;
 }
 
-// Chooses the trunk and shapes it towards a place of its own.
+// Returns edits that select the trunk and shape it towards a position that depends on the number.
 inline std::vector<scene::Edit> drawing_step(int number)
 {
     return { scene::Select { { { 0, 1, 2 } } },
@@ -65,7 +65,7 @@ inline bool same_scene(scene::Scene const& one, scene::Scene const& other)
     return equal;
 }
 
-// A folder of its own for sessions.
+// Fixture with an empty folder for sessions.
 class SessionFolder : public testing::Test {
 protected:
     void SetUp() override
@@ -102,7 +102,7 @@ protected:
         std::ofstream(path(name), std::ios::binary) << bytes;
     }
 
-    // Why a session cannot be opened, neither to read nor to write.
+    // Returns the error of opening a session, which must fail both for reading and for writing.
     std::string refusal(std::string const& name) const
     {
         auto const read = read_session(path(name), scene::core_edit_kinds());

@@ -10,15 +10,15 @@
 
 namespace tractus {
 
-// One state of a pen whose tablet is 200 x 100 mm.
+// State of a pen on a tablet of 200 x 100 mm.
 struct PenState {
-    double x_mm = 0; // From the left …
-    double y_mm = 0; // … and from the far edge.
+    double x_mm = 0; // Distance from the left edge.
+    double y_mm = 0; // Distance from the far edge.
     bool touching = false;
-    int pressure = 1000; // While it touches.
+    int pressure = 1000; // Used only while the pen touches.
 };
 
-// A tablet's way to report pens.
+// A tablet's report format for pens.
 struct PenFormat {
     char const* name;
     drivers::DeviceInfo (*device)();
@@ -30,7 +30,7 @@ inline std::ostream& operator<<(std::ostream& out, PenFormat const& format)
     return out << format.name;
 }
 
-// A pen as the HID standard describes one.
+// Returns the format of a pen described as in the HID standard.
 inline PenFormat standard_pen()
 {
     return { "standard", drivers::simple_pen, [](PenState const& pen) {
@@ -40,12 +40,12 @@ inline PenFormat standard_pen()
                 append_u16(report, static_cast<int>(100 * pen.x_mm));
                 append_u16(report, static_cast<int>(100 * pen.y_mm));
                 append_u16(report, pen.touching ? pen.pressure : 0);
-                append_u16(report, 0); // No tilt.
+                append_u16(report, 0); // The pen is upright.
                 return report;
             } };
 }
 
-// A tablet that its driver has not switched: a mouse with tip pressure.
+// Returns the format of a tablet before its driver switches it: a mouse with tip pressure.
 inline PenFormat mouse_mode_pen()
 {
     auto const device = [] {
@@ -68,7 +68,7 @@ inline PenFormat mouse_mode_pen()
     return { "mouse mode", device, report };
 }
 
-// A Huion HS610: 50,800 x 31,750 counts at 200 a millimetre.
+// Returns the format of a Huion HS610: 50,800 x 31,750 counts, 200 per millimetre.
 inline PenFormat huion_v2_pen()
 {
     auto const device = [] {
@@ -87,8 +87,8 @@ inline PenFormat huion_v2_pen()
         append_u16(bytes, static_cast<int>(200 * pen.x_mm));
         append_u16(bytes, static_cast<int>(200 * pen.y_mm));
         append_u16(bytes, pen.touching ? pen.pressure : 0);
-        append_u16(bytes, 0); // The upper bytes of both places …
-        append_u16(bytes, 0); // … and no tilt.
+        append_u16(bytes, 0); // The upper bytes of both coordinates are 0.
+        append_u16(bytes, 0); // The pen is upright.
         return bytes;
     };
     return { "Huion version 2", device, report };

@@ -11,8 +11,8 @@
 
 namespace tractus::stream {
 
-// A program that reads from a local socket, in the test's own thread: a socket's buffer takes what
-// is sent before it reads.
+// A client of a local socket in the test's own thread; this works because a socket's buffer accepts
+// data before it is read.
 class LocalReader {
 public:
     explicit LocalReader(std::filesystem::path const& path)
@@ -28,7 +28,7 @@ public:
     LocalReader(LocalReader const&) = delete;
     LocalReader& operator=(LocalReader const&) = delete;
 
-    // Returns what is there now; nothing if nothing is.
+    // Returns the data available now; empty if there is none.
     std::string read_now() const
     {
         std::string text;
@@ -41,7 +41,7 @@ public:
         return text;
     }
 
-    // Will not write any more, as a shell's pipe whose input has ended.
+    // Ends writing, as a shell's pipe does whose input has ended.
     void close_writing() const { ::shutdown(socket_, SHUT_WR); }
 
     void leave()
@@ -55,7 +55,7 @@ private:
     int socket_;
 };
 
-// A socket's place of its own.
+// Fixture with the path of a socket of its own.
 class SocketPlace : public testing::Test {
 protected:
     void SetUp() override { std::filesystem::remove(path_); }

@@ -19,10 +19,11 @@
 #include <string>
 #include <vector>
 
-// What the window draws without a display, for tests of where things lie.
+// Draws the window without a display, for tests of the positions of its elements.
 namespace tractus::window::layout_tests {
 
-// A page of so many recent drawings, and with pictures as large as those of models.
+// A start page with a given number of recent drawings, and with pictures as large as those of
+// models.
 class CardsModel : public view::StartPageModel {
 public:
     explicit CardsModel(std::size_t recent)
@@ -113,15 +114,15 @@ public:
     void name(std::string drawing) { state_.drawing_name = std::move(drawing); }
     void add_card(tools::ToolCard card) { state_.cards.push_back(std::move(card)); }
 
-    std::vector<tools::Tool> moved {};       // What tools in hand are adjusted to,
-    std::vector<tools::Tool> released {};    // and left as.
-    std::vector<std::string> given_names {}; // To the drawing.
+    std::vector<tools::Tool> moved {};       // Settings of a tool while a slider is dragged.
+    std::vector<tools::Tool> released {};    // Settings of a tool when the slider is released.
+    std::vector<std::string> given_names {}; // Names given to the drawing.
     std::size_t touches = 0;
-    double surface_mm = 0; // By which the surface was moved.
+    double surface_mm = 0; // Distance by which the surface was moved.
 
     std::optional<CardsModel> start {};
     calibration::CalibrationModel* calibrated
-        = nullptr; // What is shown in place of the drawing; not owned.
+        = nullptr; // Calibration shown instead of the drawing; not owned.
 
 private:
     tools::Methods methods_;
@@ -134,7 +135,7 @@ struct Box {
     float top = 0;
     float right = 0;
     float bottom = 0;
-    std::string panel {}; // Name of ImGui's window.
+    std::string panel {}; // Name of the ImGui window.
 
     float width() const { return right - left; }
     float height() const { return bottom - top; }
@@ -148,7 +149,7 @@ inline std::string text_of(Box const& box)
 
 inline bool overlap(Box const& one, Box const& other)
 {
-    constexpr float kTouch_px = 1.5f; // Edges are smoothed.
+    constexpr float kTouch_px = 1.5f; // Tolerance for smoothed edges.
     return std::min(one.right, other.right) - std::max(one.left, other.left) > kTouch_px
         && std::min(one.bottom, other.bottom) - std::max(one.top, other.top) > kTouch_px;
 }
@@ -162,14 +163,15 @@ Box cut(Box box, ImVec4 const& clip)
     return box;
 }
 
-// What a frame has drawn: as the graphics card gets it, not as the program means it.
+// The contents of a frame, found in the vertices sent to the graphics card, so that it is what the
+// user sees.
 struct DrawnFrame {
     struct Button {
         Box whole;
         Box visible;
     };
     std::vector<Button> buttons {};
-    std::vector<Box> pictures {}; // The views.
+    std::vector<Box> pictures {}; // Boxes of the views.
 };
 
 constexpr ImU32 kWithoutAlpha = ~IM_COL32_A_MASK;
@@ -182,7 +184,7 @@ inline bool is_button(ImU32 color)
     return is(ImGuiCol_Button) || is(ImGuiCol_CheckMark) || is(ImGuiCol_ButtonHovered);
 }
 
-// Runs of neighbouring vertices in a button's colour are a button each.
+// Finds the buttons: each run of neighbouring vertices in a button's colour is one.
 inline void find_drawn(ImDrawList const& list, DrawnFrame& drawn)
 {
     auto const font = ImGui::GetIO().Fonts->TexID;
@@ -229,13 +231,14 @@ protected:
         ASSERT_TRUE(context) << context.error().message;
         context_.emplace(std::move(*context));
         renderer_.emplace(render::Renderer::create().value());
-        glEnable(GL_RASTERIZER_DISCARD); // Where things lie is looked at, not their pixels.
+        glEnable(GL_RASTERIZER_DISCARD); // Pixels are not needed, only positions.
     }
 
     using Prepare = std::function<void(Layout&, DrawingModel&)>;
-    using Check = std::function<void(DrawnFrame const&, ImVec2 const&)>; // Of a window so large.
+    // Check of a frame in a window of the given size.
+    using Check = std::function<void(DrawnFrame const&, ImVec2 const&)>;
 
-    // Shows a window of that many points; `prepare` before the last frames.
+    // Shows a window of the given size in points; `prepare` is called before the last frames.
     void show(ImVec2 const& points, float scale, Prepare const& prepare, Check const& check)
     {
         ImGui::CreateContext();
@@ -267,17 +270,16 @@ protected:
         ImGui::DestroyContext();
     }
 
-    // Where ImGui's mouse is, and whether its button is down, in each of the frames; the keys that
-    // are pressed.
+    // Input in one frame: the mouse's position, the state of its button, and the keys pressed.
     struct Moment {
         ImVec2 place_px;
         bool is_down = false;
         HandInput input {};
-        std::string typed {}; // On the keyboard.
+        std::string typed {}; // Text typed on the keyboard.
     };
 
-    // Shows the page in a window of that many points, and what a hand does there; `look` at its
-    // end.
+    // Shows the page in a window of the given size in points while input takes place; `look` is
+    // called at its end.
     void work(
         ImVec2 const& points, std::vector<Moment> const& moments, DrawingModel& model,
         std::function<void(Layout&)> const& prepare = [](Layout&) {},
@@ -317,7 +319,7 @@ struct Size {
     float scale;
 };
 
-// Points, on displays of up to 3840 x 2160.
+// Returns sizes in points, on displays of up to 3840 x 2160.
 inline std::vector<Size> sizes()
 {
     std::vector<Size> all;
@@ -336,7 +338,7 @@ inline std::vector<Size> sizes()
     return all;
 }
 
-// What does not fit is reached by dragging, up and down.
+// True for panels that can be scrolled by dragging up and down.
 inline bool scrolls(Box const& box)
 {
     return box.panel.find("meanings") != std::string::npos || box.panel == "menu"

@@ -6,8 +6,8 @@
 
 namespace tractus::window {
 
-// One calibration of a string potentiometer's heights, seven captures of which one slipped, that
-// stays as it is.
+// A constant calibration of a string potentiometer's heights with seven captures, one of which
+// slipped.
 class StillCalibration : public calibration::CalibrationModel {
 public:
     StillCalibration()

@@ -20,7 +20,8 @@ using std::chrono::microseconds;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-// Somebody else's lines as one's own: the source owns its lines, the test looks at them.
+// Forwards to lines owned by the test, because a source owns its lines and the test also needs
+// them.
 class BorrowedLines final : public GpioLines {
 public:
     explicit BorrowedLines(GpioLines& lines)
@@ -46,14 +47,14 @@ Result<std::unique_ptr<ReportSource>> open(SimulatedConverter& converter,
           .sleep_until = [&](Timestamp time) { converter.lines.sleep_until(time); } });
 }
 
-// Number of the request that comes k-th in the n-th conversion; three conversions try the lines
-// out.
+// Returns the number of the k-th request in the n-th conversion; the first three conversions are a
+// self-test.
 constexpr std::uint64_t request(std::uint64_t conversion, std::uint64_t k)
 {
     return conversion * 51 + k;
 }
 
-// The next reading of a source that has one.
+// Returns the next reading, which must exist.
 HeightSample read(ReportSource& source)
 {
     auto const report = source.read(seconds(1));
@@ -126,7 +127,7 @@ TEST(GpioAdc, WaitsNoLongerThanItIsTold)
 
 TEST(GpioAdc, RepeatsWhatTheSchedulerInterrupted)
 {
-    // While a bit of the reading is on its way, twice in a row.
+    // Interrupted twice in a row during the bits of the reading.
     SimulatedConverter converter({},
                                  { .pauses = { { request(3, 30), milliseconds(30) },
                                                { request(4, 40), milliseconds(3) } } });
@@ -142,7 +143,7 @@ TEST(GpioAdc, RepeatsWhatTheSchedulerInterrupted)
 
 TEST(GpioAdc, NeverGivesAReadingThatAnInterruptionSpoiled)
 {
-    // Wherever one interruption comes.
+    // One interruption at each possible place.
     for (std::uint64_t at = 0; at < 51; ++at) {
         SimulatedConverter converter({}, { .pauses = { { request(3, at), milliseconds(30) } } });
         converter.inputs[5] = 3000.5 / 4096;
@@ -219,7 +220,7 @@ TEST(GpioAdc, RefusesAddressesOfWhatCannotBe)
 
 TEST(GpioAdc, TellsWhenTheSurfaceWasWhere)
 {
-    // The surface sways while the scheduler interrupts every tenth conversion somewhere.
+    // The surface sways while the scheduler interrupts every tenth conversion.
     auto const level = [](Timestamp time) { return 0.5 + 0.4 * std::sin(9 * to_seconds(time)); };
     sim::SimulatedGpio::Options options { .request_time = microseconds(4) };
     for (std::uint64_t i = 10; i < 2000; i += 10)
@@ -233,7 +234,7 @@ TEST(GpioAdc, TellsWhenTheSurfaceWasWhere)
     ASSERT_TRUE(source);
     for (int i = 0; i < 1000; ++i) {
         auto const sample = read(**source);
-        // A pause that is too short to be repeated lets the capacitor sink by a count at most.
+        // A pause too short to cause a repetition lets the capacitor droop by at most one count.
         ASSERT_NEAR(sample.counts, std::floor(4096 * level(sample.time)), 2) << i;
     }
 }

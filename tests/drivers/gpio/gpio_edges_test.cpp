@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Lines of a chip that tells these edges, however long one waits for them.
+// Lines of a chip that reports the given edges, independent of waiting.
 class ToldEdges final : public GpioEdges {
 public:
     explicit ToldEdges(std::vector<QuadratureEdge> told)
@@ -49,7 +49,7 @@ Result<QuadratureLevels> both_high()
     return QuadratureLevels { .a = true, .b = true };
 }
 
-// Counts all edges that follow the beginning.
+// Returns the state after all edges that follow the beginning.
 Quadrature count_from(Quadrature::Beginning const& beginning, GpioEdges& edges)
 {
     Quadrature quadrature(beginning);
@@ -63,7 +63,7 @@ Quadrature count_from(Quadrature::Beginning const& beginning, GpioEdges& edges)
     return quadrature;
 }
 
-// The driver of a CP2112 takes both lines for low before its first look.
+// The driver of a CP2112 assumes both lines to be low before its first poll.
 TEST(GpioEdges, TakeNoFirstLookAtHighLinesForEdges)
 {
     ToldEdges edges({ edge(40ms, kA, true, 1), edge(40ms, kB, true, 2), edge(2s, kA, false, 3) });

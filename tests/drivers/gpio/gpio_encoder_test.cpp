@@ -24,13 +24,14 @@ std::unique_ptr<ReportSource> encoder(sim::SimulatedEncoder::Position position,
         .value();
 }
 
-// Goes up 400 mm and down again in four seconds, 0.05 mm a count: 6,283 edges a second at the most.
+// Returns the position of a hand that moves up by 400 mm and down again in four seconds, at 0.05 mm
+// a count: at most 6,283 edges a second.
 double hand(Timestamp time)
 {
     return 4000 - 4000 * std::cos(to_seconds(time) * kPi / 2);
 }
 
-// Samples that are read until `end`, and what the decoder complains of.
+// Samples read until `end`, and the decoder's errors.
 struct Read {
     std::vector<HeightSample> samples;
     std::vector<std::string> errors;
@@ -65,8 +66,8 @@ TEST(GpioEncoder, FollowsAHandToTheCount)
     EXPECT_TRUE(read.errors.empty());
     ASSERT_GT(read.samples.size(), 1500u);
     for (auto const& sample : read.samples)
-        // The time is that of an edge, to a step of the simulation: it may have moved by a part of
-        // a count meanwhile.
+        // The time is that of an edge, to within a step of the simulation, in which it may have
+        // moved by a fraction of a count.
         EXPECT_NEAR(sample.counts - kEncoderCountsBelow, hand(sample.time), 1.2);
     EXPECT_EQ(read.samples.front().full_scale, kEncoderFullScale);
 }
@@ -84,7 +85,8 @@ TEST(GpioEncoder, TellsItsHeightWhileItRests)
     auto const source = encoder([](Timestamp) { return 12.5; });
     auto const read = read_until(*source, timestamp_ns(1'000'000'000));
     EXPECT_NEAR(static_cast<double>(read.samples.size()), 100, 1);
-    EXPECT_EQ(read.samples.back().counts, kEncoderCountsBelow); // It counts from where it began.
+    // Counting starts where the encoder was at the beginning.
+    EXPECT_EQ(read.samples.back().counts, kEncoderCountsBelow);
 }
 
 TEST(GpioEncoder, SaysOnceThatAnEdgeWasLostAndGoesOn)
@@ -125,7 +127,7 @@ TEST(GpioEncoder, WaitsNoLongerThanItIsTold)
     EXPECT_EQ(lines->now(), timestamp_ns(4'000'000));
 }
 
-// One report by its bytes: 260 counts below the beginning, after three edges.
+// The bytes of one report: 260 counts below the beginning, after three edges.
 TEST(GpioEncoderDecoder, ReadsTheReportsBytes)
 {
     auto const decoder = make_gpio_encoder_decoder();

@@ -10,9 +10,9 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-constexpr unsigned kRequests = 51; // Requests of one conversion of 12 bits.
+constexpr unsigned kRequests = 51; // Requests for one conversion of 12 bits.
 
-// The request that ends the sampling: CS low, ten for the command, one rising edge before it.
+// Index of the request that ends the sampling: CS low, ten for the command, then one rising edge.
 constexpr std::uint64_t kSamplingEnds = 12;
 
 constexpr Mcp3208Channel kFirst { .bits = 12, .channel = 0 };
@@ -88,7 +88,7 @@ TEST(Mcp3208, ReadsTheNextConversionRightAfterABrokenOffOne)
 {
     SimulatedConverter converter;
     converter.inputs[0] = 2500.5 / 4096;
-    // Somebody else left the converter in the middle of a conversion.
+    // Another program left the converter in the middle of a conversion.
     converter.model.set_pins(timestamp_ns(1), { .clk = false, .din = true, .cs = false });
     converter.model.set_pins(timestamp_ns(2), { .clk = true, .din = true, .cs = false });
     ASSERT_TRUE(converter.lines.set(8)) << "CS goes high, as when the lines are opened";

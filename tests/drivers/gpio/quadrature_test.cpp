@@ -6,7 +6,8 @@
 namespace tractus::drivers {
 namespace {
 
-// Edges as a word for each: "A+" A rises, "b-" with a small letter is lost on the way.
+// Returns the state after edges, each written as a word: "A+" means that A rises; a small letter,
+// "b-", that the edge was lost.
 Quadrature after(std::string_view edges, Quadrature::Beginning const& beginning = {})
 {
     Quadrature quadrature(beginning);
@@ -36,7 +37,7 @@ TEST(Quadrature, CountsDownWhileBIsAhead)
 TEST(Quadrature, TurnsRound)
 {
     EXPECT_EQ(after("A+ B+ B- A-").count(), 0);
-    EXPECT_EQ(after("A+ A- A+ A-").count(), 0); // Trembling about one edge.
+    EXPECT_EQ(after("A+ A- A+ A-").count(), 0); // The encoder trembles around one edge.
     EXPECT_EQ(after("A+ B+ A- A+ B- A-").count(), 0);
 }
 
@@ -50,7 +51,8 @@ TEST(Quadrature, NoticesEachLostEdgeByItsNumber)
 {
     EXPECT_EQ(after("A+ B+ A- B-").lost_count(), 0u);
     EXPECT_EQ(after("A+ b+ A- B-").lost_count(), 1u);
-    EXPECT_EQ(after("A+ b+ a- b- A+").lost_count(), 3u); // No level would show it.
+    // The levels alone would not show this loss.
+    EXPECT_EQ(after("A+ b+ a- b- A+").lost_count(), 3u);
 }
 
 TEST(Quadrature, NoticesALineThatRisesTwice)

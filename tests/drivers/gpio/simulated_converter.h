@@ -10,9 +10,9 @@
 
 namespace tractus::drivers {
 
-// A converter whose eight inputs stand still, behind simulated lines.
+// A converter with eight constant inputs, connected to simulated lines.
 struct SimulatedConverter {
-    std::array<double, 8> inputs {}; // Fractions of the reference.
+    std::array<double, 8> inputs {}; // Inputs as fractions of the reference.
     sim::Mcp3208Model model;
     sim::SimulatedGpio lines;
 

@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 
 using Evdev = std::unique_ptr<libevdev, void (*)(libevdev*)>;
 
-// A description of a pen of 260 x 170 mm, as of a Surface.
+// Returns a description of a pen of 260 x 170 mm, as in a Surface computer.
 Evdev surface_pen()
 {
     Evdev device(libevdev_new(), libevdev_free);
@@ -52,7 +52,9 @@ TEST(EventSource, KnowsWhatADeviceSaysOfItself)
     EXPECT_EQ(abilities.axes.at(ABS_Y).resolution, 100);
     DeviceInfo const info { .name = "Surface Pen",
                             .physical_path = event_pen_path("i2c"),
-                            .vendor_id = 0x056a, // Of a maker whose own formats are known.
+                            // Vendor id of a maker with known report formats, which must be
+                            // ignored.
+                            .vendor_id = 0x056a,
                             .product_id = 0x037a,
                             .report_descriptor = describe_event_pen(abilities) };
     auto const pen = make_pen_decoder(info);
@@ -69,7 +71,7 @@ protected:
     void SetUp() override { fs::remove_all(root_); }
     void TearDown() override { fs::remove_all(root_); }
 
-    // An input device as sysfs has it; the words of its bit maps, the highest first.
+    // Adds an input device as in sysfs; the words of its bit maps are written highest first.
     void add(std::string const& event, std::string const& keys, std::string const& axes) const
     {
         auto const device = root_ / "sys/class/input" / event / "device";
@@ -85,7 +87,7 @@ protected:
     fs::path root_ = fs::temp_directory_path() / ("tractus_events_" + std::to_string(::getpid()));
 };
 
-// Keys 0x140, 0x14a and 0x14b are bits 0, 10 and 11 of the sixth word.
+// Bit maps of a pen: keys 0x140, 0x14a and 0x14b are bits 0, 10 and 11 of the sixth word.
 constexpr char const* kPenKeys = "c01 0 0 0 0 0";
 constexpr char const* kTouchKeys = "400 0 0 0 0 0";
 constexpr char const* kPenAxes = "1000003";
@@ -153,7 +155,7 @@ TEST(EventSource, ReadsAPenOfTheKernel)
     EXPECT_NEAR(samples[1].position_mm.y(), 100, 1e-6);
     EXPECT_TRUE(samples[1].touching);
     kernel.reset();
-    for (int i = 0; i < 10; ++i) // It leaves before it is gone.
+    for (int i = 0; i < 10; ++i) // The pen leaves before the device is gone.
         if (!source.read(1s))
             return;
     FAIL() << "the device is gone";

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder that looks like /sys/class/hidraw.
+// Fixture with a folder that imitates /sys/class/hidraw.
 class SysfsTest : public testing::Test {
 protected:
     void SetUp() override { fs::create_directories(folder_); }
@@ -46,7 +46,7 @@ TEST_F(SysfsTest, DescribesEveryNode)
             simple_pen().report_descriptor);
     auto const devices = enumerate_hid(folder_);
     ASSERT_EQ(devices.size(), 2u);
-    auto const& pen = devices[0]; // 9 comes before 10.
+    auto const& pen = devices[0]; // Node 9 comes before node 10.
     EXPECT_EQ(pen.location, "/dev/hidraw9");
     EXPECT_EQ(pen.name, "Simple Pen");
     EXPECT_EQ(pen.physical_path, "usb-0000:00:14.0-1/input0");
@@ -110,7 +110,7 @@ TEST(HidSource, NamesTheReasonForWhichANodeCannotBeOpened)
 
 TEST(HidSource, CountsReportsThatAreTooLong)
 {
-    // Each report fills what the reader has room for: one byte more than a report may have.
+    // A back end whose reports fill the reader's buffer, one byte more than a report may have.
     static constexpr HidBackEnd kLongReports {
         .write = nullptr,
         .read_timeout = [](hid_device_*, unsigned char*, std::size_t size,

@@ -12,7 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder like sysfs with one tablet on port 2 of bus 1: two interfaces, and a device of no bus.
+// Fixture with a folder that imitates sysfs with one tablet on port 2 of bus 1: two interfaces, and
+// a device without a bus.
 class HidSysfs : public testing::Test {
 protected:
     HidSysfs()

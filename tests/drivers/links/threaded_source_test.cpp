@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Long enough for any machine; the tests go on as soon as there is something.
+// Long enough for any machine; tests continue as soon as there is a report.
 constexpr Duration kPatience = 30s;
 
 // Sends `count` reports, numbered in their first two bytes, then nothing or an error.
@@ -95,7 +95,7 @@ TEST(ThreadedSource, TellsTheSourcesErrorAfterItsLastReport)
     auto const end = source->read(kPatience);
     ASSERT_FALSE(end);
     EXPECT_EQ(end.error().message, "lost Script");
-    EXPECT_FALSE(source->read(kPatience)); // And again.
+    EXPECT_FALSE(source->read(kPatience)); // The error is repeated.
 }
 
 TEST(ThreadedSource, CountsWhatTheRingCouldNotHold)
@@ -110,7 +110,8 @@ TEST(ThreadedSource, CountsWhatTheRingCouldNotHold)
         if (!report)
             break;
         EXPECT_EQ((*report)->received,
-                  timestamp_ns(static_cast<std::int64_t>(received))); // The oldest are kept.
+                  // The oldest reports are kept.
+                  timestamp_ns(static_cast<std::int64_t>(received)));
         ++received;
     }
     EXPECT_EQ(received + source->lost_count(), static_cast<std::uint64_t>(kSent));

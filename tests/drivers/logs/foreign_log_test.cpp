@@ -75,7 +75,7 @@ TEST(UsbhidDump, SkipsWhatIsNoBlock)
                                  "001:002:000:NOISE  1.000004\n",
                                  "dump.txt");
     ASSERT_TRUE(log) << log.error().message;
-    EXPECT_EQ(log->warning_count, 3u); // The last block runs into a line that is no bytes.
+    EXPECT_EQ(log->warning_count, 3u); // The last block is followed by a line that is not bytes.
     EXPECT_TRUE(log->records.empty());
 }
 
@@ -143,7 +143,7 @@ TEST(LibinputRecord, SaysWhatIsWrong)
         parsed_record("devices:\n- events:\n  - hid: {time: [x], hidraw0: [1]}\n", "record.yml"));
 }
 
-// A recording without raw reports: of a pen, and of a touchpad before it.
+// A recording without raw reports, of a touchpad and of a pen.
 constexpr char const* kLibinputEvents
     = "version: 1\nndevices: 2\nlibinput:\n  version: \"1.22.1\"\ndevices:\n"
       "- node: /dev/input/event4\n"
@@ -221,7 +221,7 @@ constexpr char const* kEvemu = "# EVEMU 1.2\n"
                                "I: 0018 1b96 1000 0000\n"
                                "P: 00 00 00 00 00 00 00 00\n"
                                "B: 00 0b 00 00 00 00 00 00 00\n"
-                               // Codes 0x140 and 0x14a are bits 0 of byte 40 and 2 of byte 41.
+                               // Codes 0x140 and 0x14a are bit 0 of byte 40 and bit 2 of byte 41.
                                "B: 01 00 00 00 00 00 00 00 00\nB: 01 00 00 00 00 00 00 00 00\n"
                                "B: 01 00 00 00 00 00 00 00 00\nB: 01 00 00 00 00 00 00 00 00\n"
                                "B: 01 00 00 00 00 00 00 00 00\nB: 01 03 04 00 00 00 00 00 00\n"
@@ -277,7 +277,7 @@ TEST(Evemu, NeedsAPen)
     }
 }
 
-// Whatever a damaged recording says, it is a log or one sentence.
+// A damaged recording must give a log or a one-sentence error.
 TEST(ForeignLogs, SurviveDamage)
 {
     std::mt19937 random(7);
@@ -312,7 +312,7 @@ TEST(UsbhidDump, PutsTheReportsOfDevicesInTheOrderOfTheirTimes)
     EXPECT_EQ(order, "312") << "a device's own reports stay in their order";
 }
 
-// An interface of one tablet: its descriptor, and reports of the pen of simple_pen().
+// Returns a log of two interfaces of one tablet: their descriptors, and reports of simple_pen().
 Log log_of_two_interfaces(std::string const& own, int own_interface, int describing_interface)
 {
     Log log { .name = "dump.txt" };

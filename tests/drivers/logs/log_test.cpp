@@ -191,7 +191,7 @@ TEST(LogReader, RefusesWhatIsNoLog)
               "<bytes>\")");
 }
 
-// Three times the size is 2 in 64 bits, which is what stands behind it.
+// Three times this size is 2 modulo 2^64, which is the number of characters that follow.
 TEST(LogReader, SkipsAReportWhoseSizeWouldWrapAround)
 {
     auto const log = parsed("R: 1 c0\n"
@@ -208,7 +208,7 @@ TEST(LogReader, RefusesALineThatIsNoLogs)
     EXPECT_EQ(error_of("R: 1 c0\n" + line + "y\n"),
               "pen.hid:2: a line of more than 1048576 bytes: this is no log");
     EXPECT_EQ(parsed("R: 1 c0\n" + line + "\nE: 0.1 1 01\n").records.size(), 1u);
-    // A device could be endless.
+    // A device file could be endless.
     auto const zeros = read_log("/dev/zero");
     ASSERT_FALSE(zeros);
     EXPECT_EQ(zeros.error().message, "cannot read /dev/zero: it is a device");
@@ -222,7 +222,7 @@ TEST(LogReader, NamesTextInUtf16)
               "pen.hid is text in UTF-16 or UTF-32: save it again as UTF-8");
 }
 
-// Lines end wherever the pieces do in which a file is read.
+// Lines may end anywhere within the pieces in which a file is read.
 TEST(LogReader, ReadsALogOfManyPieces)
 {
     auto const path = std::filesystem::temp_directory_path()
@@ -239,7 +239,7 @@ TEST(LogReader, ReadsALogOfManyPieces)
     EXPECT_EQ(log->warning_count, 0u);
 }
 
-// A log whose reports do not all stay in memory, as text and in a file.
+// Fixture with a log whose reports do not all stay in memory, as text and in a file.
 class LargeLog : public testing::Test {
 protected:
     LargeLog()
@@ -252,7 +252,7 @@ protected:
                 text_ += "T: " + std::to_string(i) + ".5 draw trunk\nG: " + std::to_string(i)
                     + ".6\nE: 0.1 2 01\n";
         }
-        text_ += "E: 150000.5 3 01"; // Cut off.
+        text_ += "E: 150000.5 3 01"; // The report is truncated.
         std::ofstream(path_) << text_;
     }
     ~LargeLog() override { std::filesystem::remove(path_); }

@@ -1,4 +1,5 @@
-// Pens by their report descriptors: what Wacom's own page says, and what is known of some models.
+// Pens decoded by their report descriptors: Wacom's own usage page, and known habits of some
+// models.
 
 #include "drivers/pens/descriptor_decoder.h"
 #include "drivers/pens/known_habits.h"
@@ -42,12 +43,15 @@ private:
     Timestamp time_ {};
 };
 
-// 200 x 100 mm, 0.01 mm per count, on Wacom's page 0xFF0D. Its report:
-//   10  id
-//   ..  bits 0 tip, 1 barrel, 2 eraser, 3 invert, 4 in proximity, 5 in range
-//   .. .. ..  x    .. .. ..  y    .. ..  pressure, 0 to 4095
-//   .. .. .. ..  serial number    .. ..  type of the tool
-// Its report 13 tells the state of its battery.
+// A pen of 200 x 100 mm, 0.01 mm per count, on Wacom's page 0xFF0D. Its report:
+//   10            id
+//   ..            bits: 0 tip, 1 barrel, 2 eraser, 3 invert, 4 in proximity, 5 in range
+//   .. .. ..      x
+//   .. .. ..      y
+//   .. ..         pressure, 0 to 4095
+//   .. .. .. ..   serial number
+//   .. ..         type of the tool
+// Its report 13 is the state of its battery.
 DeviceInfo wacom_page_pen()
 {
     return { .vendor_id = 0x056a,
@@ -121,8 +125,8 @@ TEST(WacomPage, ABatteryReportIsNoEvent)
     EXPECT_EQ(device.sample(hovering).position_mm, before.position_mm);
 }
 
-// A digitizer's pen whose six first bits are as given, with X and Y to 20000 and 10000, and
-// pressure to 8191: two-byte numbers, after one byte of bits.
+// Returns a digitizer's pen with the given usages of its first six bits, X and Y up to 20000 and
+// 10000, and pressure up to 8191: two-byte numbers, after one byte of bits.
 DeviceInfo pen_with_bits(std::uint16_t vendor_id, std::uint16_t product_id,
                          std::string const& six_usages)
 {
@@ -159,8 +163,8 @@ TEST(KnownHabits, HuionsSecondButtonIsTheEraser)
 
 TEST(KnownHabits, HuionsSecondButtonIsTheEraserBesideATipSwitchThatNeverComes)
 {
-    // A Q11K, a K26 or a W58 in the mode of its start: tip, barrel, eraser, invert, secondary tip,
-    // in range. The upper button is pressed while the pen hovers, and then while it draws.
+    // A Q11K, a K26 or a W58 in its power-up mode: tip, barrel, eraser, invert, secondary tip, in
+    // range. The upper button is pressed while the pen hovers, and then while it draws.
     Device device(pen_with_bits(0x256c, 0x006e, "09 42 09 44 09 45 09 3c 09 43 09 32"));
     EXPECT_EQ(device.decoder().traits().button_count, 2u);
     EXPECT_EQ(device.sample("07 20 10 27 c4 09 00 00").buttons, 0u);
@@ -183,7 +187,7 @@ TEST(KnownHabits, OtherPensErasersAreErasers)
 
 TEST(KnownHabits, ADescriptorThatWasPutRightIsBelieved)
 {
-    // Linux has given the second button its name.
+    // Linux has corrected the usage of the second button.
     Device device(pen_with_bits(0x28bd, 0x093a, "09 42 09 44 09 5a 09 45 09 32 09 00"));
     EXPECT_TRUE(device.decoder().traits().has_eraser);
     EXPECT_TRUE(device.sample("07 18 10 27 c4 09 ff 0f").eraser);
@@ -195,7 +199,7 @@ TEST(KnownHabits, AnArtist24HoldsItsFalseLeave)
 {
     Device device(pen_with_bits(0x28bd, 0x093a, "09 42 09 44 09 45 09 00 09 32 09 00"));
     EXPECT_TRUE(device.sample("07 11 10 27 c4 09 ff 0f").touching);
-    EXPECT_EQ(device.report("07 00 00 00 00 00 00 00"), std::nullopt); // The button goes down.
+    EXPECT_EQ(device.report("07 00 00 00 00 00 00 00"), std::nullopt); // The button is pressed.
     EXPECT_EQ(device.report("07 14 10 27 c4 09 00 00"), std::nullopt);
     auto const pressed = device.sample("07 15 10 27 c4 09 ff 0f");
     EXPECT_TRUE(pressed.touching);
@@ -208,9 +212,10 @@ TEST(KnownHabits, SecondaryTipSwitchIsTheSecondButton)
     Device device(pen_with_bits(0x256c, 0x006b, "09 42 09 44 09 43 09 3c 09 45 09 32"));
     EXPECT_EQ(device.sample("07 20 10 27 c4 09 00 00").buttons, 0u);
     EXPECT_EQ(device.sample("07 24 10 27 c4 09 00 00").buttons, 2u);
-    EXPECT_EQ(device.sample("07 28 10 27 c4 09 00 00").buttons, 4u); // Invert: the third one.
+    EXPECT_EQ(device.sample("07 28 10 27 c4 09 00 00").buttons, 4u); // Invert is the third button.
     EXPECT_FALSE(device.sample("07 00 00 00 00 00 00 00").in_range);
-    EXPECT_TRUE(device.sample("07 28 10 27 c4 09 00 00").eraser); // It comes turned round.
+    // The pen comes into range turned round.
+    EXPECT_TRUE(device.sample("07 28 10 27 c4 09 00 00").eraser);
     EXPECT_TRUE(device.sample("07 30 10 27 c4 09 ff 0f").touching);
 }
 
@@ -242,7 +247,7 @@ TEST(DescriptorDecoder, BelievesTheKernelsSizeAfterTheTables)
 
 TEST(DescriptorDecoder, AMousesSilenceEndsThePresenceThatItCannotEnd)
 {
-    // It has pen reports, too, which can.
+    // The device has pen reports, too, which can report leaving.
     auto info = simple_pen();
     auto const mouse = bytes(
         "05 01 09 02 a1 01 85 09 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02"

@@ -1,5 +1,4 @@
-// Pens, and what their devices make of them: the behaviours that Linux's own tests of tablets ask
-// for, each as a test.
+// Behaviours of pens and their devices that Linux's own tablet tests require, each as a test.
 
 #include "drivers/pens/pen_state.h"
 
@@ -12,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// 100 counts per millimetre on 200 x 100 mm, pressure to 2047.
+// 100 counts per millimetre on 200 x 100 mm, pressure up to 2047.
 PenScale const kScale {
     .y_maximum = 10'000,
     .mm_per_count = { 0.01, 0.01 },
@@ -21,7 +20,7 @@ PenScale const kScale {
     .has_tilt = true,
 };
 
-// The states of Linux's tests.
+// The pen states of Linux's tests.
 PenFields const kOut { .pressure = 0, .tilt_deg = Vec2::Zero(), .in_range = false, .tip = false };
 PenFields const kHover { .x = 5000, .y = 2500, .pressure = 0, .in_range = true, .tip = false };
 PenFields const kContact { .x = 5000, .y = 2500, .pressure = 900, .in_range = true, .tip = true };
@@ -45,9 +44,9 @@ PenFields at_place(PenFields fields, std::int32_t x, std::int32_t y)
     return fields;
 }
 
-// One pen whose reports come each 5 ms, and a letter for what each gave: '-' no sample, 'o' out,
-// 'h' hover, 'C' contact, 'i' erase intent, 'E' erasing. It fails whenever two tools are in range
-// without the first having left.
+// A pen whose reports arrive every 5 ms, and a letter for the result of each: '-' no sample, 'o'
+// out, 'h' hover, 'C' contact, 'i' erase intent, 'E' erasing. The test fails if two tools are in
+// range without the first having left.
 class Pen {
 public:
     explicit Pen(PenHabits const& habits = {})
@@ -231,7 +230,7 @@ TEST(PenState, WaitsForTheFirstPlace)
 
 TEST(PenState, KeepsPressureAndTiltWhereOnlyEverySecondReportHasThem)
 {
-    // An art pen reports its rotation in every second report, in the pressure's place.
+    // An art pen sends its rotation instead of the pressure in every second report.
     auto pressing = kContact;
     pressing.tip = std::nullopt;
     pressing.tilt_deg = Vec2(10, 0);
@@ -288,7 +287,7 @@ TEST(PenState, DoesNotCutAStrokeForASerialNumber)
     auto first = kContact;
     first.tool_serial = 0x1234;
     auto other = kContact;
-    other.tool_serial = 0x1235; // A bit went wrong: no hand changes pens while it draws.
+    other.tool_serial = 0x1235; // A transmission error: nobody changes pens while drawing.
     Pen pen;
     EXPECT_EQ(pen.push({ first, other, first, kContact }), "CCCC");
 }
@@ -307,7 +306,7 @@ TEST(PenState, ASilenceOf100MsEndsHoveringForFormatsThatNeverReportIt)
     EXPECT_EQ(pen.push(hovering), 'h');
 }
 
-// What a pen that rests sends, on a tablet that streams: the same report again and again.
+// Pushes the reports of a resting pen on a tablet that streams: equal reports.
 std::string rest(Pen& pen, PenFields const& fields, int reports = 4)
 {
     std::string letters;
@@ -319,7 +318,7 @@ std::string rest(Pen& pen, PenFields const& fields, int reports = 4)
 TEST(PenState, ContactRestsInSilenceOnATabletThatReportsChangesOnly)
 {
     Pen pen({ .reports_leaving = false });
-    for (int i = 0; i < 200; ++i) // Each report differs from the one before, or comes once more.
+    for (int i = 0; i < 200; ++i) // Each report differs from its predecessor, or is repeated once.
         EXPECT_EQ(pen.push(at_place(kContact, 5000 + i / 2, 2500)), 'C');
     EXPECT_FALSE(pen.state().silence_limit());
     EXPECT_EQ(pen.push(at_place(kContact, 5101, 2500), std::chrono::minutes(1)), 'C');
@@ -376,7 +375,7 @@ TEST(PenState, AHoverAfterSilenceProvesNoRest)
 
 TEST(PenState, ATouchFarFromWhereItFellSilentIsAnother)
 {
-    auto const far = at_place(kContact, 5600, 2500); // 6 mm.
+    auto const far = at_place(kContact, 5600, 2500); // A distance of 6 mm.
     Pen pen({ .reports_leaving = false });
     EXPECT_EQ(pen.push(kContact), 'C');
     EXPECT_EQ(pen.push(far, 101ms), 'o');
@@ -386,7 +385,7 @@ TEST(PenState, ATouchFarFromWhereItFellSilentIsAnother)
     EXPECT_EQ(fast.push(kContact), 'C');
     EXPECT_EQ(fast.push(far, 5ms), 'C') << "there was no silence";
 
-    Pen telling; // It would have said that it left.
+    Pen telling; // This pen would have reported leaving.
     EXPECT_EQ(telling.push(kContact), 'C');
     EXPECT_EQ(telling.push(far, 101ms), 'C');
 }
@@ -399,7 +398,7 @@ TEST(PenState, NoSilenceEndsThePresenceOfAPenThatReportsIt)
 }
 
 // XP-Pen's Artist 24: the second button is the eraser's bit, and pressing it while the pen touches
-// sends that it is gone, then that it hovers.
+// sends a false leave, and then hovering.
 PenHabits const kArtist24 { .second_button_is_eraser = true, .false_leave = 20ms };
 
 TEST(PenState, HoldsAFalseLeaveWhileTouching)
@@ -427,7 +426,7 @@ TEST(PenState, BelievesALeaveThatLasts)
 {
     Pen pen(kArtist24);
     EXPECT_EQ(pen.push({ kContact, kOut }), "C-");
-    EXPECT_EQ(pen.state().silence_limit(), 25ms); // After the last sample, 5 ms before.
+    EXPECT_EQ(pen.state().silence_limit(), 25ms); // Counted from the last sample, 5 ms before.
     auto const left = pen.time();
     EXPECT_EQ(pen.push(kOut, 21ms), 'o');
     EXPECT_EQ(pen.last().time, left);
@@ -441,7 +440,7 @@ TEST(PenState, ReadsTheEraserAsTheSecondButtonOnlyWhereItIsOne)
     pressed.eraser_touch = true;
     EXPECT_EQ(pen.push({ kContact, pressed }), "CC");
     EXPECT_EQ(pen.last().buttons, 2u);
-    // The pen turned round says invert, and touches with invert and tip.
+    // The inverted pen sends invert, and touches with invert and tip.
     auto inverted = kEraseIntent;
     inverted.tip = true;
     EXPECT_EQ(pen.push({ kOut, kEraseIntent, inverted }), "oiE");

@@ -11,7 +11,7 @@
 namespace tractus::drivers {
 namespace {
 
-// One tablet of a family, 200 x 100 mm with 100 counts per millimetre.
+// A tablet of a family, 200 x 100 mm with 100 counts per millimetre.
 class Tablet {
 public:
     explicit Tablet(std::string_view family, std::int32_t pressure_maximum = 2047)
@@ -69,7 +69,7 @@ TEST(Wacom, FamiliesPassOverShortReports)
         }
 }
 
-// A report over Bluetooth: frames from its second byte on, the pen's serial number behind them all.
+// Returns a Bluetooth report: frames from its second byte on, followed by the pen's serial number.
 std::string bluetooth_report(std::vector<std::string> const& frames, std::size_t serial_at)
 {
     std::string report = "80";
@@ -103,7 +103,7 @@ TEST(Wacom, TakesEveryFrameOfAReportOverBluetooth)
     EXPECT_EQ(drawing.buttons, 1u);
     ASSERT_TRUE(drawing.tilt_rad);
     EXPECT_NEAR(drawing.tilt_rad->x(), 5 * std::numbers::pi / 180, 1e-9);
-    EXPECT_FALSE(pro.report(bluetooth_report({}, 99))); // No frame holds anything.
+    EXPECT_FALSE(pro.report(bluetooth_report({}, 99))); // All frames are empty.
     EXPECT_FALSE(pro.sample(bluetooth_report({ "80 00 00 00 00 00 00" }, 99)).in_range);
 
     Tablet small("wacom-intuos-bluetooth", 4095);
@@ -116,7 +116,7 @@ TEST(Wacom, TakesEveryFrameOfAReportOverBluetooth)
 
 TEST(Wacom, TakesNoFingersForAPen)
 {
-    // Their reports have the pen's id, and are longer.
+    // Reports of fingers have the pen's id, and are longer.
     auto const fingers = std::string("02 e1 13 88 04 e2 40 eb 64 02 00 00 00 00 00 00 00 00 00 00");
     for (auto const* family : { "wacom-intuos", "wacom-intuos-pro" })
         EXPECT_EQ(Tablet(family).report(fingers), std::nullopt) << family;
@@ -141,7 +141,7 @@ TEST(Wacom, GraphireTellsTheEraserAndTheMouse)
     Tablet tablet("wacom-graphire", 511);
     auto const eraser = tablet.sample("02 b1 10 27 c4 09 40 00");
     EXPECT_TRUE(eraser.eraser && eraser.touching);
-    EXPECT_FALSE(tablet.sample("02 d0 10 27 c4 09 00 00").in_range); // The mouse: no pen.
+    EXPECT_FALSE(tablet.sample("02 d0 10 27 c4 09 00 00").in_range); // A mouse, which is not a pen.
     EXPECT_EQ(tablet.report("02 d1 10 28 c4 09 00 00"), std::nullopt);
 }
 
@@ -177,7 +177,8 @@ TEST(Wacom, IntuosProReadsPlacePressureAndTilt)
 {
     Tablet tablet("wacom-intuos-pro");
     EXPECT_EQ(tablet.report("02 c2 80 22 38 0a 9a 91 00 00"), std::nullopt);
-    // X 0x1388 << 1 | 1, Y 0x04e2 << 1, pressure 0x40 << 3 | 3 << 1 | 1, tilt 22 and 36 degrees.
+    // X 0x1388 << 1 | 1, Y 0x04e2 << 1, pressure 0x40 << 3 | 3 << 1 | 1, tilts of 22 and 36
+    // degrees.
     auto const pen = tablet.sample("02 e1 13 88 04 e2 40 eb 64 02");
     EXPECT_EQ(pen.raw_x, 10'001);
     EXPECT_EQ(pen.raw_y, 2500);
@@ -186,7 +187,7 @@ TEST(Wacom, IntuosProReadsPlacePressureAndTilt)
     EXPECT_FALSE(pen.eraser);
     ASSERT_TRUE(pen.tilt_rad);
     EXPECT_NEAR(pen.tilt_rad->x(), radians(22.0), 1e-12);
-    EXPECT_NEAR(pen.tilt_rad->y(), radians(-36.0), 1e-12); // Away from the user.
+    EXPECT_NEAR(pen.tilt_rad->y(), radians(-36.0), 1e-12); // Tilted away from the user.
 }
 
 TEST(Wacom, IntuosProTellsItsPensApart)
@@ -225,22 +226,24 @@ TEST(Wacom, IntuosProIsAwayWhileItsPenIsTooHigh)
 
 TEST(Wacom, IntuosProDrawsToItsRightEdge)
 {
-    // X at its maximum of 20,000 (27 10, doubled) with a pressure of 226 * 8: the near bit, 40, is
-    // clear, and the pen draws on.
+    // X is at its maximum of 20,000 (27 10, doubled) with a pressure of 226 * 8: the near bit,
+    // 0x40, is clear, but the pen still draws.
     Tablet tablet("wacom-intuos-pro");
     EXPECT_TRUE(tablet.sample("02 e0 26 ac 04 e2 e2 2b 64 00").touching);
     auto const at_edge = tablet.sample("02 a0 27 10 04 e2 e2 2b 64 00");
     EXPECT_TRUE(at_edge.touching);
     EXPECT_EQ(at_edge.raw_x, 20'000);
     EXPECT_EQ(at_edge.raw_pressure, 226 * 8);
-    EXPECT_FALSE(tablet.sample("02 a0 27 10 04 e2 01 00 64 00").in_range); // 8 is no pressure.
+    // A pressure of 8 is noise.
+    EXPECT_FALSE(tablet.sample("02 a0 27 10 04 e2 01 00 64 00").in_range);
 }
 
 TEST(Wacom, IntuosProIsAwayWherePressureAloneSpeaksForIt)
 {
     Tablet tablet("wacom-intuos-pro");
     tablet.sample("02 e0 26 ac 04 e2 e2 2b 64 00");
-    EXPECT_FALSE(tablet.sample("02 a0 27 0f 04 e2 e2 2b 64 00").in_range); // Not at the edge.
+    // The pen is not at the edge.
+    EXPECT_FALSE(tablet.sample("02 a0 27 0f 04 e2 e2 2b 64 00").in_range);
 }
 
 TEST(Wacom, IntuosProTakesNoMouseForAPen)
@@ -331,11 +334,12 @@ TEST(Wacom, FramesOverBluetoothLieBetweenTheirReports)
         all.insert(all.end(), some.begin(), some.end());
     };
     report(100ms, { frame, frame, frame });
-    report(112ms, { frame, frame, frame, frame }); // Sooner than four states take.
-    report(300ms, { frame, frame });               // Long after the last.
-    report(300ms, { frame, frame });               // At once, and then out of order.
+    report(112ms, { frame, frame, frame, frame }); // Earlier than four samples take.
+    report(300ms, { frame, frame });               // Long after the previous report.
+    // At the same time as the previous report, and then out of order.
+    report(300ms, { frame, frame });
     report(290ms, { frame });
-    // A frame that holds nothing, at the beginning and in between.
+    // Empty frames at the beginning and in between.
     report(400ms,
            { "00 00 00 00 00 00 00 00 00 00 00 00 00 00", frame,
              "00 00 00 00 00 00 00 00 00 00 00 00 00 00", frame });
@@ -363,7 +367,7 @@ TEST(Wacom, FramesOverBluetoothAreNotOlderThanThePensLeaving)
 
 TEST(Wacom, GraphireReadsItsPenOverBluetooth)
 {
-    // X 2,000 (07d0) and Y 1,000 (03e8), lowest byte first; pressure 256 (bit 3 of the flags) + 4.
+    // X 2,000 (07d0) and Y 1,000 (03e8), low byte first; pressure 256 (bit 3 of the flags) + 4.
     Tablet tablet("wacom-graphire-bluetooth", 511);
     auto const pen = tablet.sample("03 8b d0 07 e8 03 04 00");
     EXPECT_EQ(pen.raw_x, 2000);
@@ -379,8 +383,8 @@ TEST(Wacom, GraphireReadsItsPenOverBluetooth)
 
 TEST(Wacom, DtusReadsItsPen)
 {
-    // 80 in range, 10 a pen, 20 the first button, 01 the pressure's highest bits: 256 + 44. X 2,000
-    // and Y 1,000, highest byte first.
+    // Flags: 0x80 in range, 0x10 pen, 0x20 first button, 0x01 high bits of the pressure: 256 + 44.
+    // X 2,000 and Y 1,000, high byte first.
     Tablet tablet("wacom-dtus", 511);
     auto const pen = tablet.sample("11 b1 2c 07 d0 03 e8 00");
     EXPECT_EQ(pen.raw_x, 2000);
@@ -389,10 +393,11 @@ TEST(Wacom, DtusReadsItsPen)
     EXPECT_TRUE(pen.touching);
     EXPECT_FALSE(pen.eraser);
     EXPECT_EQ(pen.buttons, 1u);
-    EXPECT_FALSE(tablet.sample("11 90 0a 07 d0 03 e8 00").touching); // 10 is no pressure.
+    EXPECT_FALSE(tablet.sample("11 90 0a 07 d0 03 e8 00").touching); // A pressure of 10 is noise.
     EXPECT_FALSE(tablet.sample("11 00 00 00 00 00 00 00").in_range);
     EXPECT_TRUE(tablet.sample("11 88 40 07 d0 03 e8 00").eraser);
-    EXPECT_EQ(tablet.report("15 01 00 00 00 00 00 00"), std::nullopt); // Its keys.
+    // A report of the tablet's keys.
+    EXPECT_EQ(tablet.report("15 01 00 00 00 00 00 00"), std::nullopt);
 }
 
 TEST(Wacom, PlReadsItsSevenBitBytes)
@@ -412,7 +417,7 @@ TEST(Wacom, PlTakesThePenForTheEraserIfItComesWithTheBit)
 {
     Tablet tablet("wacom-pl", 511);
     EXPECT_FALSE(tablet.sample("02 40 4e 10 00 13 44 40").eraser);
-    EXPECT_EQ(tablet.sample("02 40 4e 10 20 13 44 40").buttons, 2u); // Its second button.
+    EXPECT_EQ(tablet.sample("02 40 4e 10 20 13 44 40").buttons, 2u); // The pen's second button.
     tablet.sample("02 00 00 00 00 00 00 00");
     auto const eraser = tablet.sample("02 40 4e 10 28 13 44 7f");
     EXPECT_TRUE(eraser.eraser && eraser.touching);

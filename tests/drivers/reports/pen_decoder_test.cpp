@@ -9,7 +9,7 @@
 namespace tractus::drivers {
 namespace {
 
-// Decodes the reports of simple_pen().
+// Fixture that decodes the reports of simple_pen().
 class PenDecoderTest : public testing::Test {
 protected:
     Result<std::optional<PenSample>> decode(std::string const& report)
@@ -18,7 +18,7 @@ protected:
         return decode_one(*decoder_, time_, bytes(report));
     }
 
-    // The sample of a report that must have one.
+    // Returns the sample of a report that must have one.
     PenSample sample(std::string const& report)
     {
         auto const result = decode(report);
@@ -27,7 +27,7 @@ protected:
         return result && *result ? **result : PenSample();
     }
 
-    // X = 100 mm, Y = 75 mm from the near edge, pressure 1023, tilts 0.
+    // Returns a report with X = 100 mm, Y = 75 mm from the near edge, pressure 1023, tilts 0.
     static std::string with_flags(std::string const& flags)
     {
         return "02 " + flags + " 10 27 c4 09 ff 03 00 00";
@@ -43,7 +43,8 @@ TEST_F(PenDecoderTest, ReadsPositionPressureAndTilt)
 {
     auto const pen = sample("02 21 10 27 c4 09 ff 03 1e e2");
     EXPECT_NEAR(pen.position_mm.x(), 100.0, 1e-9);
-    EXPECT_NEAR(pen.position_mm.y(), 75.0, 1e-9); // 2500 of 10000 counts below the far edge.
+    // The report has 2500 of 10000 counts from the far edge.
+    EXPECT_NEAR(pen.position_mm.y(), 75.0, 1e-9);
     EXPECT_NEAR(pen.pressure.value(), 1023.0 / 2047, 1e-12);
     EXPECT_NEAR(pen.tilt_rad.value().x(), radians(30.0), 1e-12);
     EXPECT_NEAR(pen.tilt_rad.value().y(), radians(30.0),
@@ -95,7 +96,7 @@ TEST_F(PenDecoderTest, TakesATouchForInRange)
 TEST_F(PenDecoderTest, KeepsThePlaceOfAPenThatLeaves)
 {
     sample("02 27 10 27 c4 09 ff 03 1e e2");
-    auto const gone = sample(kOut); // All zeros.
+    auto const gone = sample(kOut); // A report of zeros.
     EXPECT_NEAR(gone.position_mm.x(), 100.0, 1e-9);
     EXPECT_NEAR(gone.position_mm.y(), 75.0, 1e-9);
     EXPECT_NEAR(gone.tilt_rad.value().x(), radians(30.0), 1e-12);
@@ -118,7 +119,7 @@ TEST_F(PenDecoderTest, ErasesWithEitherWayOfSayingSo)
     EXPECT_TRUE(eraser.eraser && eraser.touching);
     auto const inverted = sample(with_flags("29")); // Invert and tip.
     EXPECT_TRUE(inverted.eraser && inverted.touching);
-    auto const hovering = sample(with_flags("28")); // Invert alone.
+    auto const hovering = sample(with_flags("28")); // Only invert.
     EXPECT_TRUE(hovering.eraser && hovering.in_range);
     EXPECT_FALSE(hovering.touching);
 }
@@ -144,7 +145,7 @@ TEST_F(PenDecoderTest, SurvivesAWobbleBetweenTheTools)
         was_eraser = pen.eraser;
     }
     sample(with_flags("21"));
-    EXPECT_TRUE(sample(with_flags("21")).touching); // Not stuck.
+    EXPECT_TRUE(sample(with_flags("21")).touching); // The pen is not stuck with the eraser.
 }
 
 TEST_F(PenDecoderTest, ReportsBarrelButtonsWithoutMovingThePen)
@@ -163,7 +164,7 @@ TEST_F(PenDecoderTest, ReportsBarrelButtonsWithoutMovingThePen)
 TEST_F(PenDecoderTest, PassesOverOtherReports)
 {
     sample(with_flags("21"));
-    EXPECT_EQ(decode("03 64").value(), std::nullopt); // The battery's heartbeat.
+    EXPECT_EQ(decode("03 64").value(), std::nullopt); // A report of the battery.
     EXPECT_TRUE(sample(with_flags("21")).touching);
 }
 
@@ -198,13 +199,14 @@ TEST_F(PenDecoderTest, AcceptsALongerReport)
 
 TEST_F(PenDecoderTest, BoundsThePressure)
 {
-    EXPECT_EQ(sample("02 21 10 27 c4 09 ff ff 00 00").pressure, 1.0); // 65535 of 2047.
+    // Pressure of 65535, where the maximum is 2047.
+    EXPECT_EQ(sample("02 21 10 27 c4 09 ff ff 00 00").pressure, 1.0);
 }
 
 TEST(PenDecoder, KeepsItsPlaceWhereTheDeviceSaysNull)
 {
     auto info = simple_pen();
-    // X and Y may be null here: Input (Data, Variable, Absolute, Null state).
+    // Allows X and Y to be null: Input (Data, Variable, Absolute, Null state).
     for (std::size_t i = 0; i + 1 < info.report_descriptor.size(); ++i)
         if (info.report_descriptor[i] == std::byte { 0x81 }
             && info.report_descriptor[i + 1] == std::byte { 0x02 })
@@ -249,7 +251,8 @@ TEST(PenDecoder, ExplainsWhyADeviceIsNoPen)
 
     DeviceInfo const vendor { .name = "Newcomer",
                               .vendor_id = 0x256c,
-                              .product_id = 0xffff, // Not in the table of tablets.
+                              // A product that is not in the table of tablets.
+                              .product_id = 0xffff,
                               .report_descriptor
                               = bytes("06 00 ff 09 01 a1 01 85 08 75 58 95 01 09 01 81 02 c0") };
     auto const secret = make_pen_decoder(vendor);

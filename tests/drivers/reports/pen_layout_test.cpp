@@ -15,7 +15,7 @@ std::vector<PenLayout> layouts(std::string const& text)
     return descriptor ? find_pen_layouts(*descriptor) : std::vector<PenLayout>();
 }
 
-// A pen whose axes have the given ranges and units: an item list for X, one for Y.
+// Returns the layouts of a pen with the given items for its axes, X and Y.
 std::vector<PenLayout> pen_with_axes(std::string const& x, std::string const& y,
                                      std::string const& tilt = "")
 {
@@ -86,7 +86,8 @@ TEST(PenLayout, FindsOneLayoutPerReportId)
 
 TEST(PenLayout, DistrustsASizeThatNoTabletHas)
 {
-    // 50800 x 31750 counts on 0.820 x 1.101 inches: a VEIKK tablet of 254 x 158.75 mm says so.
+    // Descriptor of a VEIKK tablet of 254 x 158.75 mm: 50800 x 31750 counts on 0.820 x 1.101
+    // inches.
     auto const found
         = pen_with_axes("27 70 c6 00 00 35 00 46 34 03 65 13 55 0d", "27 06 7c 00 00 46 4d 04");
     ASSERT_EQ(found.size(), 1u);
@@ -97,7 +98,7 @@ TEST(PenLayout, DistrustsASizeThatNoTabletHas)
 
 TEST(PenLayout, ReadsAPhysicalRangeWithoutUnitAsThousandthsOfAnInch)
 {
-    // 34419 x 19461 counts on 13551 x 7662: an XP-Pen display of 344 x 195 mm.
+    // An XP-Pen display of 344 x 195 mm: 34419 x 19461 counts on 13551 x 7662.
     auto const found = pen_with_axes("27 73 86 00 00 35 00 46 ef 34", "26 05 4c 46 ee 1d");
     ASSERT_EQ(found.size(), 1u);
     EXPECT_NEAR(found[0].size_mm.x(), 344.2, 0.1);
@@ -106,12 +107,12 @@ TEST(PenLayout, ReadsAPhysicalRangeWithoutUnitAsThousandthsOfAnInch)
 
 TEST(PenLayout, GuessesASizeWhereTheDescriptorHasNone)
 {
-    // 20000 x 10000 counts: 5080 per inch.
+    // 20000 x 10000 counts, 5080 per inch.
     auto const usual = pen_with_axes("26 20 4e", "26 10 27");
     ASSERT_EQ(usual.size(), 1u);
     EXPECT_NEAR(usual[0].size_mm.x(), 100, 1e-9);
     EXPECT_NEAR(usual[0].size_mm.y(), 50, 1e-9);
-    auto const coarse = pen_with_axes("26 e8 03", "26 f4 01"); // 1000 x 500.
+    auto const coarse = pen_with_axes("26 e8 03", "26 f4 01"); // 1000 x 500 counts.
     ASSERT_EQ(coarse.size(), 1u);
     EXPECT_NEAR(coarse[0].size_mm.x(), 250, 1e-9);
 }
@@ -139,10 +140,11 @@ TEST(PenLayout, UnderstandsTiltWithoutUnits)
             = pen_with_axes("26 20 4e", "26 10 27", "05 0d" + range + "09 3d 09 3e 95 02 81 02");
         return found.empty() ? 0 : found[0].tilt_rad_per_count.x();
     };
-    EXPECT_NEAR(tilt("15 81 25 7f 75 08"), radians(1.0), 1e-12); // -127 to 127: degrees.
+    EXPECT_NEAR(tilt("15 81 25 7f 75 08"), radians(1.0), 1e-12); // Range -127 to 127 means degrees.
     EXPECT_NEAR(tilt("16 d8 dc 26 28 23 75 10"), radians(0.01),
-                1e-12); // -9000 to 9000: hundredths.
-    EXPECT_NEAR(tilt("16 01 80 26 ff 7f 75 10"), radians(180.0) / 65534, 1e-12); // -32767 to 32767.
+                1e-12); // Range -9000 to 9000 means hundredths of a degree.
+    // Range -32767 to 32767 spans 180 degrees.
+    EXPECT_NEAR(tilt("16 01 80 26 ff 7f 75 10"), radians(180.0) / 65534, 1e-12);
 }
 
 TEST(PenLayout, IgnoresAnEmptyRange)

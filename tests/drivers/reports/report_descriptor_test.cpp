@@ -28,7 +28,7 @@ HidField only_field(std::string const& text)
 
 TEST(ReportDescriptor, ReadsTheMouseOfTheStandard)
 {
-    // HID 1.11, appendix E.10.
+    // Example of HID 1.11, appendix E.10.
     auto const mouse
         = parse("05 01 09 02 a1 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02"
                 "95 01 75 05 81 01 05 01 09 30 09 31 15 81 25 7f 75 08 95 02 81 06 c0 c0");
@@ -39,7 +39,7 @@ TEST(ReportDescriptor, ReadsTheMouseOfTheStandard)
     EXPECT_EQ(mouse->fields[2].bit_offset, 2u);
     auto const& y = mouse->fields[4];
     EXPECT_EQ(y.usage, 0x0001'0031u);
-    EXPECT_EQ(y.bit_offset, 16u); // Three buttons and five bits of padding, then X.
+    EXPECT_EQ(y.bit_offset, 16u); // After three buttons, five bits of padding, and X.
     EXPECT_EQ(y.bit_size, 8u);
     EXPECT_TRUE(y.is_relative);
     EXPECT_EQ(y.logical_minimum, -127);
@@ -138,8 +138,8 @@ TEST(ReportDescriptor, KeepsAnArraysUsagesAsARange)
 
 TEST(ReportDescriptor, MeasuresInMillimetres)
 {
-    // 0 to 32000 counts are 0 to 6299 thousandths of an inch. The exponent's byte is FD where the
-    // standard wants the nibble D.
+    // Counts 0 to 32000 are 0 to 6299 thousandths of an inch. The exponent's byte is FD, although
+    // the standard requires the nibble D.
     auto const inches = only_field(
         "05 01 09 30 15 00 27 00 7d 00 00 35 00 46 9b 18 65 13 55 fd 75 18 95 01 81 02");
     EXPECT_EQ(inches.unit_exponent, -3);
@@ -161,7 +161,7 @@ TEST(ReportDescriptor, KnowsNoLengthWithoutAUnitOfLength)
 
 TEST(ReportDescriptor, MeasuresAngles)
 {
-    // Hundredths of a degree.
+    // Unit of hundredths of a degree.
     auto const tilt = only_field(
         "05 0d 09 3d 16 d8 dc 26 28 23 36 d8 dc 46 28 23 65 14 55 0e 75 10 95 01 81 02");
     EXPECT_NEAR(radians_per_count(tilt).value(), radians(0.01), 1e-12);
@@ -169,7 +169,7 @@ TEST(ReportDescriptor, MeasuresAngles)
 
 TEST(ReportDescriptor, ReadsFieldsThatCrossBytes)
 {
-    // Four bits, then twelve, then thirty-two from the middle of a byte.
+    // Fields of four bits, twelve bits, and thirty-two bits from the middle of a byte.
     auto const odd = parse("05 0d 15 00 25 0f 75 04 95 01 09 30 81 02 75 0c 26 ff 0f 09 30 81 02"
                            "75 04 81 01 75 20 09 30 27 ff ff ff ff 81 02");
     ASSERT_TRUE(odd);

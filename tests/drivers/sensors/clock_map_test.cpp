@@ -13,14 +13,14 @@ namespace {
 using namespace std::chrono_literals;
 using Order = ClockMap::Order;
 
-// A device that sends every millisecond by a clock of its own, and a host that hears of it late.
+// A device that sends every millisecond by its own clock, and a host that receives it with delays.
 struct SimulatedClock {
-    double drift_ppm = 0;          // The device's clock is slow by so much.
+    double drift_ppm = 0;          // Slowness of the device's clock.
     std::uint32_t first_us = 1000; // The device's clock at the host's time 0.
-    double jitter_us = 0;          // Mean of what is added to the least transmission time.
-    double stall_ms = 0;           // Now and then the host looks away for so long.
+    double jitter_us = 0;          // Mean delay in addition to the minimum transmission time.
+    double stall_ms = 0;           // Duration of occasional stalls of the host.
     Random random { { .seed = 1 } };
-    Timestamp last {}; // Arrival; they do not overtake each other.
+    Timestamp last {}; // Last arrival; messages do not overtake each other.
 
     static constexpr Duration kLeastTime = 300us;
 
@@ -41,8 +41,8 @@ struct SimulatedClock {
     }
 };
 
-// The least and the greatest error of the mapped times in microseconds, the least transmission time
-// taken off, from `from` to `to`.
+// The least and the greatest error of the mapped times, in microseconds, without the minimum
+// transmission time.
 struct Span {
     double least_us = std::numeric_limits<double>::max();
     double greatest_us = std::numeric_limits<double>::lowest();
@@ -124,7 +124,7 @@ TEST(ClockMap, AGapOfHoursIsNoNewClock)
 {
     ClockMap map;
     map.add(1000, Timestamp(0s), Order::Unknown);
-    // 4294.967296 s are the counter's turn.
+    // The counter wraps after 4294.967296 s.
     auto const three_hours = Timestamp(10'800s);
     auto const device_us = static_cast<std::uint32_t>(10'800'000'000 + 1000);
     EXPECT_TRUE(map.add(device_us, three_hours, Order::Unknown));

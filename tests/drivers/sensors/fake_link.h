@@ -12,8 +12,9 @@
 
 namespace tractus::drivers {
 
-// A device that answers commands, in a time that passes only when somebody waits, with everything
-// that can go wrong on the way. Tests keep a pointer to the wire and give the driver a link to it.
+// A device that answers commands, with simulated time that advances only while waiting, and with
+// all possible faults of the transmission. A test keeps a pointer to the wire and gives the driver
+// a link to it.
 struct FakeWire {
     using Answer = std::function<std::vector<std::byte>(std::span<std::byte const>)>;
     using Bytes = std::vector<std::byte>;
@@ -23,13 +24,15 @@ struct FakeWire {
     Timestamp now {};
     bool is_plugged = true;
 
-    // Gives for each answer what comes in its place, in order. Lets all through if it is empty.
+    // Returns the packets that arrive instead of an answer, in order. Empty: answers arrive
+    // unchanged.
     std::function<std::vector<Bytes>(Bytes)> disturb {};
 
-    std::vector<Bytes> commands {};                        // Commands as they were written.
-    std::deque<std::pair<Timestamp, Bytes>> on_the_way {}; // Answers, by the time of arrival.
+    std::vector<Bytes> commands {}; // Commands as they were written.
+    // Answers in transit, with their arrival times.
+    std::deque<std::pair<Timestamp, Bytes>> on_the_way {};
 
-    // A packet that nobody asked for, now.
+    // Inserts a packet that was not requested.
     void intrude(Bytes packet) { on_the_way.emplace_back(now, std::move(packet)); }
 };
 

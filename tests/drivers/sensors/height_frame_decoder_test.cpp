@@ -22,7 +22,7 @@ std::unique_ptr<HeightDecoder> make_decoder()
     return make_height_frame_decoder(sim::HeightSensorModel().info()).value();
 }
 
-// Two readings a millisecond apart in each frame.
+// Returns a frame with two readings a millisecond apart.
 HeightFrame frame(std::uint16_t sequence)
 {
     HeightFrame made {
@@ -61,7 +61,7 @@ TEST(HeightFrame, CrcIsTheOneOfTheProtocol)
     EXPECT_EQ(height_frame_crc({}), 0xFFFF);
 }
 
-// The example of the protocol's page.
+// The example in the protocol's documentation.
 TEST(HeightFrame, IsLaidOutAsTheProtocolSays)
 {
     HeightFrame made { .flags = kHeightFrameStart,
@@ -103,7 +103,7 @@ TEST(HeightFrameDecoder, GivesEveryReadingItsTime)
     ASSERT_TRUE(samples) << samples.error().message;
     EXPECT_EQ(counts_of(*samples), (std::vector { 0, 1 }));
     EXPECT_EQ(samples->at(0).full_scale, 4095);
-    EXPECT_EQ(samples->at(1).time, arrival(0)); // Sent when it was taken.
+    EXPECT_EQ(samples->at(1).time, arrival(0)); // A frame is sent when its last reading is taken.
     EXPECT_EQ(samples->at(0).time, arrival(0) - 1ms);
 }
 
@@ -172,7 +172,7 @@ TEST(HeightFrameDecoder, SurvivesACorruptFrame)
 TEST(HeightFrameDecoder, FindsTheNextFrameBehindGarbage)
 {
     auto const decoder = make_decoder();
-    // Half a frame, a magic that is none, and what looks like the beginning of one.
+    // Half a frame, a wrong magic number, and bytes that look like the beginning of a frame.
     auto half = sim::encode_height_frame(frame(0));
     half.resize(9);
     auto const mixed = joined({ bytes("00 54 52 ff"), half, bytes("54 52 48 01 00 ff"),
@@ -257,7 +257,7 @@ TEST(HeightFrameDecoder, TimesNeverGoBack)
 
 TEST(HeightFrameParser, HoldsBackAtMostOneFrame)
 {
-    // Endless beginnings of frames: each is given up when the next one refutes it.
+    // Endless beginnings of frames: each is dropped when the next one contradicts it.
     HeightFrameParser parser;
     std::vector<HeightFrame> frames;
     auto const beginning = bytes("54 52 48 01 00 17 00 00 00 00 00 00 e8 03");

@@ -1,4 +1,4 @@
-// The driver of industrial I/O against a folder that looks like the kernel's.
+// The driver of industrial I/O with a folder that imitates the kernel's.
 
 #include "drivers/sensors/iio_channel.h"
 
@@ -53,10 +53,10 @@ protected:
         return open_iio_channel(std::move(info), folder_);
     }
 
-    // The next reading of an open channel.
+    // Returns the next reading of an open channel.
     static Result<HeightSample> next(ReportSource& source)
     {
-        auto const report = TRY(source.read(60s)); // Comes at the next question.
+        auto const report = TRY(source.read(60s)); // Returns at the next request.
         auto decoder = TRY(make_height_decoder(source.info()));
         return TRY(decode_heights(*decoder, report.value())).at(0);
     }

@@ -46,7 +46,7 @@ struct LabJackU3 : testing::Test {
     FakeWire wire;
 };
 
-// One analog input against ground, as the user's guide has it.
+// One single-ended analogue input, as in the user's guide.
 TEST(LabJackPacket, HasBothChecksums)
 {
     auto const packet = labjack_packet(LabJackCommand::Feedback, bytes("00 01 00 1f"));
@@ -100,7 +100,7 @@ TEST_F(LabJackU3, ReadsTheHighVoltageInputsCalibration)
 
 TEST_F(LabJackU3, MakesOnePinAnalogAndKeepsTheOthers)
 {
-    // Somebody has made AIN1 and AIN9 analog.
+    // Another program has made AIN1 and AIN9 analogue.
     auto const others = labjack_packet(LabJackCommand::ConfigIo, bytes("0c 00 00 00 02 02"));
     model.answer(others);
     for (int const channel : { 1, 9, 10 })

@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 using Bytes = FakeWire::Bytes;
 
-// A desk on a wire, 312.4 mm above its lowest position.
+// Fixture with a desk on a fake wire, 312.4 mm above its lowest position.
 struct LinakDesk : testing::Test {
     LinakDesk()
     {
@@ -23,7 +23,8 @@ struct LinakDesk : testing::Test {
             if (command.size() == 1)
                 return desk.get_feature(std::to_integer<std::uint8_t>(command[0])).value();
             EXPECT_TRUE(desk.set_feature(command));
-            return Bytes { std::byte { 0x99 } }; // No answer: a packet that nobody waits for.
+            // There is no answer: a packet that is not expected.
+            return Bytes { std::byte { 0x99 } };
         };
     }
 
@@ -36,7 +37,7 @@ struct LinakDesk : testing::Test {
                                std::make_unique<FakeLink>(wire));
     }
 
-    // The counts of the next reading; -1 if none came.
+    // Returns the counts of the next reading; -1 if there is none.
     static int read(ReportSource& source)
     {
         auto const report = source.read(100ms).value();
@@ -59,7 +60,7 @@ TEST_F(LinakDesk, TellsItsHeightInTenthsOfAMillimetre)
     EXPECT_EQ(read(**source), kLinakCountsBelow);
 }
 
-// The traces of its users show feature 3, feature 5 with four times 0x8001, and nothing else.
+// Recordings by its users show feature 3, feature 5 with four times 0x8001, and nothing else.
 TEST_F(LinakDesk, IsInitialisedAndNeverMoved)
 {
     auto const source = open().value();
@@ -125,7 +126,7 @@ TEST_F(LinakDesk, SaysThatItIsUnplugged)
     EXPECT_FALSE(source->read(100ms));
 }
 
-// A sinking desk at 600.0 mm, in bytes.
+// The bytes of a sinking desk at 600.0 mm.
 TEST(LinakDeskDecoder, ReadsTheAnswersBytes)
 {
     auto const decoder = make_linak_desk_decoder();
@@ -135,7 +136,8 @@ TEST(LinakDeskDecoder, ReadsTheAnswersBytes)
     EXPECT_EQ(samples[0].counts, 6000 + kLinakCountsBelow);
     EXPECT_EQ(samples[0].full_scale, kLinakFullScale);
     ASSERT_TRUE(decoder->decode({}, bytes("04 38 01 00 ff ff f0 00"), samples));
-    EXPECT_EQ(samples[1].counts, -1 + kLinakCountsBelow); // It may settle below its lowest.
+    // The desk may sink slightly below its lowest position.
+    EXPECT_EQ(samples[1].counts, -1 + kLinakCountsBelow);
 }
 
 TEST(LinakDeskDecoder, RefusesWhatIsBroken)
@@ -153,7 +155,7 @@ TEST(LinakDeskDecoder, RefusesWhatIsBroken)
     refuses(bytes("04 38 00 00 00 00 00 00"), "the desk does not know how high it is");
     refuses(bytes("04 38 01 00 ff 7f f0 00"),
             "32767 tenths of a millimetre, expected -100 to 10000");
-    EXPECT_TRUE(decoder->decode({}, bytes("01 02"), samples)); // Another report of the cable's.
+    EXPECT_TRUE(decoder->decode({}, bytes("01 02"), samples)); // Another report of the cable.
     EXPECT_TRUE(samples.empty());
 }
 

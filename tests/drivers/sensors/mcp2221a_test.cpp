@@ -21,7 +21,7 @@ DeviceInfo chip()
              .product_id = 0x00DD };
 }
 
-// The chip on a wire, its wiper at 2 V of 5 V.
+// Fixture with the chip on a fake wire, and its wiper at 2 V of 5 V.
 struct Mcp2221a : testing::Test {
     Mcp2221a()
     {
@@ -38,7 +38,7 @@ struct Mcp2221a : testing::Test {
         return open_mcp2221a(chip(), std::make_unique<FakeLink>(wire), options);
     }
 
-    // The counts of the next reading; -1 if none came.
+    // Returns the counts of the next reading; -1 if there is none.
     static int read(ReportSource& source)
     {
         auto const report = source.read(100ms).value();
@@ -48,7 +48,7 @@ struct Mcp2221a : testing::Test {
         return decode_heights(*decoder, *report).value().at(0).counts;
     }
 
-    // An answer to a command of the kernel's driver.
+    // Returns a reply to a command of the kernel's driver.
     Bytes foreign(unsigned command)
     {
         auto const packet = model.answer(std::array { static_cast<std::byte>(command) });
@@ -63,7 +63,7 @@ TEST_F(Mcp2221a, ReadsThePinAgainstTheSupply)
 {
     auto const source = open();
     ASSERT_TRUE(source) << source.error().message;
-    EXPECT_EQ(read(**source), 409); // 2 V / 5 V * 1024
+    EXPECT_EQ(read(**source), 409); // Expected 2 V / 5 V * 1024.
     EXPECT_EQ((*source)->info().name, "MCP2221 USB-I2C/UART Combo, GP1");
 }
 
@@ -72,7 +72,7 @@ TEST_F(Mcp2221a, ReadsAnotherPinAgainstAnotherReference)
     model.set_volts(3, 1);
     auto const source = open({ .pin = 3, .reference = Mcp2221aReference::Volts2048 });
     ASSERT_TRUE(source);
-    EXPECT_EQ(read(**source), 500); // 1 V / 2.048 V * 1024
+    EXPECT_EQ(read(**source), 500); // Expected 1 V / 2.048 V * 1024.
     EXPECT_EQ((*source)->info().name,
               "MCP2221 USB-I2C/UART Combo, GP3, 0.002 V per count from 0 V");
 }
@@ -123,7 +123,7 @@ TEST_F(Mcp2221a, DoesNotTakeAnOldAnswerForANewOne)
 {
     auto const source = open().value();
     EXPECT_EQ(read(*source), 409);
-    wire.intrude(foreign(0x10)); // Taken when the wiper was at 2 V.
+    wire.intrude(foreign(0x10)); // A reply from the time when the wiper was at 2 V.
     model.set_volts(1, 3);
     EXPECT_EQ(read(*source), 614);
 }
@@ -132,7 +132,7 @@ TEST_F(Mcp2221a, MakesItsSettingsAgainWhenTheKernelHasChangedThem)
 {
     auto const source = open({ .reference = Mcp2221aReference::Volts4096 }).value();
     EXPECT_EQ(read(*source), 500);
-    // The kernel's driver makes GP0 an output, and the reference goes back to the supply.
+    // The kernel's driver makes GP0 an output, and the reference is reset to the supply.
     std::array<std::byte, 64> command { std::byte { 0x60 } };
     command[7] = std::byte { 0x80 };
     command[9] = std::byte { 0x02 };
@@ -234,7 +234,7 @@ TEST_F(Mcp2221a, DecoderRefusesWhatTheChipCannotSay)
     auto const decoder = make_height_decoder(chip()).value();
     Bytes status(64);
     status[0] = std::byte { 0x10 };
-    status[51] = std::byte { 0x04 }; // 1024 counts
+    status[51] = std::byte { 0x04 }; // A reading of 1024 counts.
     EXPECT_FALSE(decode_heights(*decoder, {}, status));
     status[51] = std::byte { 0x03 };
     EXPECT_EQ(decode_heights(*decoder, {}, status).value().at(0).counts, 768);

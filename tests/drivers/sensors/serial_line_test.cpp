@@ -1,5 +1,5 @@
-// The driver of serial lines against a simulated board behind a pseudo-terminal: the same system
-// calls as with a board.
+// The driver of serial ports with a simulated board behind a pseudo-terminal: the same system calls
+// as with a real board.
 
 #include "drivers/sensors/serial_line.h"
 
@@ -26,7 +26,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A board: what it prints arrives at the node.
+// A board whose output arrives at the node.
 class SimulatedBoard {
 public:
     SimulatedBoard()
@@ -64,7 +64,7 @@ std::string text_of(RawReport const& report)
     return { reinterpret_cast<char const*>(report.storage.data()), report.size };
 }
 
-// All lines that have arrived.
+// Returns all lines that have arrived.
 std::vector<std::string> lines_of(ReportSource& source)
 {
     std::vector<std::string> lines;
@@ -108,7 +108,7 @@ TEST(SerialLine, WaitsForTheNextLine)
     auto const source = open_board(board);
     ASSERT_TRUE(source);
     board.print("0\n7\n");
-    auto const report = source->read(60s); // Comes at once.
+    auto const report = source->read(60s); // Returns at once.
     ASSERT_TRUE(report && *report);
     EXPECT_EQ(text_of(**report), "7");
 }
@@ -184,7 +184,7 @@ TEST(SerialLine, ReplaysFromALogAsItWasRead)
     EXPECT_EQ(log.records.size(), 3u) << "what could not be decoded is in the log, too";
 }
 
-// The board is unplugged, and comes back at another node that a link names, as udev's do.
+// The board is unplugged, and returns at another node, named by a symbolic link as udev's are.
 TEST(SerialLine, GoesOnWhenTheBoardIsBack)
 {
     auto const link

@@ -13,11 +13,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// The model behind its requests, in a time that passes with each read: it measures then.
+// The sensor model with its requests, and with simulated time that advances with each read, in
+// which it measures.
 struct FakeSensor {
     sim::HeightSensorModel model;
     bool is_plugged = true;
-    std::deque<std::vector<std::byte>> waiting; // Frames that nobody has fetched yet.
+    std::deque<std::vector<std::byte>> waiting; // Frames that have not been fetched yet.
     std::uint32_t now_us = 1000;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder as the kernel's /sys/bus/usb/devices.
+// Fixture with a folder that imitates /sys/bus/usb/devices.
 struct UsbSensorList : testing::Test {
     UsbSensorList() { fs::create_directories(root); }
     ~UsbSensorList() override { fs::remove_all(root); }

@@ -1,4 +1,4 @@
-// One report of each kind of each format that is not Wacom's, but for one of Wacom's.
+// One report of each kind of each format, except Wacom's formats, of which there is one.
 
 #include "drivers/pens/families.h"
 
@@ -12,7 +12,7 @@
 namespace tractus::drivers {
 namespace {
 
-// Expectations of a report; `tilt_deg` and `buttons` only where they are not 0.
+// Expected contents of a report; `tilt_deg` and `buttons` are 0 by default.
 struct Expected {
     char const* family;
     char const* report;
@@ -61,7 +61,8 @@ constexpr bool kNear = true, kGone = false, kDown = true, kUp = false, kEraser =
 
 Expected const kReports[] {
     { "generic", "01 81 6f 53 34 38 aa 00", 0x536f, 0x3834, 0xaa, kNear, kDown },
-    { "generic", "01 80 6f 53 34 38 aa 00", 0x536f, 0x3834, 0xaa, kNear, kDown }, // No tip bit.
+    // A format without a tip bit.
+    { "generic", "01 80 6f 53 34 38 aa 00", 0x536f, 0x3834, 0xaa, kNear, kDown },
     { "generic", "01 8c 6f 53 34 38 00 00", 0x536f, 0x3834, 0, kNear, kUp, kPen, 6 },
     { "generic", "01 c0 6f 53 34 38 00 00", 0x536f, 0x3834, 0, kGone },
 
@@ -72,12 +73,13 @@ Expected const kReports[] {
     { "uclogic-v1-upright", "07 c1 43 04 00 10 ff 07", 0x0443, 0x1000, 2047, kNear, kDown },
     { "uclogic-v1-upright", "07 80 43 04 00 10 00 00", 0x0443, 0x1000, 0, kGone },
 
-    // A Huion HS610's and a New 1060 Plus's own.
+    // Reports of a Huion HS610 and of a New 1060 Plus.
     { "uclogic-v2", "08 81 33 55 21 43 2a 00 00 00 00 00", 0x5533, 0x4321, 42, kNear, kDown },
     { "uclogic-v2", "08 80 67 55 c2 3f 00 00 00 00 00 00", 0x5567, 0x3fc2 },
     { "uclogic-v2", "08 84 af 9c 45 48 00 00 00 00 00 00", 0x9caf, 0x4845, 0, kNear, kUp, kPen, 2 },
     { "uclogic-v2", "08 00 70 c6 06 7c 00 00 00 00 00 00", 50800, 31750, 0, kGone },
-    { "uclogic-v2", "08 80 ed 73 35 d1 00 00 01 02 00 00", 0x173ed, 0x2d135 }, // 24 bits.
+    // Coordinates of 24 bits.
+    { "uclogic-v2", "08 80 ed 73 35 d1 00 00 01 02 00 00", 0x173ed, 0x2d135 },
     { "uclogic-v2", "08 a1 ed 73 35 d1 01 00 00 00 00 00", 0x73ed, 0xd135, 1, kNear, kDown,
       kEraser },
     { "uclogic-v2-tilt",
@@ -163,7 +165,8 @@ Expected const kReports[] {
     { "veikk-v1", "09 41 a1 70 c6 10 77 ff 1f", 50800, 30480, 8191, kNear, kDown },
     { "veikk-v1", "09 41 a4 70 c6 10 77 00 00", 50800, 30480, 0, kNear, kUp, kPen, 2 },
     { "veikk-v1", "09 41 c0 70 c6 10 77 00 00", 50800, 30480, 0, kGone },
-    { "veikk-a15", "09 41 a0 70 c6 10 77 05 00", 50800, 30480, 5, kNear, kDown }, // No tip bit.
+    // A format without a tip bit.
+    { "veikk-a15", "09 41 a0 70 c6 10 77 05 00", 50800, 30480, 5, kNear, kDown },
     { "veikk", "09 41 a3 e8 0c 01 c8 96 00 ff 1f 00 00", 68840, 38600, 8191, kNear, kDown, kPen,
       1 },
     { "veikk", "09 41 c0 e8 0c 01 c8 96 00 00 00 00 00", 68840, 38600, 0, kGone },
@@ -246,27 +249,28 @@ TEST_P(OtherReport, IsNoPens)
 }
 
 NoPen const kOthers[] {
-    { "uclogic-v1", "07 e0 01 01 01 00 00 00" },             // Keys.
-    { "uclogic-v1", "09 80 43 04 00 10 00 00" },             // Another report.
-    { "uclogic-v1-upright", "07 e0 01 10 01 00 00 00" },     // A wheel.
-    { "uclogic-v2", "08 f0 01 01 00 05 00 00 00 00 dd 10" }, // An HS610's dial.
-    { "uclogic-v2", "08 e0 01 01 01 00 00 00 00 00 00 00" }, // Keys.
-    { "uclogic-v2", "78 cc 00 08 78 cc 00 08 78 cc 00 08" }, // An HS610 sent it once.
+    { "uclogic-v1", "07 e0 01 01 01 00 00 00" },             // A report of keys.
+    { "uclogic-v1", "09 80 43 04 00 10 00 00" },             // Another report id.
+    { "uclogic-v1-upright", "07 e0 01 10 01 00 00 00" },     // A report of a wheel.
+    { "uclogic-v2", "08 f0 01 01 00 05 00 00 00 00 dd 10" }, // A report of an HS610's dial.
+    { "uclogic-v2", "08 e0 01 01 01 00 00 00 00 00 00 00" }, // A report of keys.
+    // An unexplained report that an HS610 sent once.
+    { "uclogic-v2", "78 cc 00 08 78 cc 00 08 78 cc 00 08" },
     { "uclogic-v2-tilt", "08 e3 01 01 01 00 00 00 00 00 00 00" },
     { "huion-giano", "08 f1 01 01 00 05 00 00 00 00 00 00" },
-    { "xp-pen", "02 f0 01 00 00 00 00 00 00 00" }, // Keys.
-    { "xp-pen", "02 f2 01 64 00 00 00 00 00 00" }, // The battery.
+    { "xp-pen", "02 f0 01 00 00 00 00 00 00 00" }, // A report of keys.
+    { "xp-pen", "02 f2 01 64 00 00 00 00 00 00" }, // A report of the battery.
     { "xp-pen-gen2", "02 f0 01 00 00 00 00 00 00 00 00 00 00 00" },
-    { "xp-pen-offset-keys", "07 a0 00 00 01 00 00 00" },        // Keys.
-    { "xencelabs", "02 f0 01 00 00 00 00 00 00 00" },           // Keys.
-    { "xenx", "02 01 00 00 00 00 00 00" },                      // Keys.
-    { "veikk-v1", "03 00 01 00 00 00 00 00 00" },               // Keys.
-    { "veikk", "09 42 01 01 01 00 00 00 00 00 00 00 00" },      // Keys.
-    { "veikk-tilt", "09 43 a0 01 01 00 00 00 00 00 00 00 00" }, // The touch pad.
-    { "acepen", "09 42 01 01 01 00 00 00 00 00 00" },           // Keys.
-    { "wacom-bamboo-pad", "10 06 01 00 00 00 00 00 00" },       // Keys.
-    { "genius", "11 00 e2 36 00 28 00 00" },                    // The tablet's mouse.
-    { "waltop", "05 01 00 00 00 00 00 00" },                    // Keys.
+    { "xp-pen-offset-keys", "07 a0 00 00 01 00 00 00" },        // A report of keys.
+    { "xencelabs", "02 f0 01 00 00 00 00 00 00 00" },           // A report of keys.
+    { "xenx", "02 01 00 00 00 00 00 00" },                      // A report of keys.
+    { "veikk-v1", "03 00 01 00 00 00 00 00 00" },               // A report of keys.
+    { "veikk", "09 42 01 01 01 00 00 00 00 00 00 00 00" },      // A report of keys.
+    { "veikk-tilt", "09 43 a0 01 01 00 00 00 00 00 00 00 00" }, // A report of the touch pad.
+    { "acepen", "09 42 01 01 01 00 00 00 00 00 00" },           // A report of keys.
+    { "wacom-bamboo-pad", "10 06 01 00 00 00 00 00 00" },       // A report of keys.
+    { "genius", "11 00 e2 36 00 28 00 00" },                    // A report of the tablet's mouse.
+    { "waltop", "05 01 00 00 00 00 00 00" },                    // A report of keys.
     { "lifetec", "01 01 00 00 00 00 00 00" },
     { "floogoo", "02 20 a0 50 78 3c ff 7f e8 03 18 fc" },
 };
@@ -280,7 +284,7 @@ TEST(Families, RefuseReportsThatAreTooShort)
         auto const* const family = find_pen_family(expected.family);
         ASSERT_NE(family, nullptr);
         for (std::size_t size = 0; size < whole.size(); ++size) {
-            // On the heap, so that reading past its end is noticed.
+            // On the heap, so that the sanitizer finds reads past its end.
             std::vector const cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
             FamilyState state;
             bool const is_pens = family->decode(cut, state).has_value();

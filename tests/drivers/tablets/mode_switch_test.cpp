@@ -22,11 +22,11 @@ std::string hex(std::span<std::byte const> bytes)
     return text;
 }
 
-// A tablet that writes down what it is told, and has these strings.
+// A fake tablet that records what it receives, and has these strings.
 class FakePort final : public TabletPort {
 public:
     std::map<int, std::string> strings;
-    std::string refused_report; // The same form as `told`.
+    std::string refused_report; // Report that it refuses, in the form of `told`.
     bool has_usb = true;
     std::vector<std::string> told;
 
@@ -112,7 +112,7 @@ TEST(ModeSwitch, ReadsTheStringsOfAHuion)
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
     EXPECT_EQ(port.told, (Told { "string 2", "string 201", "string 200" }));
     EXPECT_EQ(info.strings.at(201), "HUION_T194_180726");
-    EXPECT_EQ(info.strings.at(2), ""); // It has none.
+    EXPECT_EQ(info.strings.at(2), ""); // The tablet lacks this string.
 
     info.report_descriptor = bytes("06 00 ff 09 01 a1 01 85 08 75 58 95 01 09 01 81 02 c0");
     auto const decoder = make_pen_decoder(info);
@@ -155,7 +155,7 @@ TEST(ModeSwitch, ReadsAStringOnlyOnce)
 TEST(ModeSwitch, AsksNothingOfADeviceThatIsNotInTheTable)
 {
     FakePort port;
-    auto info = plain_device(0x04d8, 0x00dd); // An MCP2221A.
+    auto info = plain_device(0x04d8, 0x00dd); // An MCP2221A, which is not a tablet.
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
     EXPECT_TRUE(port.told.empty());
     EXPECT_TRUE(info.warnings.empty());
@@ -200,7 +200,7 @@ TEST(ModeSwitch, WarnsWhereItCannotTellTabletsApart)
         << warning;
 }
 
-// Tests of which interface takes a report.
+// Helper for tests of find_receiver(), which chooses the interface that accepts a report.
 
 DeviceInfo interface_with(std::string_view descriptor)
 {

@@ -1,4 +1,4 @@
-// drivers/70-tractus.rules and the table of tablets name the same vendors.
+// The vendors in drivers/70-tractus.rules must be those in the table of tablets.
 
 #include "drivers/tablets/tablet_table.h"
 #include "engine/base/file.h"
@@ -17,11 +17,11 @@
 namespace tractus::drivers {
 namespace {
 
-// Conditions of a line for a device on USB before it lets the seat's user read it.
+// Conditions of a udev rule that permits access to a USB device.
 struct Rule {
-    bool is_for_usb = false; // The device itself, not its hidraw nodes.
-    std::string vendors;     // Alternatives: "0458|056a".
-    std::string products;    // Empty: all.
+    bool is_for_usb = false; // The rule is for the USB device itself, not for its hidraw nodes.
+    std::string vendors;     // Alternatives such as "0458|056a".
+    std::string products;    // Empty for all products.
 };
 
 std::string match_of(std::string const& line, char const* key)
@@ -71,7 +71,7 @@ TEST(Rules, PermitEveryKnownTablet)
         }
 }
 
-// Returns what the program of a rule says of a device with this descriptor.
+// Returns whether the rule's program permits a device with this descriptor.
 bool is_permitted_by_usage(std::string const& descriptor_path)
 {
     auto const text
@@ -103,14 +103,14 @@ TEST(Rules, PermitByUsageNoDeviceOfTheCorpusThatIsNoPen)
     REQUIRE_CORPUS();
     for (auto const& entry :
          std::filesystem::directory_iterator(corpus() / "descriptors" / "other")) {
-        // Wacom's there are pens in its own format.
+        // Wacom's devices there are pens in Wacom's own format.
         bool const is_wacom = entry.path().filename().string().find("_056A_") != std::string::npos;
         EXPECT_TRUE(is_wacom || !is_permitted_by_usage(entry.path())) << entry.path();
     }
 }
 
-// Makers of chips have ids on very many devices that are no tablets, and Genius makes keyboards:
-// what is typed on them must not be readable.
+// Ids of chip makers are used by many devices that are not tablets, and Genius makes keyboards,
+// whose input must not be readable by everyone.
 TEST(Rules, PermitNotAllDevicesOfMakersOfOtherThings)
 {
     std::vector<std::uint16_t> const vendor_ids { 0x0458, 0x0483, 0x0a12, 0x04d8, 0x1209 };

@@ -13,7 +13,7 @@
 namespace tractus::drivers {
 namespace {
 
-// A Huion HS610's vendor interface, and what the tablet says of itself.
+// Returns the vendor-defined interface of a Huion HS610, with the tablet's description of itself.
 DeviceInfo hs610()
 {
     return {
@@ -25,8 +25,8 @@ DeviceInfo hs610()
     };
 }
 
-// The mouse that a Huion tablet is at first: report 9, and its pen, report 7. Both have ranges of
-// 40000 x 25000 on 10 x 6.25 inches.
+// Descriptor of a Huion tablet in its power-up mode: a mouse, report 9, and a pen, report 7. Both
+// have ranges of 40000 x 25000 on 10 x 6.25 inches.
 std::vector<std::byte> huion_v1_descriptor()
 {
     return bytes("05 0d 09 02 a1 01 85 07 09 20 a1 00 09 42 09 44 09 45 15 00 25 01 75 01 95 03"
@@ -66,8 +66,8 @@ TEST(TabletDecoder, AssumesTheSizeOfAWacomThatItDoesNotKnow)
     EXPECT_TRUE(pen->touching);
 }
 
-// Report 1e of a Cintiq Pro 22 or 27, all of it in Wacom's own page: switches in byte 2, of which
-// bit 5 is Invert and bit 6 In Range; axes of 24 bits; tilts of 16 bits at 11 and 13.
+// Report 0x1e of a Cintiq Pro 22 or 27, on Wacom's own page: switches in byte 2, of which bit 5 is
+// Invert and bit 6 In Range; axes of 24 bits; tilts of 16 bits at 11 and 13.
 TEST(TabletDecoder, ReadsACintiqPro27)
 {
     auto decoder = make_pen_decoder(
@@ -85,12 +85,14 @@ TEST(TabletDecoder, ReadsACintiqPro27)
     EXPECT_FALSE(pen->eraser);
     EXPECT_EQ(pen->buttons, 1u);
     EXPECT_NEAR(pen->tilt_rad.value().x(), radians(30.0), 1e-12);
-    EXPECT_NEAR(pen->tilt_rad.value().y(), radians(30.0), 1e-12); // -30 towards the user.
+    // The report has -30 degrees towards the user.
+    EXPECT_NEAR(pen->tilt_rad.value().y(), radians(30.0), 1e-12);
     EXPECT_FALSE(decode(**decoder, "1e 01 00 00 00 00 00 00 00 00 00 00 00 00 00")->in_range);
     EXPECT_TRUE(decode(**decoder, "1e 01 60 10 27 00 c4 09 00 00 00 00 00 00 00")->eraser);
 }
 
-// A pen whose axes both run to 32767; `x_size` and `y_size` are items that tell how far they reach.
+// Returns a pen whose axes both range to 32767; `x_size` and `y_size` are the descriptor items with
+// their physical ranges.
 DeviceInfo square_pen(std::uint16_t vendor_id, std::uint16_t product_id, std::string const& x_size,
                       std::string const& y_size)
 {
@@ -108,7 +110,8 @@ DeviceInfo square_pen(std::uint16_t vendor_id, std::uint16_t product_id, std::st
 
 TEST(TabletDecoder, PutsTheSidesRightThatADescriptorChangesOver)
 {
-    // A Deco Pro M: 6.181 inches along X and 10.984 along Y, which the table knows as 279 x 157 mm.
+    // A Deco Pro M, whose descriptor says 6.181 inches along X and 10.984 along Y; the table has
+    // 279 x 157 mm.
     auto decoder = make_pen_decoder(square_pen(0x28bd, 0x0904, "65 13 55 0d 46 25 18", "46 e8 2a"));
     ASSERT_TRUE(decoder) << decoder.error().message;
     EXPECT_EQ((*decoder)->traits().size_mm, Vec2(278.99, 156.995));
@@ -125,7 +128,7 @@ TEST(TabletDecoder, TakesNoTabletForSquare)
         EXPECT_TRUE(decoder && (*decoder)->traits().is_size_assumed);
         return decoder ? (*decoder)->traits().size_mm : Vec2(0, 0);
     };
-    // Size of a tablet that nobody knows: 16 to 10.
+    // An unknown tablet is assumed to have sides of 16 to 10.
     auto const unknown = size_of(square_pen(0x1234, 0x5678, "", ""));
     EXPECT_NEAR(unknown.x() / unknown.y(), 1.6, 1e-9);
 }
@@ -141,7 +144,7 @@ TEST(TabletDecoder, ReadsAMakersOwnFormatByTheTable)
     EXPECT_TRUE(traits.has_tilt);
     EXPECT_EQ(traits.button_count, 2u);
 
-    // The middle of the surface, half pressed.
+    // The middle of the surface, at half pressure.
     auto const sample = decode(**decoder, "08 81 38 63 03 3e 00 10 00 00 00 00");
     ASSERT_TRUE(sample);
     EXPECT_NEAR(sample->position_mm.x(), 127, 0.01);
@@ -168,7 +171,7 @@ TEST(TabletDecoder, LetsASilentPenLeave)
 TEST(TabletDecoder, BelievesTheTabletBeforeTheTable)
 {
     auto info = hs610();
-    // 40000 x 25000, 2047 levels, 4000 counts per inch.
+    // 40000 x 25000 counts, 2047 levels, 4000 counts per inch.
     info.strings[200]
         = string_descriptor_text(bytes("40 9c 00 a8 61 00 ff 07 a0 0f 00 00 00 00 00 00"));
     auto const decoder = make_pen_decoder(info);
@@ -186,7 +189,7 @@ TEST(TabletDecoder, AssumesTheSizeOfATabletThatItCannotTellFromOthers)
     auto const decoder = make_pen_decoder(info);
     ASSERT_TRUE(decoder);
     EXPECT_TRUE((*decoder)->traits().is_size_assumed);
-    // … unless it says itself how large it is.
+    // The size is not assumed if the tablet describes it itself.
     info.strings[200]
         = string_descriptor_text(bytes("70 c6 00 06 7c 00 ff 1f d8 13 00 00 00 00 00 00"));
     auto const sure = make_pen_decoder(info);
@@ -196,7 +199,7 @@ TEST(TabletDecoder, AssumesTheSizeOfATabletThatItCannotTellFromOthers)
 
 TEST(TabletDecoder, AssumesASizeThatTheTableDoubts)
 {
-    DeviceInfo const info { .vendor_id = 0x28bd, .product_id = 0x0803 }; // XP-Pen Deco 02.
+    DeviceInfo const info { .vendor_id = 0x28bd, .product_id = 0x0803 }; // An XP-Pen Deco 02.
     auto const decoder = make_pen_decoder(info);
     ASSERT_TRUE(decoder);
     EXPECT_TRUE((*decoder)->traits().is_size_assumed);
@@ -205,8 +208,8 @@ TEST(TabletDecoder, AssumesASizeThatTheTableDoubts)
 TEST(TabletDecoder, BelievesADescriptorThatLinuxHasRewritten)
 {
     auto info = hs610();
-    // The descriptor is hid-uclogic's: report 8 is a pen with a bit "in range", 0 to 32000 on 160
-    // mm, and report F7 is keys.
+    // Descriptor by hid-uclogic: report 8 is a pen with a bit "in range", 0 to 32000 on 160 mm, and
+    // report 0xF7 is keys.
     info.report_descriptor = bytes(
         "05 0d 09 02 a1 01 85 08 09 20 a1 00 15 00 25 01 75 01 09 42 09 44 09 5a 95 03 81 02"
         "95 03 81 03 09 32 95 01 81 02 95 01 81 03 05 01 65 11 55 0f 35 00 75 18 95 01"
@@ -243,7 +246,7 @@ TEST(TabletDecoder, ReadsTheFamilysReportsOnceStringsHaveSwitchedTheTablet)
     auto decoder = make_pen_decoder(info);
     ASSERT_TRUE(decoder);
     EXPECT_EQ((*decoder)->traits().raw_x_maximum, 36000);
-    // The bit that the descriptor calls "in range" is the other way round.
+    // In the family's format, the bit that the descriptor calls "in range" is inverted.
     auto const sample = decode(**decoder, "07 81 10 27 10 27 ff 03");
     ASSERT_TRUE(sample);
     EXPECT_TRUE(sample->in_range);
@@ -255,7 +258,7 @@ TEST(TabletDecoder, ReadsTheFamilysReportsOnceStringsHaveSwitchedTheTablet)
 
 TEST(TabletDecoder, LetsThePenLeaveBeforeItGoesOnInTheOtherFormat)
 {
-    // Report 10 is a described pen of 0 to 32767, report 8 the maker's own.
+    // Report 0x0a is a described pen of 0 to 32767, report 8 is in the maker's own format.
     auto info = hs610();
     auto const described = bytes(
         "05 0d 09 02 a1 01 85 0a 09 20 a1 00 09 42 09 44 09 45 09 3c 15 00 25 01 75 01 95 06"
@@ -264,7 +267,8 @@ TEST(TabletDecoder, LetsThePenLeaveBeforeItGoesOnInTheOtherFormat)
     info.report_descriptor.insert(info.report_descriptor.end(), described.begin(), described.end());
     auto decoder = make_pen_decoder(info);
     ASSERT_TRUE(decoder);
-    EXPECT_EQ((*decoder)->traits().size_mm, Vec2(254, 158.75)); // Where the descriptor has none.
+    // The table's size, since the descriptor has none.
+    EXPECT_EQ((*decoder)->traits().size_mm, Vec2(254, 158.75));
     EXPECT_FALSE((*decoder)->traits().is_size_assumed);
 
     ASSERT_TRUE(decode(**decoder, "0a 41 ff 3f ff 3f ff 0f")->touching);
@@ -279,7 +283,7 @@ TEST(TabletDecoder, LetsThePenLeaveBeforeItGoesOnInTheOtherFormat)
 
 TEST(TabletDecoder, ReadsReportsWithoutIds)
 {
-    // A VEIKK A30's of its second kind, if it used no ids.
+    // A VEIKK A30 of its second kind, assumed to use no report ids.
     DeviceInfo const info {
         .vendor_id = 0x2feb,
         .product_id = 0x0002,
@@ -313,12 +317,12 @@ TEST(TabletDecoder, KnowsATabletOverBluetooth)
     EXPECT_EQ((*decoder)->traits().raw_pressure_maximum, 8191);
 }
 
-// Real tablets.
+// A recording of a real tablet.
 
 struct Recorded {
     char const* file;
-    Vec2 size_mm = Vec2::Zero(); // Size as published.
-    // Published, where its owner drew round the edges and pressed fully; 0: he did not.
+    Vec2 size_mm = Vec2::Zero(); // Published size.
+    // Published maxima, if the owner drew around the edges and pressed fully; otherwise 0.
     std::int32_t x_reached = 0;
     std::int32_t y_reached = 0;
     std::int32_t pressure_reached = 0;

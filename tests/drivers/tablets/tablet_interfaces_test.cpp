@@ -44,10 +44,10 @@ TEST(TabletInterfaces, CarryAPenByWhatTheySendNotByTheirNumber)
     DeviceInfo xp_pen { .vendor_id = 0x28bd, .product_id = 0x0094 };
     xp_pen.report_descriptor
         = bytes("06 00 ff 09 01 a1 01 85 02 09 01 15 00 26 ff 00 75 08 95 07 81 02 c0");
-    EXPECT_TRUE(carries_pen(xp_pen)); // Its maker's own reports.
+    EXPECT_TRUE(carries_pen(xp_pen)); // An interface with reports in the maker's own format.
     xp_pen.report_descriptor
         = bytes("05 01 09 06 a1 01 85 03 05 07 19 e0 29 e7 15 00 25 01 75 01 95 08 81 02 c0");
-    EXPECT_FALSE(carries_pen(xp_pen)); // Its keys.
+    EXPECT_FALSE(carries_pen(xp_pen)); // The interface of the tablet's keys.
 }
 
 TEST(TabletInterfaces, OfATouchPadCarryNoPen)

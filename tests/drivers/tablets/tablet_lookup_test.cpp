@@ -16,7 +16,8 @@ DeviceInfo device(std::uint16_t vendor_id, std::uint16_t product_id,
              .strings = std::move(strings) };
 }
 
-// The vendor interface of a Huion tablet: report 8, 12 bytes of which nothing is said.
+// Returns the vendor-defined interface of a Huion tablet: report 8 with 12 bytes that are not
+// described.
 std::vector<std::byte> huion_descriptor()
 {
     return bytes("06 00 ff 09 01 a1 01 85 08 75 58 95 01 09 01 81 02 c0");
@@ -43,11 +44,11 @@ TEST(TabletLookup, KnowsTheFormatOfEachWacom)
         std::string_view family;
         Vec2 size_mm;
     } const expected[] = {
-        { 0x03c0, "wacom-intuos-v3", { 600.16, 339.34 } }, // Cintiq Pro 27.
-        { 0x03d0, "wacom-intuos-v3", { 480.06, 271.78 } }, // Cintiq Pro 22.
-        { 0x00f4, "wacom-intuos-pro", { 522.4, 328 } },    // Cintiq 24HD.
-        { 0x0057, "wacom-intuos-pro", { 478.2, 270.3 } },  // DTK-2241.
-        { 0x00fb, "wacom-dtus", { 220.96, 139.6 } },       // DTU-1031.
+        { 0x03c0, "wacom-intuos-v3", { 600.16, 339.34 } }, // A Cintiq Pro 27.
+        { 0x03d0, "wacom-intuos-v3", { 480.06, 271.78 } }, // A Cintiq Pro 22.
+        { 0x00f4, "wacom-intuos-pro", { 522.4, 328 } },    // A Cintiq 24HD.
+        { 0x0057, "wacom-intuos-pro", { 478.2, 270.3 } },  // A DTK-2241.
+        { 0x00fb, "wacom-dtus", { 220.96, 139.6 } },       // A DTU-1031.
         { 0x0081, "wacom-graphire-bluetooth", { 208.8, 150.8 } },
     };
     for (auto const& [product_id, family, size_mm] : expected) {
@@ -63,10 +64,10 @@ TEST(TabletLookup, ReadsAWacomThatItDoesNotKnowAsAnIntuosIfItsReportsAreAsLong)
 {
     auto info = device(0x056a, 0xeeee);
     EXPECT_FALSE(find_tablet(info));
-    // Report 2 of nine bytes after its id.
+    // Report 2 with nine bytes after its id.
     info.report_descriptor = bytes("06 00 ff 09 01 a1 01 85 02 75 08 95 09 09 01 81 02 c0");
     EXPECT_EQ(found_name(info), "Wacom (model not known, read as an Intuos)");
-    info.product_id = 0x037a; // A CTL-472 is one, whatever its reports.
+    info.product_id = 0x037a; // A CTL-472 is an Intuos, whatever the length of its reports.
     EXPECT_EQ(found_name(info), "Wacom CTL-472");
     info.product_id = 0xeeee;
     info.report_descriptor = bytes("06 00 ff 09 01 a1 01 85 02 75 08 95 08 09 01 81 02 c0");
@@ -110,7 +111,7 @@ TEST(TabletLookup, TakesANewModelForOneOfItsKin)
         = find_tablet(device(0x256c, 0x006d, { { 201, "HUION_X999_180726" }, { 2, "" } }));
     ASSERT_TRUE(match);
     EXPECT_GT(match->alternatives, 0u);
-    // Even where there is only one that it could be.
+    // The name is qualified even if only one model is possible.
     auto const only = find_tablet(device(0x256c, 0x0067, { { 201, "HUION_X999_180726" } }));
     ASSERT_TRUE(only);
     EXPECT_EQ(tablet_name(*only), "Huion H951P (or another one with its ids)");
@@ -132,7 +133,7 @@ TEST(TabletLookup, TellsATabletsPadFromItsPen)
     EXPECT_EQ(pen->identifier->family, "wacom-intuos");
 }
 
-// Pad and pen of an XP-Pen Artist 13.3 differ in their output reports alone.
+// Pad and pen of an XP-Pen Artist 13.3 differ only in their output reports.
 TEST(TabletLookup, TellsATabletsPadFromItsPenByOutputReports)
 {
     auto info = device(0x28bd, 0x000b);
@@ -181,7 +182,7 @@ TEST(TabletLookup, SaysHowManyOthersWouldFit)
     ASSERT_TRUE(match);
     EXPECT_GT(match->alternatives, 20u);
     EXPECT_NE(tablet_name(*match).find("others with its ids"), std::string::npos);
-    // Whichever it is, it has the resolution that they all have.
+    // All candidates have the same resolution.
     EXPECT_NEAR(match->tablet->x_maximum / match->tablet->size_mm.x(), 200, 0.1);
 }
 
@@ -191,13 +192,14 @@ TEST(TabletLookup, BelievesTheTabletsOwnName)
     info.name = "HUION Huion Tablet_H640P Pen";
     EXPECT_EQ(found_name(info), "Huion H640P");
     info.name = "HUION H610 Pro V2";
-    EXPECT_EQ(found_name(info), "Huion H610 Pro V2"); // Not the H610 Pro.
+    // The model is distinguished from the H610 Pro.
+    EXPECT_EQ(found_name(info), "Huion H610 Pro V2");
 }
 
 TEST(TabletLookup, TellsFirmwareApartByTheLengthOfReports)
 {
     auto info = device(0x2feb, 0x0002);
-    // Reports of 13 bytes: 12 without an id, which counts as one.
+    // Reports of 13 bytes: 12 bytes without an id, which counts as one more.
     info.report_descriptor
         = bytes("06 00 ff 09 01 a1 01 75 08 95 0c 15 00 26 ff 00 09 01 81 02 c0");
     EXPECT_EQ(found_name(info), "VEIKK A30 V2");
@@ -225,8 +227,8 @@ TEST(TabletLookup, TellsVariantsApartByTheLengthOfOutputReports)
 
 TEST(TabletLookup, TellsTabletsApartByTheMaximaThatTheyTell)
 {
-    // String 200: X to 32000, Y to 20000, pressure to 8191, 5080 counts per inch; an H640P and its
-    // kin.
+    // String 200 with X up to 32000, Y up to 20000, pressure up to 8191, 5080 counts per inch: an
+    // H640P or a related model.
     using namespace std::string_literals;
     auto info = device(0x256c, 0x006d);
     info.report_descriptor = huion_descriptor();
@@ -250,7 +252,8 @@ TEST(TabletLookup, KeepsToItsInterface)
                                        "    1234:0001 8 generic; interface 1\n");
     ASSERT_TRUE(tablets);
     auto info = device(0x1234, 0x0001);
-    EXPECT_TRUE(find_tablet(*tablets, info)); // It may be.
+    // The interface is not known, so it may be this tablet.
+    EXPECT_TRUE(find_tablet(*tablets, info));
     info.interface_number = 1;
     EXPECT_TRUE(find_tablet(*tablets, info));
     info.interface_number = 0;

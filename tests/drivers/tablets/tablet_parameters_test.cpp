@@ -8,7 +8,7 @@
 namespace tractus::drivers {
 namespace {
 
-// Answer of a Huion HS610 to a request for its string 200, without length and type.
+// Returns string 200 of a Huion HS610, without length and type.
 std::string hs610_string_200()
 {
     return string_descriptor_text(bytes("70 c6 00 06 7c 00 ff 1f d8 13 00 00 00 00 00 00 00"));
@@ -23,7 +23,7 @@ TEST(StringDescriptor, IsText)
 
 TEST(StringDescriptor, KeepsNumbersThatAreNoText)
 {
-    // Zeros, halves of pairs alone and in the wrong order, line ends.
+    // Zeros, unpaired and swapped surrogates, line ends.
     for (auto const* const text : { "00 00 0a 00", "00 d8 41 00", "00 dc 00 d8", "ff ff 3d d8" })
         EXPECT_EQ(string_descriptor_bytes(string_descriptor_text(bytes(text))), bytes(text))
             << text;
@@ -82,10 +82,10 @@ TEST(Parameters, MustMakeSense)
     auto const with = [](std::string_view text) {
         return parse_parameters(100, string_descriptor_text(bytes(text)));
     };
-    EXPECT_FALSE(with("40 9c a8 61 00 00 00 00 a0 0f")); // No pressure.
-    EXPECT_FALSE(with("40 9c a8 61 00 00 ff 07 00 00")); // No resolution.
-    EXPECT_FALSE(with("40 9c a8 61 00 00 ff 07 64 00")); // 10 m wide.
-    EXPECT_FALSE(with("00 08 00 08 00 00 ff 07 a0 0f")); // 13 mm wide.
+    EXPECT_FALSE(with("40 9c a8 61 00 00 00 00 a0 0f")); // Without pressure.
+    EXPECT_FALSE(with("40 9c a8 61 00 00 ff 07 00 00")); // Without resolution.
+    EXPECT_FALSE(with("40 9c a8 61 00 00 ff 07 64 00")); // A width of 10 m.
+    EXPECT_FALSE(with("00 08 00 08 00 00 ff 07 a0 0f")); // A width of 13 mm.
 }
 
 } // namespace

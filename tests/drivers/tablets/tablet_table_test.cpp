@@ -98,7 +98,7 @@ TEST(TabletTable, RefusesIdentifiersThatItDoesNotUnderstand)
             << line;
 }
 
-// The table itself.
+// The table itself is complete and valid.
 
 TEST(KnownTablets, AreAll)
 {
@@ -137,7 +137,7 @@ TEST(KnownTablets, UseEveryFamily)
         EXPECT_TRUE(used.contains(family.name)) << family.name;
 }
 
-// Counts per inch along X and Y.
+// Returns the counts per inch along X and Y.
 Vec2 resolution(Tablet const& tablet)
 {
     return Vec2(tablet.x_maximum, tablet.y_maximum).cwiseQuotient(tablet.size_mm) * 25.4;

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder as the kernel's /sys/bus/usb/devices.
+// Fixture with a folder that imitates /sys/bus/usb/devices.
 struct UsbTablets : testing::Test {
     ~UsbTablets() override { fs::remove_all(root); }
 

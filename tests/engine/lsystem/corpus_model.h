@@ -8,7 +8,7 @@
 
 namespace tractus::lsystem {
 
-// Compiles FOLDER/NAME.l with the view beside it; `view` when that has another name.
+// Compiles FOLDER/NAME.l with the view of the same name beside it; `view` gives another name.
 inline Result<Model> compile_file(std::filesystem::path const& path, std::string const& view = {})
 {
     auto const view_path = view.empty() ? std::filesystem::path(path).replace_extension(".v")

@@ -12,9 +12,10 @@
 
 namespace tractus::lsystem {
 
-// What the language means, written as short as it can be: no tables, no indices, no pieces, one
-// module after the other. The program's fast ways are held against it. Compiled programs are run by
-// the program's own machine; sub-L-systems, queries and cuts that are kept are left out.
+// A reference implementation of the language, as short as possible: no tables, no indices, no
+// parallel pieces, one module after the other. The program's optimised implementation is compared
+// with it. Compiled rule programs are executed by the program's own machine; sub-L-systems, queries
+// and persistent cuts are not covered.
 
 struct ReferenceModule {
     KindId kind = 0;
@@ -26,10 +27,10 @@ class ReferenceRewriter {
 public:
     ReferenceRewriter(Model const& model, std::uint64_t seed);
 
-    // No value beyond so many modules.
+    // Derives a string; no value if it exceeds the number of modules.
     std::optional<ReferenceString> derive(int steps, std::size_t most_modules);
 
-    // A string with the modules that homomorphism rules without chance make of it.
+    // Returns the string after applying deterministic homomorphism rules.
     ReferenceString drawn(ReferenceString const& string);
 
 private:
@@ -64,8 +65,8 @@ struct ReferenceSegment {
     double diameter = 0;
 };
 
-// The segments that F, G, f, g, + - & ^ \ / | [ ] !(w) #(w) and @v draw, in turtle units and in the
-// order of the string. `angle_deg` and `width` are the view's.
+// Returns the segments that F, G, f, g, + - & ^ \ / | [ ] !(w) #(w) and @v draw, in turtle units
+// and in the order of the string. `angle_deg` and `width` are those of the view.
 std::vector<ReferenceSegment> draw_reference(Model const& model, ReferenceString const& string,
                                              double angle_deg, double width);
 

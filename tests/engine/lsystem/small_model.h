@@ -9,7 +9,7 @@
 
 namespace tractus::lsystem {
 
-// Compiles rules that are right.
+// Compiles valid rules.
 inline Model compiled(std::string const& rules, std::string const& view = {})
 {
     ModelSource source;
@@ -20,14 +20,14 @@ inline Model compiled(std::string const& rules, std::string const& view = {})
     return model ? *std::move(model) : Model {};
 }
 
-// The rules with what every model must have around them.
+// Returns the rules with the header and footer that every model needs.
 inline std::string with_header(std::string const& axiom_and_rules, int steps = 1)
 {
     return "Lsystem: 1\nderivation length: " + std::to_string(steps) + "\n" + axiom_and_rules
         + "\nendlsystem\n";
 }
 
-// Returns what the axiom becomes.
+// Returns the string derived from the axiom.
 inline std::string derived(std::string const& axiom_and_rules, int steps = 1,
                            std::uint64_t seed = 1)
 {
@@ -37,7 +37,7 @@ inline std::string derived(std::string const& axiom_and_rules, int steps = 1,
     return string ? to_string(model, *string) : std::string();
 }
 
-// Returns what compiling wrong rules, or a wrong view, says.
+// Returns the error of compiling invalid rules, or an invalid view.
 inline std::string compile_error(std::string const& rules, std::string const& view = {})
 {
     ModelSource source;
@@ -50,7 +50,7 @@ inline std::string compile_error(std::string const& rules, std::string const& vi
     return model.error().message;
 }
 
-// The plant that a string of turtle symbols draws, with 1 mm units.
+// Returns the plant drawn by a string of turtle symbols, with units of 1 mm.
 inline Plant drawn(std::string const& axiom, std::string const& view = {})
 {
     auto const model = compiled(with_header("Axiom: " + axiom, 0), view);

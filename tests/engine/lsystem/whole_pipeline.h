@@ -12,9 +12,9 @@
 
 namespace tractus::lsystem {
 
-// Everything that can be done with text that may be a model, under small limits. Zero bytes divide
-// rules, view and, in any files that these name, what stands there; without it that is a function.
-// Returns whether a plant came out; every plant is checked.
+// Does everything that can be done with a text that may be a model, with small limits. Zero bytes
+// separate rules, view and the text of any file that these refer to; without such a text the view
+// is a function. Returns true if the result is a plant; every plant is checked.
 inline bool run_whole_pipeline(std::string_view text)
 {
     auto const part = [&] {
@@ -32,8 +32,8 @@ inline bool run_whole_pipeline(std::string_view text)
         = compile_model(source, [&](std::string const&) -> Result<std::string> { return file; });
     if (!model)
         return false;
-    // Work instead of time, so that the same text always gives the same result.
-    auto const looks = std::make_shared<std::atomic<int>>(0); // Shared by the function's copies.
+    // The limit counts work instead of time, so that equal texts give equal results.
+    auto const looks = std::make_shared<std::atomic<int>>(0); // Shared by copies of the function.
     ModelLimits const limits { .max_modules = 2000,
                                .max_memory_bytes = std::size_t { 1 } << 20,
                                .time = { [looks] { return ++*looks > 200; }, 1 } };

@@ -9,7 +9,8 @@
 
 namespace tractus::mesh {
 
-// Indices in range, arrays of one size, every number finite, normals of unit length.
+// Expects a valid mesh: indices in range, arrays of equal size, finite numbers, normals of unit
+// length.
 inline void expect_sound(TriangleMesh const& mesh)
 {
     ASSERT_EQ(mesh.normals.size(), mesh.positions_mm.size());
@@ -27,7 +28,7 @@ inline void expect_sound(TriangleMesh const& mesh)
     EXPECT_EQ(wrong, 0u);
 }
 
-// Twice a triangle's area, along its front.
+// Returns a vector along a triangle's front normal, with the length of twice its area.
 inline Vec3 area_vector(TriangleMesh const& mesh, std::size_t triangle)
 {
     auto const corner = [&](std::size_t k) -> Vec3 {
@@ -36,7 +37,7 @@ inline Vec3 area_vector(TriangleMesh const& mesh, std::size_t triangle)
     return (corner(1) - corner(0)).cross(corner(2) - corner(0));
 }
 
-// Triangles whose front looks away from the normals at their corners.
+// Returns the number of triangles whose front faces away from the normals at their corners.
 inline std::size_t inside_out_count(TriangleMesh const& mesh)
 {
     std::size_t count = 0;
@@ -50,8 +51,8 @@ inline std::size_t inside_out_count(TriangleMesh const& mesh)
     return count;
 }
 
-// Edges that are not shared by exactly two triangles in opposite senses, where vertices at one
-// place count as one. 0 for a closed surface.
+// Returns the number of edges that are not shared by exactly two triangles in opposite directions,
+// treating vertices at the same position as one. 0 for a closed surface.
 inline std::size_t open_edge_count(TriangleMesh const& mesh)
 {
     using Place = std::array<float, 3>;
@@ -71,7 +72,7 @@ inline std::size_t open_edge_count(TriangleMesh const& mesh)
     return count;
 }
 
-// The volume within a closed surface; positive where triangles face outwards.
+// Returns the volume within a closed surface; positive if triangles face outwards.
 inline double volume_mm3(TriangleMesh const& mesh)
 {
     double volume = 0;
@@ -81,7 +82,7 @@ inline double volume_mm3(TriangleMesh const& mesh)
     return volume;
 }
 
-// Whether every array has the same bytes.
+// True if all arrays are equal byte by byte.
 inline bool same_triangles(TriangleMesh const& a, TriangleMesh const& b)
 {
     return a.material == b.material && a.positions_mm == b.positions_mm && a.normals == b.normals

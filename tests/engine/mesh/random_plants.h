@@ -8,8 +8,9 @@
 
 namespace tractus::mesh {
 
-// A plant of `axis_count` axes of all sorts: straight, bent, of no length, pointed, thick on thin;
-// segments of several materials, polygons with and without area, organs of two shapes.
+// Returns a plant of `axis_count` axes of all kinds: straight, bent, of zero length, pointed, thick
+// on thin; with segments of several materials, polygons with and without area, and organs of two
+// shapes.
 inline Plant random_plant(std::uint64_t seed, std::uint32_t axis_count)
 {
     Random random({ .seed = seed });
@@ -54,14 +55,15 @@ inline Plant random_plant(std::uint64_t seed, std::uint32_t axis_count)
     return plant;
 }
 
-// Makes up to a few hundred axes: more than one piece of a surface.
+// Generates plants of up to a few hundred axes, more than one parallel piece of a surface.
 inline rc::Gen<Plant> random_plants()
 {
     return rc::gen::apply(random_plant, rc::gen::arbitrary<std::uint64_t>(),
                           rc::gen::inRange<std::uint32_t>(0, 400));
 }
 
-// Calls `work` where parallel loops have so many threads, be there as many processors or not.
+// Calls `work` with the given number of threads for parallel loops, independent of the number of
+// processors.
 template<typename Work> auto on_threads(int count, Work const& work)
 {
     tbb::global_control const limit(tbb::global_control::max_allowed_parallelism,

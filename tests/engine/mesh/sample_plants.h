@@ -22,7 +22,7 @@ struct AxisSketch {
     std::uint32_t order = 0;
 };
 
-// Appends such an axis and returns its number.
+// Appends the axis and returns its id.
 inline AxisId append_axis(Plant& plant, AxisSketch const& sketch, Random& random)
 {
     plant.axes.push_back({ static_cast<NodeId>(plant.node_position_mm.size()),
@@ -58,7 +58,7 @@ inline void add_sample_materials(Plant& plant)
         = { OrganShape { .material = 1, .length_mm = 130, .width_mm = 70, .petiole_mm = 25 } };
 }
 
-// Branches on all nodes of an axis but the first; two that part where it ends.
+// Adds branches at all nodes of an axis except the first, with a fork at its end.
 inline void add_sample_branches(Plant& plant, AxisId id, Random& random)
 {
     auto const parent = plant.axes[id];
@@ -90,7 +90,7 @@ inline void add_sample_branches(Plant& plant, AxisId id, Random& random)
     }
 }
 
-// One at each node of the axis but its first.
+// Adds a leaf at each node of the axis except the first.
 inline void add_sample_leaves(Plant& plant, Axis const& axis, Random& random)
 {
     for (std::uint32_t i = 1; i <= axis.segment_count; ++i) {
@@ -105,8 +105,8 @@ inline void add_sample_leaves(Plant& plant, Axis const& axis, Random& random)
     }
 }
 
-// A broadleaf tree of three orders of branches, about 4 m high, leaves at the twigs' nodes; its
-// trunk and limbs end in forks.
+// Returns a broadleaf tree with three orders of branches, about 4 m high, with leaves at the nodes
+// of twigs; its trunk and limbs end in forks.
 inline Plant sample_tree(std::uint64_t seed)
 {
     Random random({ .seed = seed });
@@ -128,7 +128,7 @@ inline Plant sample_tree(std::uint64_t seed)
     return plant;
 }
 
-// One straight axis along +z.
+// Returns a plant of one straight axis along +z.
 inline Plant single_axis(std::uint32_t segment_count, double radius_mm, double tip_radius_mm)
 {
     Random random({});

@@ -12,9 +12,10 @@
 
 namespace tractus {
 
-// What a hand makes of a line: tremor, hooks, pieces. Nothing here knows how lines are recognised.
-// The numbers are those of people at a tablet: physiological tremor at 8 to 12 Hz, wander below
-// 1 Hz of twice its amplitude, a bell-shaped speed, 200 reports a second, hooks of 0.5 to 3 mm.
+// Simulates how a hand draws a line: tremor, hooks, pieces, independent of how lines are
+// recognised. The numbers are measured on people at tablets: physiological tremor at 8 to 12 Hz,
+// drift below 1 Hz with twice its amplitude, a bell-shaped speed, 200 reports a second, hooks of
+// 0.5 to 3 mm.
 class Hand {
 public:
     explicit Hand(std::uint64_t seed)
@@ -30,12 +31,13 @@ public:
     std::size_t below(std::size_t count) { return random_() % count; }
     template<typename Range> void shuffle(Range& range)
     {
-        for (std::size_t i = range.size(); i > 1; --i) // std::shuffle differs between libraries.
+        // Used instead of std::shuffle, whose result differs between libraries.
+        for (std::size_t i = range.size(); i > 1; --i)
             std::swap(range[i - 1], range[below(i)]);
     }
 
-    // A line as the pen reports it: at 60 to 160 mm/s, with a tremor of this amplitude across and
-    // along it (root mean square of each coordinate).
+    // Returns a line as the pen reports it: at 60 to 160 mm/s, with a tremor of the given amplitude
+    // (root mean square of each coordinate).
     std::vector<Vec3> draw(std::vector<Vec3> const& line, double tremor_mm)
     {
         constexpr double kReport_s = 0.005;
@@ -57,7 +59,7 @@ public:
         std::vector<Vec3> drawn;
         for (std::size_t i = 0; i < count; ++i) {
             double const t = static_cast<double>(i) / static_cast<double>(count - 1);
-            // Mostly steady, and slow at both ends.
+            // The speed is mostly constant, and lower at both ends.
             double const bell = t * t * (3 - 2 * t);
             Vec3 point = along.at(0.6 * t + 0.4 * bell);
             for (int axis = 0; axis < 2; ++axis)
@@ -69,7 +71,7 @@ public:
         return drawn;
     }
 
-    // The pen slips aside as it is lifted, or put down.
+    // Adds a hook, where the pen slips aside as it is lifted or put down.
     static void add_hook(std::vector<Vec3>& stroke, double length_mm, double turn_deg)
     {
         auto const n = stroke.size();
@@ -95,7 +97,8 @@ public:
         }
     }
 
-    // So many pieces, each of which begins a little before or behind the end of the one before.
+    // Returns the line in pieces, each of which begins slightly before or after the end of the
+    // previous one.
     std::vector<std::vector<Vec3>> pieces(std::vector<Vec3> const& line, int count)
     {
         ArcLength const along(line);
@@ -113,8 +116,8 @@ public:
         return result;
     }
 
-    // The line with a part of it, between two shares of its length, drawn so far aside; the part
-    // alone, which begins and ends on the line.
+    // Returns a part of the line, between two shares of its length, displaced sideways; it begins
+    // and ends on the line.
     static std::vector<Vec3> part_aside(std::vector<Vec3> const& line, double from, double to,
                                         double aside_mm)
     {

@@ -4,8 +4,8 @@
 
 namespace tractus {
 
-// A trunk of three segments of 100 mm straight up, and an axis of two segments of 50 mm to the
-// right (+x) from the end of the trunk's first segment. A leaf at the tip of the lateral axis.
+// Returns a vertical trunk of three segments of 100 mm, and an axis of two segments of 50 mm to the
+// right (+x) from the end of the trunk's first segment, with a leaf at its tip.
 inline Plant small_plant()
 {
     Plant plant;

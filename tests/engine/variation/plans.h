@@ -6,14 +6,15 @@
 
 namespace tractus::variation {
 
-// Returns what resolve_associations gives, for a plant whose rest shape nobody needs else.
+// Returns the result of resolve_associations() for a plant whose rest shape is not needed
+// otherwise.
 inline Result<PredefinedShape> shape_of(Plant const& plant,
                                         std::vector<Association> const& associations)
 {
     return resolve_associations(plant, find_rest_shape(plant), associations);
 }
 
-// The plan for growing `plant` under an influence that is the same everywhere.
+// Returns the plan for growing `plant` under a constant influence.
 inline GrowthPlan plan_of(Plant const& plant, GrowthParameters const& parameters,
                           Vec3 const& influence = Vec3::Zero(),
                           std::vector<Association> const& associations = {})

@@ -8,7 +8,8 @@
 
 namespace tractus::variation {
 
-// An axis with its nodes at `points`, standing on the end of `parent_segment` of `parent_axis`.
+// Adds an axis with its nodes at `points`, attached to the end of `parent_segment` of
+// `parent_axis`.
 inline AxisId add_axis(Plant& plant, std::vector<Vec3> const& points, AxisId parent_axis = kNone,
                        SegmentId parent_segment = kNone)
 {
@@ -30,7 +31,7 @@ inline AxisId add_axis(Plant& plant, std::vector<Vec3> const& points, AxisId par
     return id;
 }
 
-// `segments` equal steps from `base` in the direction of `tip`, ending there.
+// Returns the ends of `segments` equal steps from `base` to `tip`.
 inline std::vector<Vec3> straight(Vec3 const& base, Vec3 const& tip, int segments)
 {
     std::vector<Vec3> points;
@@ -39,7 +40,7 @@ inline std::vector<Vec3> straight(Vec3 const& base, Vec3 const& tip, int segment
     return points;
 }
 
-// One straight axis upwards.
+// Returns a plant of one straight vertical axis.
 inline Plant pole(int segments, double height_mm = 1000)
 {
     Plant plant;
@@ -47,10 +48,11 @@ inline Plant pole(int segments, double height_mm = 1000)
     return plant;
 }
 
-// A trunk of four segments upwards (segments 0 to 3); from the end of its second one a branch of
-// three to the right (4 to 6), with a twig of two upwards (7, 8) from the end of its first; from
-// the end of the trunk's third one a branch of two to the left (9, 10). A leaf on the twig's tip,
-// one on the trunk's, one on the ground, and a polygon on the left branch.
+// Returns a plant with a vertical trunk of four segments (0 to 3); from the end of its second
+// segment a branch of three to the right (4 to 6), with a twig of two upwards (7, 8) from the end
+// of its first; from the end of the trunk's third segment a branch of two to the left (9, 10).
+// There is a leaf on the twig's tip, one on the trunk's, one on the ground, and a polygon on the
+// left branch.
 inline Plant hand_made_plant()
 {
     Plant plant;
@@ -67,8 +69,8 @@ inline Plant hand_made_plant()
     return plant;
 }
 
-// A tree that forks in two `depth` times: 2^depth - 1 axes of `segments` segments each, with a leaf
-// at the end of each of the last.
+// Returns a tree that forks `depth` times: 2^depth - 1 axes of `segments` segments each, with a
+// leaf at the end of each of the last.
 inline Plant forking_tree(int depth, int segments)
 {
     Plant plant;
@@ -96,8 +98,8 @@ inline Plant forking_tree(int depth, int segments)
     return plant;
 }
 
-// `axes` axes of `segments` segments each, every one with five on it, one on each of its last five
-// segments.
+// Returns a tree of `axes` axes with `segments` segments each; each axis bears five others, one on
+// each of its last five segments.
 inline Plant wide_tree(std::size_t axes, int segments)
 {
     Plant plant;
@@ -117,7 +119,7 @@ inline Plant wide_tree(std::size_t axes, int segments)
     return plant;
 }
 
-// Direction of a segment.
+// Returns the direction of a segment.
 inline Vec3 direction_of(Plant const& plant, SegmentId segment)
 {
     auto const nodes = nodes_of(plant, segment);

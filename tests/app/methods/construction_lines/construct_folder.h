@@ -15,7 +15,7 @@ namespace tractus::lines {
 
 namespace fs = std::filesystem;
 
-// Runs `tractus construct` in a folder of its own.
+// Fixture that runs `tractus construct` in an empty folder.
 class ConstructFolder : public ::testing::Test {
 protected:
     ConstructFolder()
@@ -27,7 +27,7 @@ protected:
 
     std::string path(std::string const& name) const { return (folder_ / name).string(); }
 
-    // What is said of a sketch that is refused.
+    // Returns the error message for a sketch that is refused.
     std::string refusal(std::string const& text)
     {
         std::ofstream(folder_ / "wrong.json") << text;

@@ -14,7 +14,7 @@
 
 namespace tractus::methods {
 
-// Edits that are applied one after the other, so that later ones can name what earlier ones made.
+// Applies edits one after the other, so that later ones can refer to the results of earlier ones.
 class Steps {
 public:
     explicit Steps(scene::Scene scene)
@@ -55,7 +55,7 @@ inline void load_model(Steps& steps, double x_mm)
     steps.add(model);
 }
 
-// The model has the same rules with longer internodes.
+// Changes the model: equal rules with longer internodes.
 inline scene::Edit change_model(scene::ItemId)
 {
     auto model = small_model();
@@ -140,7 +140,7 @@ inline scene::Edit change_leaf(scene::ItemId plant)
     return leaf::FormLeaf { plant, { .bend_deg = 40 } };
 }
 
-// A way to make a plant, and to change it afterwards.
+// A method to make a plant, and an edit that changes the plant afterwards.
 struct MethodOfPair {
     char const* name;
     void (*make)(Steps& steps, double x_mm);

@@ -17,7 +17,7 @@
 
 namespace tractus::methods {
 
-// Somebody who takes any tool with any options and draws anywhere, on plants more often than not.
+// Simulated user who takes random tools with random options and draws anywhere, usually on plants.
 class RandomHand {
 public:
     explicit RandomHand(std::uint64_t seed)
@@ -27,8 +27,8 @@ public:
 
     bool happens(double share) { return random_.uniform() < share; }
 
-    // Somebody who has not succeeded with a tool yet tries it more often, and where it was drawn
-    // before.
+    // Notes that a tool has succeeded; tools without success are tried more often, and where they
+    // were used before.
     void has_done(tools::Tool const& tool) { ++done_[tool.kind().word]; }
     std::size_t times_done(tools::ToolKind const& kind) { return done_[kind.word]; }
 
@@ -54,7 +54,8 @@ private:
                         count - 1);
     }
 
-    // Where there are many plants already, more of them go than come.
+    // Returns a random tool. If there are many plants, it removes plants more often than it adds
+    // them.
     tools::Tool any_tool(scene::Scene const& scene)
     {
         constexpr std::size_t kMany = 5;
@@ -74,7 +75,8 @@ private:
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             auto const& [option, value] = numbers[i];
             if (happens(
-                    0.4)) // Not far, or nearly all plants would be the largest that there may be.
+                    // Short strokes, since otherwise nearly all plants would have the maximum size.
+                    0.4))
                 tool = tools::with_number(tool, i,
                                           std::clamp(std::round(value * random_.uniform(0.7, 1.2)),
                                                      option.least, option.greatest));
@@ -106,7 +108,7 @@ private:
         std::vector<Vec3> places { place() };
         for (std::size_t more = 1 + below(4); more > 0; --more)
             places.push_back(happens(0.3) ? place() : Vec3(places.back() + 0.3 * anywhere()));
-        if (happens(0.2)) // An outline comes back.
+        if (happens(0.2)) // A path that returns to its beginning, as an outline does.
             places.push_back(places.front());
         if (tool.kind().surface != tools::Surface::Space)
             for (auto& at : places) {

@@ -8,7 +8,7 @@
 
 namespace tractus::pictures {
 
-// A PNG of that size.
+// Returns a PNG of the given size.
 inline std::string small_png(int width = 40, int height = 30)
 {
     std::ostringstream out;

@@ -16,7 +16,8 @@ namespace tractus::silhouette {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// Runs `tractus silhouette` in a folder of its own, in which oak.json is the drawing of a crown.
+// Fixture that runs `tractus silhouette` in an empty folder in which oak.json is the drawing of a
+// crown.
 class SilhouetteCommand : public ::testing::Test {
 protected:
     SilhouetteCommand()
@@ -29,7 +30,7 @@ protected:
 
     std::string path(std::string const& name) const { return (folder_ / name).string(); }
 
-    // A round crown with five lobes above.
+    // Returns a round crown with five lobes at the top.
     static json crown()
     {
         json drawing { { "trunk", { { 0, -90 }, { 0, 50 } } } };
@@ -41,7 +42,7 @@ protected:
         return drawing;
     }
 
-    // Once around its lobe at the right above.
+    // Returns an outline around the crown's upper right lobe.
     static json part()
     {
         json stroke;

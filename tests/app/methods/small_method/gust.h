@@ -6,10 +6,10 @@
 
 namespace tractus::methods {
 
-// A method as small as one can be that has a bit of everything: a gust of wind along a stroke. Only
-// here, to show what the seam takes without a change of the program.
+// A minimal method that has every kind of part: a gust of wind along a stroke. It exists only in
+// tests, to show that a method can be added without changing the program.
 
-// The edit: leans the plant along a stroke, so many times as far as that goes.
+// Edit that leans the plant along a stroke, by a multiple of the stroke's length.
 struct BlowGust {
     static scene::EditKind const kKind;
 
@@ -17,19 +17,19 @@ struct BlowGust {
     double strength = 1;
 };
 
-// The tool that draws it.
+// Tool that draws the gust.
 struct GustTool {
     static tools::ToolKind const kKind;
 
     enum class Towards { End, Start };
     Towards towards = Towards::End;
-    double strength = 1; // 0.1 to 5.
+    double strength = 1; // From 0.1 to 5.
 };
 
-// The layer that shows how far the gusts reach.
+// Layer that shows the reach of the gusts.
 extern tools::Layer const kGustLayer;
 
-// The program's methods and this one.
+// Returns the program's methods and the gust.
 tools::Methods methods_with_gust();
 
 } // namespace tractus::methods

@@ -11,23 +11,23 @@
 
 namespace tractus::lines {
 
-// What illustrators do that a reader of sketches has to understand.
+// Habits of illustrators that a reader of sketches has to understand.
 enum class Habit {
     None,
     Hooks,
     StemInPieces,
-    StemRedrawn, // Its top 15 to 25 mm aside; at most an eighth of it.
+    StemRedrawn, // The top 15 to 25 mm of the stem, at most an eighth of it, redrawn to one side.
     BoundaryInTwo,
     BoundaryInFour,
-    BoundaryPart, // The middle of one drawn again up to 8 mm further out.
-    Restated,     // A line drawn again as it is.
+    BoundaryPart, // The middle of a boundary redrawn up to 8 mm further out.
+    Restated,     // A line drawn twice.
     Outline,      // Both boundaries in one closed stroke.
-    OpenOutline,  // Both in one stroke from foot to foot.
+    OpenOutline,  // Both boundaries in one stroke from base to base.
     HalvesApart,  // Halves of inclination lines that begin up to 7 mm beside the stem.
-    AnyOrder,     // The stem not first.
-    TipToBase,    // The stem from its top.
-    Crown,        // A palm: boundaries around the crown alone.
-    Overshoot,    // Lines reach further than they are meant.
+    AnyOrder,     // The stem is not drawn first.
+    TipToBase,    // The stem is drawn from its top.
+    Crown,        // A palm: boundaries only around the crown.
+    Overshoot,    // Lines extend further than intended.
 };
 constexpr std::array kHabitNames { "none",
                                    "hooks at both ends",
@@ -46,7 +46,7 @@ constexpr std::array kHabitNames { "none",
                                    "overshoot" };
 constexpr std::size_t kHabitCount = kHabitNames.size();
 
-// Whether one sketch can have both.
+// True if one sketch can show both habits.
 inline bool go_together(Habit a, Habit b)
 {
     auto const group = [](Habit habit) {
@@ -75,11 +75,11 @@ struct DrawnStroke {
 
 struct DrawnSketch {
     std::vector<DrawnStroke> strokes;
-    LineSketch meant {}; // What the person wants, without numbers of nodes.
+    LineSketch meant {}; // The intended sketch, without numbers of nodes.
     double tremor_mm = 0;
 };
 
-// Draws one sketch with some habits. Half of the people are left-handed: what they draw is the
+// Draws a sketch with given habits. Half of the illustrators are left-handed: their drawing is the
 // mirror image.
 class HabitualIllustrator {
 public:
@@ -104,7 +104,8 @@ public:
     {
         DrawnSketch sketch { .strokes = {}, .tremor_mm = tremor_mm_ };
         auto stem = draw_stem(sketch);
-        std::vector<std::vector<DrawnStroke>> rest; // What is drawn one after the other.
+        // Groups of strokes, each drawn one after the other.
+        std::vector<std::vector<DrawnStroke>> rest;
         draw_boundaries(sketch, rest);
         draw_inclinations(sketch, rest);
         if (has(Habit::Restated))
@@ -123,7 +124,7 @@ private:
         return std::find(habits_.begin(), habits_.end(), habit) != habits_.end();
     }
 
-    Vec3 place(double t, double beside) const // Shares of the height; the left above 0.
+    Vec3 place(double t, double beside) const // Shares of the height; positive on the left.
     {
         double const turn = bow_ * t;
         double const small = 1e-6;
@@ -208,7 +209,7 @@ private:
         }
         for (auto const role : { Role::Left, Role::Right }) {
             auto const& line = role == Role::Left ? left : right;
-            auto const is_one = hand_.chance(0.5); // Habits are those of one of the two.
+            auto const is_one = hand_.chance(0.5); // Applies a habit to only one of the two lines.
             if (has(Habit::BoundaryInTwo))
                 rest.push_back(as_strokes(hand_.pieces(line, 2), role));
             else if (has(Habit::BoundaryInFour) && (is_one || role == Role::Left))
@@ -297,12 +298,12 @@ private:
         return stroke;
     }
 
-    // Corrections come after what they correct.
+    // Puts the strokes in order, with corrections after what they correct.
     void arrange(DrawnSketch& sketch, std::vector<DrawnStroke> stem,
                  std::vector<std::vector<DrawnStroke>> rest)
     {
         std::vector<std::vector<DrawnStroke>> corrections;
-        if (has(Habit::BoundaryPart)) { // Behind both boundaries.
+        if (has(Habit::BoundaryPart)) { // After both boundaries.
             corrections.push_back(rest[2]);
             rest.erase(rest.begin() + 2);
         }
@@ -314,7 +315,8 @@ private:
         if (has(Habit::AnyOrder))
             rest.insert(rest.begin() + 1 + static_cast<std::ptrdiff_t>(hand_.below(rest.size())),
                         stem);
-        else if (has(Habit::StemRedrawn)) { // Anew when it is seen with what stands on it.
+        // After the first lines on the stem, with which the illustrator sees it.
+        else if (has(Habit::StemRedrawn)) {
             rest.insert(rest.begin(), { stem[0] });
             rest.push_back({ stem[1] });
         } else

@@ -10,8 +10,8 @@
 
 namespace tractus::lines {
 
-// Sketches as a hand draws them. What the lines are meant as is known; how they are told apart is
-// not.
+// Sketches as a hand draws them, with known meaning of the lines, independent of how lines are
+// recognised.
 class Illustrator {
 public:
     explicit Illustrator(unsigned seed)
@@ -31,13 +31,13 @@ public:
         std::vector<Vec3> stroke;
     };
 
-    // How far its lines reach beside the stem.
+    // Returns how far the lines extend beside the stem.
     double width_mm(Role side) const
     {
         return side == Role::Left ? width_left_mm_ : width_right_mm_;
     }
 
-    // The stem first.
+    // Draws a sketch, beginning with the stem.
     std::vector<Meant> draw()
     {
         std::vector<Meant> rest;
@@ -47,7 +47,7 @@ public:
             add_boundary(rest, Role::Right);
         add_inclinations(rest);
         std::shuffle(rest.begin(), rest.end(), random_);
-        if (chance(0.3)) { // A line that did not please is drawn again, later.
+        if (chance(0.3)) { // A line that did not please is redrawn later.
             auto const& earlier = rest[random_() % rest.size()];
             rest.push_back({ earlier.role, trembling(earlier.stroke) });
         }
@@ -67,7 +67,7 @@ private:
     }
     bool chance(double share) { return between(0, 1) < share; }
 
-    // A place as far along the axis and as far beside it, the left above 0.
+    // Returns a position given along the axis and beside it, positive on the left.
     Vec3 place(double t, double beside_mm) const
     {
         double const turn = bow_ * t;

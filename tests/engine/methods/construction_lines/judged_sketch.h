@@ -11,14 +11,14 @@
 
 namespace tractus::lines {
 
-// What a reader has made of a drawn sketch.
+// A reader's interpretation of a drawn sketch.
 struct ReadSketch {
-    std::vector<Role> roles; // One for each stroke.
+    std::vector<Role> roles; // One role for each stroke.
     LineSketch sketch;
-    std::vector<std::string> reasons {}; // Of strokes that were left out.
+    std::vector<std::string> reasons {}; // Reasons why strokes were left out.
 };
 
-// One after the other, as before sketches were read as a whole.
+// Reads strokes one after the other, as was done before sketches were read as a whole.
 inline ReadSketch read_one_by_one(DrawnSketch const& drawn)
 {
     LineRecogniser recogniser;
@@ -43,8 +43,8 @@ inline ReadSketch read_as_whole(DrawnSketch const& drawn)
     return read;
 }
 
-// Empty: the sketch was read as it was meant. Else what is wrong. Lengths are compared as shares of
-// the stem's, of which a millimetre more is the hand's.
+// Returns what was misread; empty if the sketch was read as intended. Lengths are compared as
+// shares of the stem's, with 1 mm more for the hand's inaccuracy.
 inline std::string misreading(DrawnSketch const& drawn, ReadSketch const& read)
 {
     for (std::size_t i = 0; i < drawn.strokes.size(); ++i)
@@ -95,7 +95,8 @@ inline std::string misreading(DrawnSketch const& drawn, ReadSketch const& read)
     return most > 0.05 + 2 * slack ? fmt::format("sizes differ by {:.3f}", most) : "";
 }
 
-// A sketch with these habits, 30 to 300 mm high, by a hand that trembles by 0.05 to 0.35 mm.
+// Returns a sketch with these habits, 30 to 300 mm high, by a hand with a tremor of 0.05 to 0.35
+// mm.
 inline DrawnSketch draw_with(std::uint64_t seed, std::vector<Habit> const& habits)
 {
     Hand chooser(seed * 7919 + 17);

@@ -15,7 +15,8 @@
 
 namespace tractus::lines {
 
-// An upright stem of 200 mm between boundaries at 50 and 30 mm; organs lean less and less upwards.
+// Returns a sketch with an upright stem of 200 mm between boundaries at 50 and 30 mm; higher organs
+// lean less upwards.
 inline LineSketch hand_sketch()
 {
     return { .stem = { Vec3(0, 0, 0), Vec3(0, 200, 0) },
@@ -34,7 +35,7 @@ inline std::vector<Vec3> line(std::vector<Vec2> const& points)
     return result;
 }
 
-// A circle's arc about (radius, 0), from straight up to the right.
+// Returns an arc of a circle about (radius, 0), from vertical to the right.
 inline std::vector<Vec3> arc(double radius_mm, double angle_deg, int pieces)
 {
     std::vector<Vec3> points;
@@ -46,7 +47,7 @@ inline std::vector<Vec3> arc(double radius_mm, double angle_deg, int pieces)
     return points;
 }
 
-// Bent to the right, its boundaries and inclination lines with corners.
+// Returns a sketch bent to the right, with corners in its boundaries and inclination lines.
 inline LineSketch bent_sketch()
 {
     return { .stem = arc(100, 60, 100),
@@ -57,7 +58,7 @@ inline LineSketch bent_sketch()
              .nodes_per_layer = { 6 } };
 }
 
-// A stem of few points, with corners of up to 30 degrees.
+// Returns a stem of few points, with corners of up to 30 degrees.
 inline LineSketch coarse_sketch()
 {
     return { .stem = { Vec3(0, 0, 0), Vec3(10, 50, 0), Vec3(40, 90, 0), Vec3(55, 140, 0),
@@ -94,7 +95,7 @@ inline Construction measured(LineSketch const& sketch)
     return result ? *result : *measure_sketch(hand_sketch());
 }
 
-// Why it cannot be measured.
+// Returns the error of measuring a sketch.
 inline std::string refusal(LineSketch const& sketch)
 {
     auto const result = measure_sketch(sketch);
@@ -118,14 +119,14 @@ inline Plant grown(LineModel const& model)
     return *lsystem::interpret(text, *lsystem::derive(text));
 }
 
-// The tips of the organs that the model of a sketch gives.
+// Returns the tips of the organs in the model of a sketch.
 inline std::vector<Vec3> tips_of(LineSketch const& sketch, Pattern const& pattern)
 {
     auto const construction = measured(sketch);
     return organ_tips(construction, grown(write_model(construction, pattern, "plant")));
 }
 
-// How far a point is from a line as seen from the front.
+// Returns the distance of a point from a line, seen from the front.
 inline double distance_mm(Vec3 const& point, std::vector<Vec2> const& line)
 {
     double least = std::numeric_limits<double>::infinity();

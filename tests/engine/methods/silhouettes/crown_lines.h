@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-// Lines on crowns of which all is known. Millimetres; the trunk stands at x = 0.
+// Lines on crowns of known shape. Millimetres; the trunk is at x = 0.
 namespace tractus::silhouette::crown_lines {
 
-// An ellipse at a height, so many times around.
+// Returns an ellipse at a height, traversed `turns` times.
 inline CrownLine ring(double a, double b, double height, double turns = 1)
 {
     constexpr int kPoints = 200;
@@ -20,7 +20,7 @@ inline CrownLine ring(double a, double b, double height, double turns = 1)
     return line;
 }
 
-// A cone from 30 to 120 mm, 40 mm wide at its foot.
+// Returns the radius of a cone from 30 to 120 mm, with a radius of 40 mm at its base.
 inline double cone_radius(double height)
 {
     return 40 * (120 - height) / 90;
@@ -40,7 +40,7 @@ inline CrownLine cone_climb(double turns)
     return line;
 }
 
-// An ellipse in an upright plane.
+// Returns an ellipse in a vertical plane.
 inline CrownLine side(double azimuth_deg, double half_width, double half_height, double middle)
 {
     constexpr int kPoints = 200;

@@ -21,7 +21,7 @@
 
 namespace tractus::silhouette {
 
-// Drawn at 200 Hz with the surface at 140 mm.
+// Returns a stroke drawn at 200 Hz with the surface at 140 mm.
 inline Stroke stroke_of(std::vector<Vec2> const& points)
 {
     Stroke stroke;
@@ -33,7 +33,8 @@ inline Stroke stroke_of(std::vector<Vec2> const& points)
     return stroke;
 }
 
-// The document after an edit that draws on its active plant, or a new plant where there is none.
+// Returns the document after an edit that draws on its active plant, or on a new plant if there is
+// none.
 inline scene::Scene draw_on(scene::Scene const& before, DrawTree edit)
 {
     edit.plant = before.state.active;
@@ -67,8 +68,8 @@ inline Drawing ellipse(double half_width_mm, double half_height_mm)
     return drawing;
 }
 
-// (x, y, radius) of discs that all overlap around the origin: their outline as rays from it meet
-// it.
+// Returns the outline of overlapping discs (x, y, radius) around the origin, sampled along rays
+// from it.
 inline std::vector<Vec2> union_of_discs(std::vector<Vec3> const& discs, int points)
 {
     std::vector<Vec2> outline;
@@ -88,7 +89,7 @@ inline std::vector<Vec2> union_of_discs(std::vector<Vec3> const& discs, int poin
     return outline;
 }
 
-// A crown with lobes from its right over its top to its left, on a smooth bottom.
+// Returns a crown with a smooth bottom and with lobes from its right over its top to its left.
 inline Drawing lobed_crown(int lobes, double first_deg = -25, double last_deg = 205)
 {
     std::vector<Vec3> discs { Vec3(0, 0, 60) };
@@ -101,7 +102,7 @@ inline Drawing lobed_crown(int lobes, double first_deg = -25, double last_deg = 
     return { { union_of_discs(discs, 720) }, upright(-90, 50) };
 }
 
-// A document with a tree of such a crown with five lobes.
+// Returns a document with a tree that has such a crown with five lobes.
 inline scene::Scene lobed_tree()
 {
     auto const drawing = lobed_crown(5);
@@ -111,7 +112,7 @@ inline scene::Scene lobed_tree()
                    { .part = DrawTree::Part::Outline, .stroke = stroke_of(drawing.outline[0]) });
 }
 
-// A closed line through random places, which crosses itself.
+// Returns a closed line through random points, which crosses itself.
 inline Drawing scribble(std::uint32_t number)
 {
     Random random({ 20, 1, number });
@@ -144,7 +145,7 @@ inline std::string refusal(Drawing const& drawing)
     return result ? "it is taken" : result.error().message;
 }
 
-// An outline of the corpus.
+// An outline in the corpus.
 struct Published {
     std::string name;
     Drawing drawing;
@@ -182,7 +183,7 @@ inline std::vector<Published> published_outlines()
     return result;
 }
 
-// The bumps of a drawing, in its frame.
+// Returns the bumps of a drawing, in its frame.
 inline std::vector<Bump> bumps_of(CleanDrawing const& clean)
 {
     auto bumps = find_bumps(ChordalAxis(clean.outline));

@@ -11,7 +11,7 @@
 
 namespace tractus::silhouette {
 
-// The oak's limb at the right, drawn with lobes of its own.
+// Returns the outline of the oak's right limb, with lobes of its own.
 inline std::vector<Vec2> limb()
 {
     std::vector<Vec2> outline;
@@ -30,12 +30,12 @@ inline Skeleton skeleton_of_lines(Drawing const& drawing, SkeletonOptions const&
     return skeleton ? *std::move(skeleton) : Skeleton();
 }
 
-// What is measured of a parent by other means than the style's: places as lengths along the samples
-// of its trunk, angles by their lines.
+// Measurements of a parent, made independently of the style's code: positions as lengths along the
+// samples of its trunk, angles between lines.
 struct Seen {
-    std::vector<double> places; // In millimetres.
+    std::vector<double> places; // Positions in millimetres.
     double length = 0;
-    double angle_deg = 0; // Mean.
+    double angle_deg = 0; // Mean angle.
 };
 inline Seen seen_on(BranchingSystem const& system)
 {
