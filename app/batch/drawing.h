@@ -47,7 +47,8 @@ struct PlantChoice {
 Result<std::vector<scene::Edit>>
 growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth, std::uint64_t seed);
 
-// The scene that such edits give. Fails with a user error if a model's plant has no branches.
+// The scene after the edits of growing_plant_edits(). Fails with a user error if a model's plant
+// has no branches.
 Result<scene::Scene> growing_plant(std::filesystem::path const& model,
                                    std::vector<scene::Edit> const& edits);
 

@@ -20,7 +20,7 @@ Result<std::vector<scene::Edit>> season_edits(scene::Scene const& scene,
 std::vector<scene::Edit> following_edits(scene::Scene const& scene,
                                          std::vector<scene::Edit> const& step);
 
-// The scene in that season; unchanged without one.
+// The scene as it looks in a season; unchanged without one.
 Result<scene::Scene> with_season(scene::Scene scene, std::optional<scene::Season> const& season);
 
 } // namespace tractus::batch

@@ -45,7 +45,8 @@ struct LiveWindowOptions {
     std::filesystem::path folder = ".";
     std::filesystem::path recording {}; // File for a new log of all input; empty: not recording at
                                         // first.
-    // Stores the drawing; its scene replaces the one above. LiveWindow::create() takes it over.
+    // Session that stores the drawing; its scene replaces `scene`. LiveWindow::create() takes the
+    // session over.
     std::optional<session::Session> session {};
     std::function<Timestamp()> now {}; // The clock of the reports.
     // The time that `now` returns, if it advances only by the steps of advance(); otherwise null.

@@ -35,7 +35,7 @@ public:
 
     // The rig that a calibration of both devices would find.
     static calib::Rig rig();
-    // Sets only the height sensor's part of that rig, for use with a real tablet.
+    // Copies only the height sensor's part of rig() into `rig`, for use with a real tablet.
     static void set_height_sensor_in(calib::Rig& rig);
 
     std::unique_ptr<drivers::ReportSource> open_tablet() const;

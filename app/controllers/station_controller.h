@@ -76,8 +76,9 @@ public:
     void perform(view::DressActivePlant const& command, station::Station& station);
     void perform(view::BringLeaf const& command, station::Station& station);
 
-    // After a tool's numbers changed, what was drawn with it follows (ToolKind::follow): the first
-    // only previews this, the second makes it a step. Nothing happens if nothing follows.
+    // Adapts what was drawn with a tool after the tool's numbers have changed (ToolKind::follow).
+    // preview_following() only shows the result, let_follow() makes it an undoable step; neither
+    // does anything if nothing follows.
     void preview_following(tools::Tool const& before, tools::Tool const& after);
     void let_follow(tools::Tool const& before, tools::Tool const& after, station::Station& station);
 

@@ -14,7 +14,7 @@ struct Completion {
     };
     std::vector<Word> words;
 
-    // Whether names of files or folders may stand there as well; the shell lists these itself.
+    // Whether names of files or folders may come next as well; the shell lists these itself.
     enum class Names { None, Folders, Files } names = Names::None;
 };
 

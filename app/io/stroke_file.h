@@ -16,8 +16,8 @@ namespace tractus::io {
 // like a recording (drivers/logs/foreign_log.h).
 bool is_stroke_file(std::filesystem::path const& path);
 
-// Reads the strokes of such a file. Fails with a user error if it cannot be read or has another
-// format.
+// Reads the strokes of a file that is_stroke_file() accepts. Fails with a user error if it cannot
+// be read or has another format.
 Result<std::vector<Stroke>> load_strokes(std::filesystem::path const& path);
 
 // The strokes of a scene that shape branches, each once, however many branches it shapes.

@@ -33,16 +33,16 @@ std::vector<DrawnOrgan> drawn_organs(scene::DocumentState const& state);
 // True if the active plant can bear leaves drawn in three views.
 bool takes_organs(scene::DocumentState const& state);
 
-// Returns the edits that add such a leaf to the active plant. Fails with a user error if that plant
-// cannot bear one or the file is invalid.
+// Returns the edits that add a leaf in three views to the active plant. Fails with a user error if
+// that plant cannot bear one or the file is invalid.
 Result<std::vector<scene::Edit>> organ_edits(scene::Scene const& scene,
                                              std::filesystem::path const& file);
 
 // Message for the user after the edits were applied.
 std::string said_of_organ(scene::DocumentState const& after);
 
-// A plant that consists of one such leaf, upright on the ground, with its upper side towards a
-// viewer in front. Fails with a user error if the file is invalid.
+// A plant that consists of one leaf in three views, upright on the ground, with its upper side
+// towards a viewer in front. Fails with a user error if the file is invalid.
 Result<Plant> plant_of_organ(std::filesystem::path const& file);
 
 } // namespace tractus::methods

@@ -36,7 +36,7 @@ public:
 
     // What happens to a line if a reader is too slow.
     enum class Importance {
-        // It is dropped; a line with the number of dropped lines precedes the next kept one.
+        // The line is dropped; a line with the number of dropped lines precedes the next kept one.
         LeaveOut,
         Keep, // The line is queued.
     };

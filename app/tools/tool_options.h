@@ -19,13 +19,13 @@ struct OptionWord {
 struct WordOption {
     std::span<OptionWord const> words;
     enum class Offered {
-        Always, // Its words have buttons whenever a tool of the group is selected.
-        // Its words have buttons when the tool itself is selected; before that only its label has
-        // one, if no word is chosen.
+        Always, // The option's words have buttons whenever a tool of the group is selected.
+        // The option's words have buttons when the tool itself is selected; before that only its
+        // label has one, if no word is chosen.
         InHand,
         BesideLabel, // Like InHand, beside the label's button, which stays.
         InTurn,      // Like InHand, but one button cycles through all words: "Surface: in space".
-        BesideGlyph, // Its words have buttons while the kind's gizmo is visible.
+        BesideGlyph, // The option's words have buttons while the kind's gizmo is visible.
         Never, // No buttons: it decides how new strokes are interpreted, where older logs differ.
         // A button such as "Rule: Opposite" opens the words as cards, beside the user's own presets
         // (tool_cards.h).

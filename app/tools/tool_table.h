@@ -6,8 +6,8 @@
 
 namespace tractus::tools {
 
-// Lines for a terminal: the kind's word with the words that may follow it, "draw
-// [descendants|both]", its key, and what it does.
+// Describes a tool in lines for a terminal: the kind's word with the words that may follow it,
+// "draw [descendants|both]", its key, and what it does.
 std::string describe_tool(ToolKind const& kind);
 
 // The manual's table of all tools, one line each: name in recordings, words, key, and what it does.

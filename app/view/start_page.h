@@ -33,7 +33,7 @@ struct StartCards {
 // One item shown large in place of the cards, with sliders that change it.
 struct StartStudy {
     struct Picture {
-        std::string title {}; // One or two words.
+        std::string title {}; // Title of one or two words.
         // Square picture as in StartCard; null: not ready.
         std::shared_ptr<render::Image const> picture {};
     };

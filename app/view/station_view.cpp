@@ -61,7 +61,8 @@ void StationView::show(station::Station const& station, document::Document const
     take_proposal();
     show_live(station, document);
     bool const is_drawing = is_drawing_ || !document.waiting().empty();
-    // Read after the waiting strokes, so that a stroke is always in one of the two.
+    // Read after the waiting strokes, so that every stroke is found either among those or in the
+    // snapshot.
     auto const snapshot = document.newest();
     state_.unkept_steps = snapshot->unkept;
     if (snapshot->drawn_revision != shown_drawn_revision_)

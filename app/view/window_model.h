@@ -53,8 +53,8 @@ struct OrphanView {
 // A stroke that had no effect.
 struct RefusedStroke {
     InkLine ink {};
-    tools::Surface surface = tools::Surface::Space; // Surface on which it was drawn.
-    std::string why {};                             // Sentence for the user that says why.
+    tools::Surface surface = tools::Surface::Space; // Surface on which the stroke was drawn.
+    std::string why {}; // Sentence for the user that says why the stroke was refused.
 };
 
 // A layer's lines for the active plant. World frame.
@@ -122,7 +122,7 @@ struct WindowState {
     Bounds volume_mm;
 
     std::uint64_t live_revision = 0;
-    double surface_height_mm = 0; // World frame.
+    double surface_height_mm = 0; // Height of the surface in the world frame.
     bool is_outside_calibration
         = false; // The height is extrapolated, as the rig was never calibrated there.
     PenView pen;
@@ -143,7 +143,7 @@ struct WindowState {
     // Transforms the skeleton to the world frame.
     Eigen::Affine3f T_world_plant = Eigen::Affine3f::Identity();
     std::uint64_t picture_revision = 0;
-    // No value: there is none, or it is still being decoded.
+    // Picture behind the drawing; no value: there is none, or it is still being decoded.
     std::optional<ShownPicture> picture {};
     scene::Paper paper {}; // Sheet for tools that draw on paper. Changes with strokes_revision.
 

@@ -26,8 +26,8 @@ struct CardSection {
     std::size_t group = 0;
     std::size_t first = 0;
     std::size_t count = 0;
-    std::size_t column = 0; // Its first column; above 0: it shares a row with the section before
-                            // it.
+    // First column of the section; if above 0, the section shares a row with the one before.
+    std::size_t column = 0;
 };
 
 std::size_t column_count(float width, float scale)

@@ -45,8 +45,8 @@ public:
     float scale() const { return scale_; }
     ImFont* title_font() const { return title_font_; }
 
-    // Process pending events; wait_for_events() waits up to `wait_s` for one. True if any of them
-    // concerned the window, or a frame is still due for earlier ones.
+    // Processes pending events; wait_for_events() waits up to `wait_s` for one. Returns true if any
+    // of them concerned the window, or a frame is still due for earlier ones.
     bool take_events();
     bool wait_for_events(double wait_s);
 

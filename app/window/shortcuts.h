@@ -8,7 +8,7 @@ namespace tractus::window {
 
 // Keyboard shortcuts of the window.
 
-// Handles a shortcut on the drawing page; the calibration page has none of these.
+// Handles a shortcut on the drawing page; the calibration page has no shortcuts.
 void take_shortcut(KeyPress const& press, view::WindowModel& model, Workbench& bench,
                    ToolRing& ring);
 void take_calibration_shortcut(KeyPress const& press, view::WindowModel& model, Workbench& bench);

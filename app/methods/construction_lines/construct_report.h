@@ -8,7 +8,7 @@
 
 namespace tractus::lines {
 
-// What a sketch amounts to, as one line of JSON for other programs:
+// Formats the measurements of a sketch as one line of JSON for other programs:
 //
 //   stem_length  millimetres; lengths below, except leaf_tips, are shares of it; angles in degrees
 //   lines        [x, …]: where the inclination lines cross the stem, from the base

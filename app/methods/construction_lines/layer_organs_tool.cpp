@@ -68,7 +68,7 @@ scene::ItemId leaf_at(lines::PenSketch const& sketch, Vec2 const& place_mm)
     return 0;
 }
 
-// What the stroke begins on: a drawn leaf, or a plant touched at its construction lines.
+// Object on which the stroke begins: a drawn leaf, or a plant touched at its construction lines.
 struct Dragged {
     scene::ItemId plant = 0;
     scene::ItemId organ = 0;

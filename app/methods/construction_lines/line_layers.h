@@ -4,8 +4,8 @@
 
 namespace tractus::lines {
 
-// Layers show the construction lines of the active plant where they stand in front of it. This one
-// shows the stem.
+// Layer of the active plant's stems. Layers of construction lines show them where they stand in
+// front of the plant.
 extern tools::Layer const kStemLayer;
 // Layer of the boundaries (the outlines that organs reach).
 extern tools::Layer const kBoundaryLayer;

@@ -33,7 +33,7 @@ struct LineSketchFile {
     std::vector<std::string> unknown_keys; // Keys of the file that were not understood.
 };
 
-// Reads such a sketch from JSON; lengths are in millimetres, angles in degrees:
+// Reads a sketch of construction lines from JSON; lengths in millimetres, angles in degrees:
 //
 //   pattern          "distichous", "decussate", "spiral", "alternate", or "whorled(N)", N 2 to 24
 //   divergence       angle of "spiral" and "alternate"; default 137.5 and 180

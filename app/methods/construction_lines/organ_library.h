@@ -25,7 +25,8 @@ Result<OrganFile> load_organ(std::filesystem::path const& path);
 // to a built-in leaf if no such file exists. Any other name refers to another sketch.
 bool names_organ(std::string const& name, std::filesystem::path const& folder_of_sketch);
 
-// Loads the leaf that such a name refers to. Fails like own_organ_path() and load_organ().
+// Loads the leaf to which a name in a sketch's file refers. Fails like own_organ_path() and
+// load_organ().
 Result<OrganFile> load_named_organ(std::string const& name,
                                    std::filesystem::path const& folder_of_sketch);
 

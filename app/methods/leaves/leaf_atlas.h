@@ -29,8 +29,8 @@ struct AtlasOptions {
     // Side of a leaf's square cell in pixels; a power of two, as is the side of a page.
     int cell = 512;
     int page = 2048;
-    // Ages, 0 to 1, spread evenly between the two. A leaf's age does not depend on how many leaves
-    // there are.
+    // Range of the leaves' ages, 0 to 1, over which they spread evenly. A leaf's age does not
+    // depend on how many leaves there are.
     double age_from = 0.5;
     double age_to = 0.5;
     std::uint64_t seed = 1;

@@ -4,8 +4,8 @@
 
 namespace tractus::leaf {
 
-// Layers show the lines of the active leaf's drawing where they stand around it. This one shows the
-// outline.
+// Layer of the leaf's outline. Layers of a leaf show the lines of its drawing where they stand
+// around it.
 extern tools::Layer const kLeafOutlineLayer;
 // Layer of the midrib, the veins and the petiole.
 extern tools::Layer const kLeafVeinLayer;

@@ -55,7 +55,7 @@ Result<GrownLeaf> grow_leaf(leaf::Grammar const& grammar, LeafLife const& life);
 // rolled in an old leaf.
 leaf::Leaf::Pose pose_at(double age);
 
-// Age of the colours, 0 to 1, of a leaf of that age.
+// Age of a leaf's colours, 0 to 1, for a leaf of age `age`.
 double color_age(double age);
 
 // Paint options of a leaf: its grammar's colours, without damage. Leaves of different kinds with

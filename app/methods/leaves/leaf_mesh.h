@@ -14,8 +14,7 @@ namespace tractus::leaf {
 // extent.
 Result<mesh::Mesh> leaf_mesh(leaf::LeafTriangles const& leaf, double size_mm);
 
-// The same mesh with pictures as one material, cut out by the pictures' alpha. Fails like
-// leaf_mesh().
+// Like leaf_mesh(), with the pictures as one material, cut out by their alpha.
 Result<mesh::Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf,
                                      leaf::LeafPicture const& picture, double size_mm);
 

@@ -4,7 +4,7 @@
 
 namespace tractus::silhouette {
 
-// Layers show the drawing of the active tree where it stands. This one shows its outlines.
+// Layer of the outlines drawn for the active tree. Layers of a drawing show it where it stands.
 extern tools::Layer const kOutlineLayer;
 // Layer of the drawn trunk and branches.
 extern tools::Layer const kTrunkLayer;

@@ -192,7 +192,8 @@ tools::Glyph show_rule(void const* options)
 // fifth of `coarse`), and clamps to the range.
 double snapped(double value, double coarse, double fine, double least, double greatest)
 {
-    // As a share of a fine step, so that a value on the neighbouring fine step stays there.
+    // Greatest distance to a coarse step, as a share of a fine step, so that a value on the
+    // neighbouring fine step stays there.
     constexpr double kReach = 0.8;
     double const near = std::round(value / coarse) * coarse;
     double const taken

@@ -12,11 +12,11 @@ namespace tractus::sketch {
 struct SketchTool {
     static tools::ToolKind const kKind;
 
-    // Preset. Those before Birch are rules: choosing one also sets the numbers below, which logs
-    // record; its twist and shortest internode apply unless other options override them. From Birch
-    // on they are built-in models, on which numbers and leaves have no effect. The last, Plant,
-    // copies the active plant: the rule or model by which it has grown along a stroke, or its own
-    // model.
+    // Preset of the tool. Presets before Birch are rules: choosing one also sets the numbers below,
+    // which logs record; its twist and shortest internode apply unless other options override them.
+    // From Birch on, presets are built-in models, on which numbers and leaves have no effect. The
+    // last, Plant, copies the active plant: the rule or model by which it has grown along a stroke,
+    // or its own model.
     enum class Card {
         Opposite,
         Whorls,

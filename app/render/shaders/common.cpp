@@ -5,8 +5,8 @@ namespace tractus::render::shaders {
 std::string_view const kColor = R"(
 vec3 linear(vec3 srgb) { return pow(srgb, vec3(2.2)); }
 
-// Reinhard's curve with a white point (Reinhard et al. 2002, "Photographic tone reproduction for
-// digital images", equation 4), then the screen's gamma.
+// Tone mapping with a white point (Reinhard et al. 2002, "Photographic tone reproduction for digital
+// images", equation 4), followed by the screen's gamma.
 vec3 display(vec3 light)
 {
     const float white = 2.6;
@@ -24,7 +24,7 @@ float random_at(uvec3 p)
     return float(h & 0xffffu) / 65535.0;
 }
 
-// Values at whole coordinates, smoothly joined; 0 to 1.
+// Value noise: random values at integer coordinates, smoothly interpolated; 0 to 1.
 float noise(vec3 place)
 {
     vec3 cell = floor(place);
@@ -41,7 +41,7 @@ float noise(vec3 place)
 )";
 
 std::string_view const kFullScreenVertex = R"(
-out vec2 place; // 0 to 1 over the picture.
+out vec2 place; // Position on the screen, 0 to 1.
 void main()
 {
     place = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
@@ -62,11 +62,11 @@ const vec3 kSunColor = vec3(1.0, 0.93, 0.80) * 2.9;
 const vec3 kSkyColor = vec3(0.68, 0.81, 1.0) * 0.92;
 const vec3 kBounceColor = vec3(0.52, 0.47, 0.38) * 0.95;
 
-// What comes from above and, off the ground, from below.
+// Ambient light: from the sky above, and reflected by the ground from below.
 vec3 ambient(vec3 normal) { return mix(kBounceColor, kSkyColor, normal.z * 0.5 + 0.5); }
 
-// The share of the sun that reaches a place on a plant: the mean over a disc in the sun's map, each
-// look-up itself a blend of four comparisons.
+// Share of the sun that reaches a place on a plant: the mean of five look-ups in the sun's depth map, each
+// of which interpolates four depth comparisons.
 float sunlit(vec3 world, vec3 normal)
 {
     vec3 off = world + normal * (sign(dot(normal, sun_direction)) * sun_texel_mm * 1.5);

@@ -11,14 +11,14 @@ layout(location = 2) in float begin_width;
 layout(location = 3) in vec3 end_position;
 layout(location = 4) in vec3 end_color;
 layout(location = 5) in float end_width;
-layout(location = 6) in vec2 traits; // x: 1 for widths in millimetres; y: plus 1 if round, plus 2 if an arrow's head, plus 4 if it fades.
+layout(location = 6) in vec2 traits; // x: 1 if widths are in millimetres; y: sum of 1 if round, 2 if an arrow's head, 4 if it fades.
 
 uniform mat4 T_clip_world;
 uniform vec2 viewport_px;
-uniform float pixels_per_mm; // At clip w = 1.
-uniform vec2 depth_terms;    // The projection's elements (2, 2) and (2, 3).
+uniform float pixels_per_mm; // Scale where clip w is 1.
+uniform vec2 depth_terms;    // Elements (2, 2) and (2, 3) of the projection matrix.
 uniform vec3 fade_color;
-uniform vec3 fade_terms; // The share at most, the height above which nothing fades, 1 / range.
+uniform vec3 fade_terms; // x: greatest share of fade_color, y: height below which curves fade, z: 1 / range.
 
 noperspective out vec2 at_px;
 flat out vec2 begin_px;
@@ -27,12 +27,13 @@ flat out vec2 radii_px;
 flat out vec2 heights_mm;
 flat out vec3 color_a;
 flat out vec3 color_b;
-flat out float look; // As traits.y, without the 4.
-flat out vec2 cap_depths; // How much deeper the round ends are drawn.
+flat out float look; // The value of traits.y without the 4 for fading.
+flat out vec2 cap_depths; // Depth offset of the two round ends.
 
 float radius_of(float width, float w) { return 0.5 * width * (traits.x > 0.5 ? pixels_per_mm / w : 1.0); }
 
-// By a radius, so that where segments meet, a round end fills the gap and hides no neighbour.
+// Depth offset of a round end: one radius, so that an end between two segments fills the gap without
+// covering its neighbour.
 float cap_depth(float radius_px, float w)
 {
     float radius_mm = radius_px * w / pixels_per_mm;
@@ -50,7 +51,7 @@ void main()
 {
     vec4 a = T_clip_world * vec4(begin_position, 1.0);
     vec4 b = T_clip_world * vec4(end_position, 1.0);
-    // What lies behind the eye is cut off just before it.
+    // Clips the part behind the eye.
     const float nearest = 1e-3;
     if (a.w < nearest && b.w < nearest) {
         gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
@@ -71,7 +72,7 @@ void main()
     cap_depths = vec2(cap_depth(radii_px.x, a.w), cap_depth(radii_px.y, b.w));
 
     vec2 run = end_px - begin_px;
-    if (look > 1.5 && traits.x < 0.5) { // Its length follows from its width: see GpuCurves.
+    if (look > 1.5 && traits.x < 0.5) { // The length of an arrow's head follows from its width; see GpuCurves.
         run = normalize(run) * (begin_width * 7.0 / 4.5);
         end_px = begin_px + run;
         radii_px.y = 0.0;
@@ -109,14 +110,15 @@ void main()
     if (mix(heights_mm.x, heights_mm.y, t) > hidden_above_mm)
         discard;
     float radius = mix(radii_px.x, radii_px.y, t);
-    float drawn = max(radius, 0.7); // A thinner line is drawn paler instead.
+    float drawn = max(radius, 0.7); // Least radius; a thinner line is drawn paler instead.
     vec2 off = at_px - begin_px - run * t;
     float cover = clamp(drawn - length(off) + 0.5, 0.0, 1.0) * min(radius / 0.7, 1.0);
     if (look > 1.5)
         cover = min(clamp(radius - length(off) + 0.5, 0.0, 1.0), clamp(place_px + 0.5, 0.0, 1.0));
     if (cover < 0.1)
         discard;
-    // Shaded as a tube by the offset across only, so that the round ends of neighbours do not show.
+    // Shades the line as a tube by the offset across it only, so that the round ends between segments are
+    // invisible.
     float across = clamp(dot(off, vec2(-along.y, along.x)) / max(drawn, 1e-3), -1.0, 1.0);
     vec3 normal = vec3(vec2(-along.y, along.x) * across, sqrt(1.0 - across * across));
     float facing = max(dot(normal, normalize(vec3(-0.5, 0.65, 0.75))), 0.0);

@@ -13,19 +13,19 @@ void main()
     vec2 off = (place - vec2(0.5, 0.52)) * vec2(aspect, 1.0);
     vec3 color = mix(bottom, top, smoothstep(0.15, 1.0, place.y));
     color *= 1.02 - 0.14 * dot(off, off);
-    // A level's worth of grain against bands in the gradient (Jimenez 2014, interleaved gradient noise).
+    // Dithers by one colour level to prevent bands in the gradient (Jimenez 2014, interleaved gradient noise).
     float grain = fract(52.9829189 * fract(dot(floor(gl_FragCoord.xy), vec2(0.06711056, 0.00583715)))) - 0.5;
     pixel = vec4(color + grain / 255.0, 1.0);
 }
 )";
 
 std::string_view const kGroundVertex = R"(
-uniform vec2 corner;  // Of the rectangle at z = 0.
+uniform vec2 corner;  // Corner of the drawn rectangle at z = 0.
 uniform vec2 size;
 uniform mat4 T_clip_world;
 uniform mat4 T_world_plant;
 out vec3 world;
-out vec2 place; // 0 to 1 over the rectangle.
+out vec2 place; // Position in the rectangle, 0 to 1.
 void main()
 {
     place = vec2(gl_VertexID & 1, gl_VertexID >> 1);
@@ -37,23 +37,23 @@ void main()
 std::string_view const kGroundFragment = R"(
 in vec3 world;
 in vec2 place;
-uniform sampler2D sun_ground; // x: hidden share, y: hidden share times distance of what hides, mm.
-uniform vec3 ground_color;    // Linear.
+uniform sampler2D sun_ground; // x: share of the sun that is hidden, y: that share times the occluder's distance in mm.
+uniform vec3 ground_color;    // Linear light.
 uniform float grain_mm;
 out vec4 pixel;
 
-// Light's width as seen from the ground, as a tangent: a sun behind thin haze.
+// Angular width of the sun as a tangent; larger than the real one, like a sun behind thin haze.
 const float kSunWidth = 0.085;
 
 float shadow_at(vec2 uv)
 {
-    // The coarser level lends a little, so that the blur does not end where the finer one does.
+    // A coarser mipmap level contributes a little, so that the blur extends beyond the finer one.
     vec2 wide = textureLod(sun_ground, uv, 5.0).xy + 0.02 * textureLod(sun_ground, uv, 7.0).xy;
     if (wide.x <= 0.0)
         return 0.0;
     float blur_texels = wide.y / wide.x * kSunWidth / (2.0 * sun_texel_mm);
     float level = clamp(log2(max(blur_texels, 1.0)) - 0.6, 0.0, 6.0);
-    float reach = exp2(level) * 1.5 / sun_map_side; // Three quarters of a texel of that level.
+    float reach = exp2(level) * 1.5 / sun_map_side; // Distance of the samples, in the units of uv.
     float sum = textureLod(sun_ground, uv, level).x * 0.2;
     sum += textureLod(sun_ground, uv + vec2(reach, reach * 0.4), level).x * 0.2;
     sum += textureLod(sun_ground, uv + vec2(-reach * 0.4, reach), level).x * 0.2;
@@ -100,7 +100,7 @@ void main()
 
 std::string_view const kShadowFragment = R"(
 in vec2 coordinate;
-uniform float masked; // 1: where the picture is less than half there, the surface is not.
+uniform float masked; // 1: parts where the picture's alpha is below 0.5 are cut out.
 uniform sampler2D picture;
 void main()
 {

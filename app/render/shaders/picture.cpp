@@ -4,11 +4,11 @@ namespace tractus::render::shaders {
 
 std::string_view const kPictureVertex = R"(
 uniform mat4 T_clip_world;
-uniform vec3 corner; // The picture's upper left one; from there its edges go right and down.
+uniform vec3 corner; // Upper left corner of the picture; its edges are `right` and `down`.
 uniform vec3 right;
 uniform vec3 down;
 
-out vec2 place; // In the picture, 0 to 1, rows from top to bottom.
+out vec2 place; // Position in the picture, 0 to 1, rows from top to bottom.
 
 void main()
 {

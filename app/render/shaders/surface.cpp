@@ -12,7 +12,7 @@ layout(location = 5) in vec4 instance_rotation;
 layout(location = 6) in vec3 instance_scale;
 layout(location = 7) in float instance_sky;
 
-uniform vec3 instance_growth; // Of organs that stand for several.
+uniform vec3 instance_growth; // Scale of organs that are drawn in place of several.
 
 vec3 rotated(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
@@ -29,7 +29,7 @@ out vec3 world;
 out vec3 world_normal;
 out vec2 coordinate;
 out float sky;
-flat out vec2 individual; // Random per instance, 0 to 1; the middle of what is no instance.
+flat out vec2 individual; // Random values of the instance, 0 to 1; 0.5 for parts that are not instanced.
 uniform float is_instanced;
 
 void main()
@@ -56,31 +56,31 @@ in float sky;
 flat in vec2 individual;
 
 uniform vec3 eye;
-uniform vec3 base_color; // Linear; times the picture, if there is one.
-uniform float pictured;  // 0: there is none.
-uniform float masked;    // 1: where the picture is less than half there, the surface is not.
+uniform vec3 base_color; // Linear light; multiplied by the picture, if there is one.
+uniform float pictured;  // 1 if there is a picture, otherwise 0.
+uniform float masked;    // 1: parts where the picture's alpha is below 0.5 are cut out.
 uniform sampler2D picture;
-uniform float bumped; // Strength of the picture of normals; 0: there is none. The next ones likewise.
+uniform float bumped; // Strength of the normal map, or 0 if there is none; the maps below have strengths, too.
 uniform sampler2D normals;
 uniform float occluded;
-uniform sampler2D occlusions; // Red.
+uniform sampler2D occlusions; // Ambient occlusion in the red channel.
 uniform float roughened;
-uniform sampler2D roughnesses; // Green; blue: metal.
+uniform sampler2D roughnesses; // Roughness in the green channel, metalness in the blue one.
 uniform float passing;
-uniform sampler2D passings; // Alpha.
+uniform sampler2D passings; // Translucency in the alpha channel.
 uniform float roughness;
 uniform float metalness;
 uniform float translucency;
 uniform float veins;
-uniform float drawn_veins; // 0: the blade has none of its own.
-uniform float is_lit; // 0: the surface's own colour is wanted.
+uniform float drawn_veins; // 1: the shader draws veins; 0: it does not.
+uniform float is_lit; // 0: the surface's own colour is shown, without lighting.
 
 out vec4 pixel;
 
-float coverage = 1.0; // Of the pixel, by the picture's mask.
+float coverage = 1.0; // Share of the pixel that the picture's mask covers.
 
-// What a mask shows of a leaf gets less with each smaller picture, as its teeth and its tip fade: a
-// quarter more alpha a level keeps it about as large.
+// Samples the surface's colour and sets its coverage. In smaller mipmap levels a leaf's mask shrinks, as
+// its teeth and tip fade; a quarter more alpha per level keeps its area about the same.
 vec3 surface_color()
 {
     if (pictured == 0.0)
@@ -102,11 +102,11 @@ float surface_metal() { return roughened > 0.0 ? metalness * texture(roughnesses
 
 float surface_translucency() { return passing > 0.0 ? translucency * texture(passings, coordinate).a : translucency; }
 
-// Share of the sky that the surface's own relief leaves.
+// Share of the sky that the surface's own relief does not occlude.
 float surface_openness() { return occluded > 0.0 ? mix(1.0, texture(occlusions, coordinate).r, occluded) : 1.0; }
 
-// The directions in which u and v grow on the surface, of length 1 and square to its normal. They follow from
-// the screen's derivatives.
+// Computes unit tangents along which u and v increase, perpendicular to the normal, from screen-space
+// derivatives.
 void find_tangents(vec3 n, out vec3 along_u, out vec3 along_v)
 {
     vec2 step_x = dFdx(coordinate);
@@ -118,7 +118,7 @@ void find_tangents(vec3 n, out vec3 along_u, out vec3 along_v)
     along_v = normalize(v - n * dot(v, n) + vec3(1e-9));
 }
 
-// The normal by the picture of normals, whose green points against v.
+// The normal modified by the normal map, whose green channel points against v.
 vec3 bumped_normal(vec3 n)
 {
     if (bumped == 0.0)
@@ -130,16 +130,16 @@ vec3 bumped_normal(vec3 n)
     return normalize(n * max(leaning.z, 0.05) + (along_u * leaning.x - along_v * leaning.y) * bumped);
 }
 
-// Light that one place gets, before it meets the surface's colour.
+// Light at one place, not yet multiplied by the surface's colour.
 struct Light {
-    vec3 front;    // On the side that is seen.
-    vec3 through;  // From the other side.
-    vec3 gloss;    // Mirrored, whatever the colour.
+    vec3 front;    // Light on the visible side.
+    vec3 through;  // Light on the other side, which may shine through.
+    vec3 gloss;    // Specular reflection, independent of the colour.
 };
 
 float mirrored(vec3 n, vec3 view, float rough)
 {
-    // Blinn and Phong's lobe, normalised, with Schlick's Fresnel term for plants' wax (0.04).
+    // Normalised Blinn-Phong lobe with Schlick's Fresnel term for the wax of plants (0.04).
     vec3 h = normalize(sun_direction + view);
     float power = 2.0 / max(rough * rough * rough * rough, 0.002);
     float fresnel = 0.04 + 0.96 * pow(1.0 - max(dot(h, view), 0.0), 5.0);
@@ -152,7 +152,7 @@ Light light_at(vec3 n, vec3 view)
     float rough = surface_roughness();
     float open = (sky * sky * 0.25 + sky * 0.75) * surface_openness();
     float facing = dot(n, sun_direction);
-    vec3 filtered = mix(vec3(0.80, 0.92, 0.52), vec3(1.0), sky); // Light between leaves is greener.
+    vec3 filtered = mix(vec3(0.80, 0.92, 0.52), vec3(1.0), sky); // Light filtered by other leaves is greener.
     Light light;
     light.front = kSunColor * max(facing, 0.0) * sun + ambient(n) * open * filtered;
     light.through = kSunColor * max(-facing, 0.0) * sun + ambient(-n) * open * filtered;
@@ -162,7 +162,7 @@ Light light_at(vec3 n, vec3 view)
 }
 
 #ifdef BARK
-// Furrows along the branch: ridges of noise on a cylinder, so that there is no seam.
+// Height of the bark's furrows: ridged noise on a cylinder, which has no seam.
 float bark_height(vec2 uv)
 {
     float angle = uv.x * 6.2831853;
@@ -181,8 +181,8 @@ void main()
     float detail = 1.0 - smoothstep(0.008, 0.032, footprint);
     float height = bark_height(coordinate);
 
-    // Bumps: the normal leans against the height's slope. The slope is taken on the surface, since screen
-    // derivatives of the height would show the 2 x 2 pixels that share one.
+    // Bump mapping: tilts the normal against the slope of the height. The slope is computed on the surface,
+    // since screen-space derivatives are constant in blocks of 2 x 2 pixels, which would be visible.
     if (bumped == 0.0) {
         vec3 around;
         vec3 along;
@@ -206,7 +206,7 @@ void main()
 #endif
 
 #ifdef THIN
-// Midrib and side veins, 0 to 1, from the blade's unit square.
+// Strength of the midrib and side veins, 0 to 1, at a place in the blade's unit square.
 float vein_at(vec2 uv)
 {
     float across = abs(uv.x - 0.5) * 2.0;
@@ -257,7 +257,7 @@ void main()
     Light light = light_at(n, view);
     vec3 sum = color * light.front + light.gloss;
     float metal = surface_metal();
-    if (metal > 0.0) { // What is mirrored has the metal's colour, and nothing is scattered.
+    if (metal > 0.0) { // Metals reflect in their own colour and scatter no light.
         vec3 mirrored_sky = ambient(reflect(-view, n)) * sky * surface_openness();
         sum = mix(sum, color * (mirrored_sky + light.gloss / 0.04), metal);
     }

@@ -40,7 +40,7 @@ struct SilhouetteArguments {
     std::vector<fs::path> drawings;
     fs::path output;
     silhouette::TreeForm form; // Form from the options; its patterns are not set, see `patterns`.
-    // One for each level; the last one applies to deeper levels as well.
+    // Pattern of each level; the last one applies to deeper levels as well.
     std::vector<std::string> patterns;
     std::optional<int> whorl;          // Branches in each whorl.
     std::string style;                 // File of a plant whose style is measured and used.
