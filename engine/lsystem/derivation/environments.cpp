@@ -291,7 +291,8 @@ private:
 
     Watch watch_;
     double radius_;
-    std::map<int, std::map<Cell, std::vector<Ball>>> balls_; // Keyed by power of 2 and voxel.
+    // Balls, keyed by power of 2 and voxel.
+    std::map<int, std::map<Cell, std::vector<Ball>>> balls_;
 };
 
 class Terrain {

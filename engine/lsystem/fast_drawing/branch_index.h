@@ -89,7 +89,8 @@ private:
     std::size_t long_branch_;
     std::size_t kind_count_;
     std::array<Step, 256> steps_ {}; // Effects of modules, indexed by kind.
-    std::vector<Pair> pairs_;        // Indexed by first kind * kind_count_ + second kind.
+    // Effects of pairs of modules, indexed by first kind * kind_count_ + second kind.
+    std::vector<Pair> pairs_;
     std::vector<Block> blocks_;
     std::vector<std::int64_t> floors_; // Lowest bracket depth in each superblock.
 };

@@ -123,7 +123,8 @@ private:
     // wait for the writes of the one before it.
     struct Walk {
         std::size_t at = 0;
-        std::size_t parameter = 0;  // Maintained only if step lengths are checked.
+        // Index of the module's first parameter; maintained only if step lengths are checked.
+        std::size_t parameter = 0;
         std::size_t axis_count = 0; // Number of axes in the piece so far.
         std::size_t depth = 0;      // Bracket depth of the current module.
         std::size_t open_polygons = 0;

@@ -21,7 +21,7 @@ enum class SymbolDoes : std::uint8_t {
     Pop,
     Width,
     Color,
-    BendAsOlder, // Elasticity of the tropism of the older kind.
+    BendAsOlder, // Sets the elasticity of the older kind of tropism.
     BeginPath,   // Begins a polygon or a generalised cylinder.
     Dot,
     EndPath,
@@ -78,7 +78,7 @@ enum class AtDoes : std::uint8_t {
     Disc,
     Circle,
     Scale,
-    Movement, // Tropisms, and how a cylinder's sides are carried.
+    Movement, // Tropisms, and parallel transport of a cylinder's sides.
     Cylinder,
     Contour,
     Sides,

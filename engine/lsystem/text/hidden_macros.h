@@ -9,8 +9,8 @@
 namespace tractus::lsystem {
 
 // Numbered sets of macros, each stored once: the "hide sets" of Prosser's algorithm. A token's set
-// contains the macros it came from, which must not replace it again. No value: too many sets, or
-// too many macros in one, as in hostile models.
+// contains the macros it came from, which must not replace it again. Operations give no value if
+// there are too many sets, or too many macros in one set, as in hostile models.
 class HiddenMacros {
 public:
     using Id = std::uint32_t; // Number of a set.

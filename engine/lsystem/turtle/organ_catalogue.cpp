@@ -5,7 +5,7 @@
 
 namespace tractus::lsystem {
 
-// Returns nullptr if the view does not define the organ.
+// Finds an organ by its letter; nullptr if the view does not define it.
 static OrganDefinition const* find_organ(View const& view, char letter)
 {
     auto const found = std::find_if(view.organs.begin(), view.organs.end(),

@@ -258,7 +258,7 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
         return set_sides(symbol);
     case AtDoes::Patch:
         return draw_patch_symbol(symbol);
-    case AtDoes::Cut: // @mc(1). The symbols @mo and @J are for ray tracing only.
+    case AtDoes::Cut: // @mc(1) is a cut; the symbols @mo and @J are for ray tracing only.
         is_cut_ = is_cut_ || (symbol.name[2] == 'c' && symbol.parameter(0, 0) == 1);
         return;
     case AtDoes::Label:

@@ -97,7 +97,7 @@ private:
     void straighten();
 };
 
-// Limits and laws of a view's tropisms, as in cpfg. Each tropism has an elasticity.
+// Maximum number of tropisms in a view. Limits and laws of tropisms are those of cpfg.
 constexpr std::size_t kMaxTropisms = 8;
 using Elasticities = std::array<double, kMaxTropisms>;
 

@@ -9,7 +9,7 @@ namespace tractus::lsystem {
 
 namespace {
 
-// About the number of shapes that a plant can have.
+// Limit on placed surfaces: about the number of shapes that a plant can have.
 constexpr std::size_t kMaxPlacedPatches = 60'000;
 
 // An organ's frame: the turtle's right, its heading and its upper side.

@@ -17,7 +17,8 @@
 
 namespace tractus::lsystem {
 
-// A tropism: a direction that bends the turtle's heading before each step. In cpfg's space (+y up).
+// A tropism: a direction, in cpfg's space (+y up), that bends the turtle's heading before each
+// step.
 struct Tropism {
     // Direction of the tropism; its length is the intensity, at most 1.
     Vec3 direction = Vec3::UnitY();
@@ -41,7 +42,7 @@ struct FunctionTable {
 // An organ's shape and the letter that follows ~ in its symbol.
 struct OrganDefinition {
     char letter = 'l';
-    // Lengths in turtle units instead of millimetres; the material is a turtle colour.
+    // Shape with lengths in turtle units instead of millimetres; its material is a turtle colour.
     OrganShape shape;
     // Grown leaves that replace the shape, one per organ; usually empty.
     std::vector<OrganShape> leaves {};

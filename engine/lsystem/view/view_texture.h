@@ -10,19 +10,19 @@
 
 namespace tractus::lsystem {
 
-// The picture of a material's surfaces: texture= of a material: statement (view.h).
+// Textures of materials: the texture= field of a material: statement (view.h).
 constexpr std::size_t kMostTextureBytes = std::size_t { 16 } << 20;
 constexpr std::int64_t kMostTexturePixels = 16'000'000;
 
-// Lets the material show a picture, and have its mean colour for who shows none: linear light of
-// the pixels that are at least half there. The rows of the material's own picture begin with the
-// file's last one, since v is 0 at the base of organs (engine/mesh/mesh.h). Fails, as the user's
-// fault, in a sentence without the file's name, for what is no PNG file, and for more bytes or
-// pixels than there may be.
+// Gives a material a picture. Its colour becomes the mean, in linear light, of the pixels with an
+// alpha of at least one half, for renderers that show no pictures. The rows of the material's
+// picture begin with the file's last one, because v is 0 at the base of organs
+// (engine/mesh/mesh.h). Fails, as the user's fault, for data that is not a PNG file and for too
+// many bytes or pixels; the message does not name the file.
 Result<void> put_texture(Material& material, std::string_view png);
 
-// Lets the material show the picture in the file of that name in the model's folder, as
-// put_texture() does. A file that cannot be read is a warning.
+// Gives a material the picture in a file of the model's folder, like put_texture(). A file that
+// cannot be read causes a warning.
 Result<void> read_texture(ViewReader& reader, Material& material, std::string const& name);
 
 } // namespace tractus::lsystem

@@ -11,14 +11,15 @@
 
 namespace tractus::self_organising {
 
-// The plant, of any method, from which a self-organising tree grows on, as it was at that moment.
+// The plant from which a self-organising tree continues to grow, as it was at that moment; it may
+// be of any method.
 struct Beginning {
     // The plant together with the strokes that bend it; not null.
     std::shared_ptr<scene::PlantState const> plant;
     // World millimetres per plant millimetre; gives the bending strokes their size.
     double scale = 0.1;
 };
-// All versions of a tree share one beginning.
+// A shared pointer, because all versions of a tree have the same beginning.
 using SharedBeginning = std::shared_ptr<Beginning const>;
 
 // Makes a beginning of the plant with this number in a document. `builder` supplies the scale of a

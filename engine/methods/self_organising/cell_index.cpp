@@ -8,7 +8,7 @@ namespace tractus::self_organising {
 
 Cell cell_at(Vec3 const& position, double side)
 {
-    // Larger cell coordinates would exceed the precision of a double.
+    // Limit on cell coordinates; larger ones would exceed the precision of a double.
     constexpr double kFarthest = 1e15;
     auto const along = [&](double x) {
         return static_cast<std::int64_t>(std::clamp(std::floor(x / side), -kFarthest, kFarthest));

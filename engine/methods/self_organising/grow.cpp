@@ -17,8 +17,8 @@ namespace tractus::self_organising {
 namespace {
 
 struct Environment {
-    // Light and space that each bud perceives. Without directions in Light: they are computed only
-    // for buds that grow.
+    // Light or space that each bud perceives. For Light the directions are left out, because only
+    // buds that grow need them.
     Perceived perceived;
     std::optional<LightGrid> grid;
 };

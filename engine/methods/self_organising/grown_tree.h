@@ -35,7 +35,7 @@ struct GrownTree {
     Habit habit {};
     std::uint64_t seed = 1;
     std::vector<LifePart> life {};
-    // The plant from which the tree grew on; null for a tree grown from a seed.
+    // The plant from which the tree continued to grow; null for a tree grown from a seed.
     SharedBeginning start {};
 };
 
@@ -53,7 +53,7 @@ struct PlantTree {
     scene::ItemId id = 0; // Id of the new plant; 0: not yet assigned.
 };
 
-// Edit: lets a tree grow on for another period.
+// Edit: lets a tree grow for another period.
 struct GrowOn {
     static scene::EditKind const kKind;
 
@@ -61,9 +61,9 @@ struct GrowOn {
     LifePart next {};
 };
 
-// Edit: converts a plant of any method to a self-organising tree that grows on. Its axes become
-// living wood in the shape that strokes and grafts have given them; strokes, indicators and grafts
-// are then removed.
+// Edit: converts a plant of any method to a self-organising tree that continues to grow. Its axes
+// become living wood in the shape that strokes and grafts have given them; strokes, indicators and
+// grafts are then removed.
 struct GrowFrom {
     static scene::EditKind const kKind;
 

@@ -35,7 +35,8 @@ struct Habit {
     // trunk.
     double angle_deg = 50, lateral_angle_deg = 45;
     double divergence_deg = 137.5, lateral_divergence_deg = 137.5;
-    double lateral_start_deg = 0; // 90 together with a divergence of 180 makes flat sprays.
+    // Azimuth of the first laterals; 90 together with a divergence of 180 makes flat sprays.
+    double lateral_start_deg = 0;
     // Standard deviations of the random variation of both angles.
     double divergence_spread_deg = 12, angle_spread_deg = 8;
     double laterals_at_node = 1;
@@ -59,7 +60,7 @@ struct Habit {
     // The fields from here on describe wood.
     double pipe_exponent = 2.3;
     double twig_mm = 3; // Diameter of the outermost twigs.
-    // Multiplies gravity in the computation of sagging branches; 1: real weight of green wood.
+    // Factor on gravity in the computation of sagging branches; 1: real weight of green wood.
     double weight = 1;
     double flare = 0.5; // Extra width of the trunk at the ground, as a share of its width.
 
@@ -69,7 +70,7 @@ struct Habit {
     double leaves_at_node = 1;
     double leaf_mm = 80, leaf_width_mm = 45, petiole_mm = 10;
     double leaf_angle_deg = 60; // Angle between leaf and shoot.
-    double leaf_is_needle = 0;  // 1: a needle; 0: a flat blade.
+    double leaf_is_needle = 0;  // Shape of the leaf: 1 is a needle, 0 a flat blade.
     double leaf_is_evergreen = 0;
     double leaf_red = 0.25, leaf_green = 0.42, leaf_blue = 0.13; // Colours in sRGB, 0 to 1.
     double bark_red = 0.34, bark_green = 0.28, bark_blue = 0.22;
@@ -88,7 +89,8 @@ struct HabitNumber {
 };
 std::span<HabitNumber const> habit_numbers();
 
-// Fails, as the user's fault, for a number out of range; the message names it and the range.
+// Checks a habit. Fails, as the user's fault, for a number out of range; the message names it and
+// the range.
 Result<void> check_habit(Habit const& habit);
 
 // The growth laws for a year of the tree's life, from 1. Lengths in millimetres; buds compete for

@@ -63,7 +63,7 @@ struct Laws {
     double vigour = 2;
     // Weight of the bud's preferred direction in the direction of each new internode.
     double space_weight = 0.6;
-    // Weight of tropism_direction in the same sum; negative: away from it.
+    // Weight of tropism_direction in the direction of each new internode; negative: away from it.
     ByOrder<double> tropism_weight = 0.1;
     Vec3 tropism_direction = Vec3::UnitZ();
     ByOrder<int> most_internodes = 4; // Maximum number of internodes of a shoot in one step.
@@ -95,7 +95,8 @@ struct Laws {
     bool operator==(Laws const&) const = default;
 };
 
-// Fails, as the user's fault, for a value out of range; the message names it and the range.
+// Checks laws. Fails, as the user's fault, for a value out of range; the message names it and the
+// range.
 Result<void> check_laws(Laws const& laws);
 
 } // namespace tractus::self_organising

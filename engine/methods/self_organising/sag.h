@@ -8,7 +8,7 @@ namespace tractus::self_organising {
 
 // Weight and stiffness of branches. Lengths in millimetres.
 struct SagLaws {
-    double weight = 1;              // Multiplies gravity; 0: branches do not sag.
+    double weight = 1;              // Factor on gravity; 0: branches do not sag.
     double density_kg_per_m3 = 900; // Density of green wood.
     double stiffness_gpa = 6;       // Young's modulus of green wood along the grain.
     double leaf_kg = 0.001;         // Mass of the leaves of one internode.

@@ -11,8 +11,8 @@
 
 namespace tractus::sketch {
 
-// Edits of a plant, or of a grafted part of a plant, that grew along a stroke. Strokes on its
-// branches stay where the branches stay. `part` is 0 for the plant itself.
+// Edits of a plant that grew along a stroke, or of such a grafted part of a plant. Strokes on its
+// branches keep their places on these branches. `part` is 0 for the plant itself.
 
 // Edit: another rule, or another model, grows along the same stroke.
 struct ChangeSketch {
@@ -48,8 +48,9 @@ struct RedrawSketch {
 
 // A plant or grafted part that grew along a stroke.
 struct GrownPart {
-    scene::ItemId part = 0;                  // Id of the grafted part; 0: the plant itself.
-    GrowAlongStroke const* sketch = nullptr; // Valid as long as the plant's state exists.
+    scene::ItemId part = 0; // Id of the grafted part; 0: the plant itself.
+    // The edit that grew the part; valid as long as the plant's state exists.
+    GrowAlongStroke const* sketch = nullptr;
 };
 
 // All parts of a plant that grew along strokes, newest first; the plant itself comes last.

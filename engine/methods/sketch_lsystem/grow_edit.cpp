@@ -131,9 +131,8 @@ std::string described(GrowAlongStroke const& edit)
 
 } // namespace
 
-// Names of the fields of each lateral rule in sessions. A file without lateral rules has none of
-// them.
-// The letters of rule files: r, q, k, a, s, v, T, l_min and by.
+// Names of the fields of each lateral rule in sessions; a file without lateral rules has none of
+// them. The letters of rule files are r, q, k, a, s, v, T, l_min and by.
 using LateralNames = std::array<char const*, 9>;
 static constexpr std::array<LateralNames, kMostLateralRules> kLateralNames { {
     { { "A_r", "A_q", "A_k", "A_a", "A_s", "A_v", "A_T", "A_l_min", "A_by" } },

@@ -49,9 +49,10 @@ struct ModelAxis {
 };
 Result<ModelAxis> axis_along(ModelRule const& model, std::span<Vec3 const> nodes_mm, double scale);
 
-// Fails, as the user's fault, if the plant's first axis does not pass through these nodes, given in
-// the plant's frame: the model turns it by something else than the drawn turns. Each node may be
-// off by a thousandth of its segment's length.
+// Checks that a plant follows the drawn axis. Fails, as the user's fault, if the plant's first axis
+// does not pass through these nodes, given in the plant's frame, because the model turns it by
+// something other than the drawn turns. Each node may be off by a thousandth of its segment's
+// length.
 Result<void> check_follows(std::string const& name, Plant const& plant,
                            std::span<Vec3 const> nodes_mm);
 
