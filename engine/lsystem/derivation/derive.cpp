@@ -167,7 +167,8 @@ Result<void> Derivation::step(int number)
     machine_.run(model_.start_each);
     out_.kinds.clear();
     out_.parameters.clear();
-    if (table_) // Every module is one byte here.
+    // Models with a context table have strings of one byte per module, without parameters.
+    if (table_)
         table_->rewrite(in_.kinds, out_.kinds, std::min(limit().modules, limit().bytes), piece_);
     else if (plan_.is_fixed() && !subsystems_)
         TRY(rewrite_fixed());

@@ -8,8 +8,8 @@ namespace tractus::lsystem {
 
 // The built-in environments. Each writes its answer to the first parameter of ?E(answer, ...);
 // further parameters follow as far as the module has them. Lengths are in turtle units; y is up.
-// All queries of a string are answered together after each step, in the order of the string. What
-// an environment remembers is reset with the axiom. Results are deterministic.
+// All queries of a string are answered together after each step, in the order of the string. An
+// environment's state is reset with the axiom. Results are deterministic.
 //
 // light (Palubicki et al. 2009: shade propagation)
 //   ?E(light, weight, x, y, z): an object of this weight (default 1) at the turtle casts shade into

@@ -28,7 +28,7 @@ struct TurtlePlant {
 // left, right; | turn around; [ ] push, pop; ! # decrease, increase or set the line width, which is
 // a diameter; ; , increase, decrease or set the colour; { . } polygon; ~X organ or surface; @v roll
 // until the left vector is horizontal; @M(x,y,z) @R(h[,u]) set position, frame; @o @O ball, @c flat
-// disc, @bo @bc ball and disc as thick as the line; @D @Di @Dd set, multiply, divide the scale;
+// disc, @bo @bc circle drawn as a line; @D @Di @Dd set, multiply, divide the scale;
 // ?(id[,s]) $ enter a sub-L-system s times as large, leave it; @Ts @Ti @Td elasticity of a tropism,
 // _ that of the older kind, @Tf @Tp carry the sides; @Gs @Gc(rings) @Ge(rings) generalised
 // cylinder, {(1) ... }(1) along a Hermite path, {(2) a closed one, {(3) {(4) B-splines, @Gt @Gr

@@ -152,7 +152,8 @@ std::size_t PieceTurtle::draw_one()
                                 parameter_, at_ + 1,        parameter_ + parameter_counts_[kind] };
     auto const read = homomorphism_.expand(rest, around, [&](Modules const& modules) {
         ++drawn_;
-        if (drawn_ >= kDrawnBatch) { // A single module may become more than the limit allows.
+        // A single module may expand to more modules than the limit allows.
+        if (drawn_ >= kDrawnBatch) {
             count();
             if (job_.is_over_limit())
                 return std::size_t { 0 };

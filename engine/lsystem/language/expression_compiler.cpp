@@ -415,7 +415,7 @@ Result<Register> ExpressionCompiler::missing_call(MissingFunction const& functio
         if (cursor_.peek() == '"') {
             TRY(quoted_text());
         } else {
-            cursor_.take("&"); // The address operator of an argument of fscanf.
+            cursor_.take("&"); // Skips the address operator of an argument of fscanf.
             auto const argument = TRY(expression(program));
             if (!first && function.which == MissingFunction::Value::FirstArgument)
                 first = argument;

@@ -99,7 +99,8 @@ double VirtualMachine::normal()
     return radius * std::cos(2 * kPi * uniform());
 }
 
-// Marsaglia and Tsang, "A simple method for generating gamma variables", ACM TOMS 26(3), 2000.
+// Method of Marsaglia and Tsang, "A simple method for generating gamma variables", ACM TOMS 26(3),
+// 2000.
 double VirtualMachine::gamma(double shape)
 {
     if (!(shape > 0))

@@ -52,7 +52,8 @@ double angle_about(Vec3 const& axis, Vec3 const& from, Vec3 const& to)
     return std::atan2(axis.dot(from.cross(to)), from.dot(to));
 }
 
-// Cubic of (share of the path, radius) between two control points.
+// Coefficients of the cubic (share of the path, radius) between two control points, in ascending
+// powers of t.
 std::array<Vec2, 4> radius_curve(CylinderPoint const& from, CylinderPoint const& to,
                                  double tangent_mm)
 {

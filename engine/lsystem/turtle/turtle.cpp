@@ -277,8 +277,8 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
     }
 }
 
-// Interprets @Ts, @Ti and @Td (elasticity), @Tp (carry the sides), @Tf (carry them from here on)
-// and @Tx (texture).
+// Interprets @Ts, @Ti and @Td (elasticity), @Tp (parallel transport of the sides), @Tf (start of
+// that transport) and @Tx (texture).
 void Turtle::draw_movement_symbol(Symbol const& symbol)
 {
     switch (symbol.name[2]) {

@@ -101,9 +101,9 @@ private:
 constexpr std::size_t kMaxTropisms = 8;
 using Elasticities = std::array<double, kMaxTropisms>;
 
-// Bends the frame before a step. The heading turns towards V = sum e (cos g T + sin g T x (H x T) /
-// |H x T|), about H x V and by its length in radians; then torques roll the frame.
-//
+// Bends the frame before a step. The heading H turns towards V = sum e (cos g T + sin g T x (H x T)
+// / |H x T|) over the tropisms with elasticity e, direction T and angle g: about H x V and by the
+// length of H x V in radians. Then torques roll the frame.
 // `before` is the frame after the last segment, or where @Tf was. cpfg carries the sides from
 // there, so rolls since then are lost where a tropism bends the heading. A torque changes `before`.
 void bend_by_tropisms(TurtleFrame& frame, TurtleFrame& before, std::vector<Tropism> const& tropisms,

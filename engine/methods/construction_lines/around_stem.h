@@ -44,7 +44,7 @@ std::optional<double> reach_mm(OrganRay const& organ, DrawnStem const& stem,
 struct SizesAside {
     double low = 0; // Sizes at the two boundaries, `low` and `high`.
     double high = 0;
-    // Difference in azimuth between the two boundaries; above 0, as the other gaps.
+    // Difference in azimuth between the two boundaries; above 0, like the other gaps.
     double gap_deg = 360;
     // Sizes of the boundary before the first one and of the one after the second, and the gaps to
     // them; the neighbours may be the same two boundaries.

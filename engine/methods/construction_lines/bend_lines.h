@@ -50,10 +50,10 @@ inline constexpr std::array kHeadingPlaces { 0.0, 1.0 / 3, 2.0 / 3, 1.0 };
 constexpr double kGreatestHeading_deg = 90; // Maximum heading to either side.
 
 // Bends a stem so that at one of kHeadingPlaces it has the heading `heading_deg` as seen on the
-// sheet: from up, positive to the left. The heading at the neighbouring places is unchanged. The
-// sheet bends with the stem: lines cross it where they did and reach as far, and stems attached to
-// it keep their shape. Foot and length are unchanged. Fails with Fault::User if the line is no
-// stem, or if the sketch would give no plant.
+// sheet, which is measured from up and positive to the left. The heading at the neighbouring places
+// is unchanged. The sheet bends with the stem: lines cross it where they did and reach as far, and
+// stems attached to it keep their shape. Foot and length are unchanged. Fails with Fault::User if
+// the line is no stem, or if the sketch would give no plant.
 Result<PenSketch> with_heading(PenSketch sketch, scene::ItemId stem, std::size_t place,
                                double heading_deg);
 

@@ -172,7 +172,7 @@ private:
                         && !meets(lies_[i].first(), lies_[k]) && !meets(lies_[i].last(), lies_[k]));
             }
         }
-        // Drawing a boundary twice is the less likely, the less the second stroke looks like a
+        // A second boundary on one side is less likely if its stroke does not look like a
         // correction.
         return 0.35 * std::clamp(clash / 0.5, 0.0, 1.0) + (is_loose ? 0.8 : 0)
             - (0.8 + 2 * small_piece(lies_[i])) * best_junction;

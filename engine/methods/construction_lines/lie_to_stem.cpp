@@ -40,7 +40,7 @@ Lie lie_of(DrawnLine const& stroke, DrawnLine const& stem)
     double left = 0;
     double reach_left_mm = 0;
     double reach_right_mm = 0;
-    bool beside = false; // True if any point since then was beside the stem, not beyond its ends.
+    bool beside = false; // True if any later point was beside the stem, not beyond its ends.
     for (auto const& point : stroke.points()) {
         double const at_mm = stem.nearest_mm(point);
         double const distance_mm = stem.distance_mm(point);

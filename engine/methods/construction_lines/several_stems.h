@@ -31,8 +31,8 @@ struct MeasuredStem {
 };
 
 // Returns the earlier stem to which one that begins at this point of the sheet is attached: the
-// nearest whose line passes within 5 mm. No value if there is none, and near an earlier stem's
-// foot, where stems of a clump begin.
+// nearest whose line passes within 5 mm. No value if there is none, or if the point is near an
+// earlier stem's foot, where stems of a clump begin.
 std::optional<std::size_t> parent_at(std::span<StemLines const> stems, Vec2 const& foot_mm);
 
 // Returns, for each stem, the one whose lines define its organs: itself if it has a boundary, else

@@ -78,7 +78,7 @@ private:
         bool const is_straight_before = span == 0 || stops_.is_corner[span];
         bool const is_straight_behind = span + 2 == stops_.count() || stops_.is_corner[span + 1];
         Shares made { .first = span == 0 ? 0 : span - 1 };
-        // Weights from the control point before the span on.
+        // Weights of four control points, beginning with the one before the span.
         std::array<double, 4> of { 0, begin, end, 0 };
         if (is_straight_before) {
             of[1] -= leave;

@@ -116,8 +116,8 @@ Result<Attributes> Leaf::attributes_of(char face, Fields const& fields, TextPlac
     return attributes;
 }
 
-// Placement of a child face on an edge. Its edge O runs opposite to the parent's edge; x points
-// away from the parent, and z is the parent's.
+// Placement of a child face on an edge. Its edge O runs opposite to the parent's edge, its x axis
+// points away from the parent, and its z axis follows the parent's.
 Leaf::Stand Leaf::stand_on(Dart edge, Shape shape) const
 {
     auto const& parent = faces_[static_cast<std::size_t>(map_.face(edge))];

@@ -114,8 +114,8 @@ Result<bool> Leaf::split(Splitting const& splitting, FaceId face, TextPlace cons
     return true;
 }
 
-// The axiom's edge O, or, if something has grown on it, the first edge of the border in order of
-// creation.
+// Start of the border: the axiom's edge O or, if something has grown on it, the first edge of the
+// border in order of creation.
 Dart Leaf::border_start() const
 {
     for (auto const d : map_.cycle(faces_.front().first))

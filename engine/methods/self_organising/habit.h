@@ -37,7 +37,7 @@ struct Habit {
     double divergence_deg = 137.5, lateral_divergence_deg = 137.5;
     // Azimuth of the first laterals; 90 together with a divergence of 180 makes flat sprays.
     double lateral_start_deg = 0;
-    // Standard deviations of the random variation of both angles.
+    // Standard deviations of the random variation of the divergence and branching angles.
     double divergence_spread_deg = 12, angle_spread_deg = 8;
     double laterals_at_node = 1;
     // Laterals at the end of each annual shoot of the trunk; 0: as many as at any other node.

@@ -27,8 +27,8 @@ void set_lateral_buds(GrowingTree& tree, std::uint32_t node, Laws const& laws, s
 // Adds the nodes of all shoots, in the shoots' order, each node with its lateral buds. Each
 // internode changes direction: d <- unit(d + space_weight * pull + tropism_weight *
 // tropism_direction). The nodes' step is tree.step. `seed` decides the variation of lateral buds
-// and which terminal buds die. It is combined with names of axes alone, so an axis grows alike if
-// other parts of the tree differ.
+// and which terminal buds die. It is combined only with the names of axes, so an axis grows the
+// same even if other parts of the tree differ.
 void grow_shoots(GrowingTree& tree, std::vector<Shoot> const& shoots, Laws const& laws,
                  std::uint64_t seed);
 

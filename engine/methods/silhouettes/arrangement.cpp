@@ -202,8 +202,8 @@ double misfit(Pattern pattern, double node, Place const& a, Place const& b)
         return 0;
     auto const& lower = a.u <= b.u ? a : b;
     auto const& upper = a.u <= b.u ? b : a;
-    // The number of nodes between the two is rounded. The paper's floor would put a perfect pattern
-    // exactly on the discontinuities.
+    // The number of nodes between the two branches is rounded. The paper's floor would put a
+    // perfect pattern exactly on the discontinuities.
     double const nodes = std::round((upper.u - lower.u) / node);
     double const period_deg = law.period_deg();
     double rest = std::fmod(upper.theta_deg - lower.theta_deg - nodes * law.turn_deg, period_deg);

@@ -106,8 +106,8 @@ Vec2 way_over(Cubic const& curve, double share)
 
 namespace {
 
-// Rotates the start of a curve until the chord over its first `over` has the angle to the parent
-// that the start was given. The two differ where a curve bends early.
+// Rotates the start of a curve until the chord over the share `over` of its length has the angle to
+// the parent that the curve's start had. Chord and start differ where a curve bends early.
 void settle_angle(Cubic& curve, Vec2 const& along, double over)
 {
     constexpr double kMost_deg = 170;

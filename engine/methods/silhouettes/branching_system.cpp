@@ -56,7 +56,7 @@ Branch branch_to(BranchingSystem const& system, Bump const& bump, BranchCurve pa
 std::optional<std::size_t> bump_at(std::span<Bump const> bumps, Vec2 const& end,
                                    std::span<std::optional<Branch> const> taken)
 {
-    // As a share of the outline's diagonal, which is 1 in this frame.
+    // Tolerance as a share of the outline's diagonal, which is 1 in this frame.
     constexpr double kNear = 0.08;
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i < bumps.size(); ++i) {

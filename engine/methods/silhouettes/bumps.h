@@ -22,7 +22,7 @@ struct Bump {
     Arc cap; // The part of the arc around the bump's end, beyond `end`.
     // Central point E of a bump (Wither 2009): near the middle of a lobe, near the tip of a spike.
     Vec2 end = Vec2::Zero();
-    // Direction in which a branch reaches E, towards the cap. Unit vector.
+    // Unit vector of the direction in which a branch reaches `end`, towards the cap.
     Vec2 tangent = Vec2::Zero();
     double radius = 0;       // Radius of the cap, taken as a circle.
     Vec2 tip = Vec2::Zero(); // The cap's farthest point along `tangent`.

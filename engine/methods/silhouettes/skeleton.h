@@ -51,7 +51,7 @@ struct Skeleton {
     std::vector<BranchingSystem> systems; // Branching systems, the trunk's first.
     // Index of the system of each branch of each system; kNoSystem: the branch has no children.
     std::vector<std::vector<std::size_t>> system_of;
-    // Path of each system's parent (of the model, if it has copies); "": the trunk.
+    // Path of each system's parent branch (for a branch with copies, its own path); "": the trunk.
     std::vector<std::string> parents;
     std::vector<Meridian> surface {}; // Surface of the whole tree's crown (Drawing::surface).
 

@@ -225,7 +225,7 @@ private:
     std::span<Vec2 const> outline_;
     std::vector<Triangle>& triangles_;
     double margin_ = 0;
-    // (Triangle, corner at which the edge starts).
+    // Edges still to be checked: a triangle, and the corner at which the edge starts.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> waiting_;
 };
 
