@@ -30,10 +30,7 @@ struct Choices {
 // Pictures to lay behind the drawing: the newest in each of these folders.
 Choices picture_choices(std::vector<std::filesystem::path> const& folders);
 
-// The leaves that can be chosen for a plant: its own, those of the built-in species, those of
-// grammars in the user's folder, those drawn in the document, and its current foliage if that is
-// none of these. For plants that accept leaves drawn in three views, also built-in ones, the user's
-// and the document's.
+// Files of the leaves that were drawn in a document or are worn by its active plant.
 struct LeavesInDocument {
     struct Drawn {
         std::filesystem::path file {};
@@ -44,6 +41,11 @@ struct LeavesInDocument {
     std::filesystem::path kept {};  // File of the current foliage; empty if it is among the others.
     bool takes_views = false;
 };
+
+// The leaves that can be chosen for a plant: its own, those of the built-in species, those of
+// grammars in the user's folder, those drawn in the document, and its current foliage if that is
+// none of these. For plants that accept leaves drawn in three views, also built-in ones, the user's
+// and the document's.
 Choices leaf_choices(std::filesystem::path const& folder, LeavesInDocument const& document = {});
 
 // A page of cards with pictures, on which a file is chosen. Use from one thread.

@@ -9,14 +9,16 @@
 
 namespace tractus::controllers {
 
-// Writes the grammars of leaves drawn in a document into a folder, one file per leaf in the order
-// of the plants, for pages that show files. A leaf that cannot be written is skipped.
+// A file with the grammar of a leaf that was drawn in a document.
 struct DrawnLeafFile {
     scene::ItemId leaf = 0; // The plant of the document that consists of this leaf.
     std::filesystem::path file {};
 
     bool operator==(DrawnLeafFile const&) const = default;
 };
+
+// Writes the grammars of leaves drawn in a document into a folder, one file per leaf in the order
+// of the plants, for pages that show files. A leaf that cannot be written is skipped.
 std::vector<DrawnLeafFile> write_drawn_leaves(scene::DocumentState const& state,
                                               std::filesystem::path const& folder);
 
@@ -25,6 +27,8 @@ struct DrawnOrganFile {
     scene::ItemId plant = 0; // The plant that has the leaves.
     std::filesystem::path file {};
 };
+
+// Writes the leaves drawn in three views into a folder, like write_drawn_leaves().
 std::vector<DrawnOrganFile> write_drawn_organs(scene::DocumentState const& state,
                                                std::filesystem::path const& folder);
 

@@ -41,7 +41,7 @@ public:
     std::unique_ptr<drivers::ReportSource> open_tablet() const;
     std::unique_ptr<drivers::ReportSource> open_height() const;
 
-    // Positions of the pen since the last call, the last one being current, on the tablet of rig().
+    // Sends the pen's positions since the last call, the current one last, on the tablet of rig().
     // Their times are spread evenly over the time since then, at most 0.1 s. Does nothing before
     // the tablet is opened.
     void move_pen(std::span<sim::TabletPen const> pens);

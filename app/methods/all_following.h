@@ -7,13 +7,15 @@
 
 namespace tractus::methods {
 
-// Edits that must follow a step, in this order: trees whose style is "nearest" take the new nearest
-// style (engine/methods/silhouettes/nearest_style.h), and plants that wear a drawn leaf get its
-// changed drawing (leaves_that_follow() in all_leaves.h).
+// Edits that must follow a step.
 struct Following {
     std::vector<scene::Edit> edits {};
     bool has_leaves = false; // True if some of the edits change leaves.
 };
+
+// Finds the edits that must follow a step, in this order: trees whose style is "nearest" take the
+// new nearest style (engine/methods/silhouettes/nearest_style.h), and plants that wear a drawn leaf
+// get its changed drawing (leaves_that_follow() in all_leaves.h).
 Following edits_that_follow(scene::Scene const& scene, std::vector<scene::Edit> const& step);
 
 } // namespace tractus::methods

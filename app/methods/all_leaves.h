@@ -52,12 +52,14 @@ struct Dressing {
 // Parses leaves as users write them: "oak", "oak+spots=0.3" (leaf_word.h), "mine.leaf".
 Dressing dressing_of_word(std::string const& word);
 
-// The grammar of the chosen leaves, and the name that it has within leaf sheets' names. Fails with
-// a user error if there is none, and if `dressing` asks for the plant's own leaves.
+// A leaf grammar, and the name that it has within the names of leaf sheets.
 struct GrammarOfLeaves {
     std::string name {};
     std::string text {};
 };
+
+// Finds the grammar of the chosen leaves. Fails with a user error if there is none, and if
+// `dressing` asks for the plant's own leaves.
 Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Dressing const& dressing);
 
 // Grows the leaves and returns the edits that put them on a plant of the scene. Fails with a user

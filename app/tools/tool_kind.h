@@ -58,8 +58,8 @@ struct ToolKind {
     char const* done;  // Message after a stroke was drawn.
     char const* help;  // What the tool does, in one line of the manual.
     char const* group; // Text of the button in bar and ring that leads to all kinds of the group.
-    // In a group of several methods: the button, in the first row of the group, that leads to the
-    // kinds of this method. Kinds of other methods are hidden meanwhile.
+    // In a group of several methods: the button, at the beginning of the group's row, that leads to
+    // the kinds of this method. Buttons of other methods' kinds are hidden meanwhile.
     char const* method = "";
     // Icon of the group's button, if this is the group's first kind: polylines separated by spaces.
     // Each point is two digits, column and row on a grid from 00 (upper left) to 99.

@@ -20,8 +20,8 @@ struct WordOption {
     std::span<OptionWord const> words;
     enum class Offered {
         Always, // The option's words have buttons whenever a tool of the group is selected.
-        // The option's words have buttons when the tool itself is selected; before that only its
-        // label has one, if no word is chosen.
+        // The option's words have buttons when the tool itself is selected; before that only the
+        // kind's label has one, unless another option's words are offered always.
         InHand,
         BesideLabel, // Like InHand, beside the label's button, which stays.
         InTurn,      // Like InHand, but one button cycles through all words: "Surface: in space".

@@ -4,8 +4,8 @@
 
 namespace tractus::lines {
 
-// Layer of the active plant's stems. Layers of construction lines show them where they stand in
-// front of the plant.
+// Layer of the active plant's first stem, third stem and so on. Layers of construction lines show
+// them where they stand in front of the plant.
 extern tools::Layer const kStemLayer;
 // Layer of the boundaries (the outlines that organs reach).
 extern tools::Layer const kBoundaryLayer;

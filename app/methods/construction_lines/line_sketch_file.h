@@ -33,6 +33,14 @@ struct LineSketchFile {
     std::vector<std::string> unknown_keys; // Keys of the file that were not understood.
 };
 
+// Values that are given besides a sketch's file and override those in it.
+struct GivenBesides {
+    std::string pattern;
+    std::string sizes {};
+    std::optional<double> divergence_deg;
+    std::vector<int> nodes_per_layer;
+};
+
 // Reads a sketch of construction lines from JSON; lengths in millimetres, angles in degrees:
 //
 //   pattern          "distichous", "decussate", "spiral", "alternate", or "whorled(N)", N 2 to 24
@@ -66,12 +74,6 @@ struct LineSketchFile {
 //
 // Values in `given` override those in the file. Fails with a user error that names the file, the
 // place and what to write.
-struct GivenBesides {
-    std::string pattern;
-    std::string sizes {};
-    std::optional<double> divergence_deg;
-    std::vector<int> nodes_per_layer;
-};
 Result<LineSketchFile> parse_line_sketch(std::string_view text, std::string const& name,
                                          GivenBesides const& given = {});
 

@@ -50,12 +50,13 @@ struct GrowthBrushTool {
 // The habit of a species.
 Habit habit_of(GrowthBrushTool::Species species);
 
-// Interprets a stroke of the tool: a new tree, or further growth of the active one. Fails with a
-// user error if the stroke has no tips.
+// Meaning of a stroke of the tool: a new tree, or further growth of the active one.
 struct BrushedLife {
     scene::ItemId plant = 0; // Tree to continue; 0: a new one.
     LifePart part {};
 };
+
+// Interprets a stroke of the tool. Fails with a user error if the stroke has no tips.
 Result<BrushedLife> brushed_life(GrowthBrushTool const& tool, Stroke const& stroke,
                                  scene::Scene const& scene);
 

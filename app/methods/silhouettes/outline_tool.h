@@ -32,9 +32,10 @@ struct OutlineTool {
     } what
         = What::GoOn;
 
-    // Branches on which a line may begin: the trunk's only, or any, and which other branches get
-    // the style of a branch that is drawn on. New sessions use these defaults. Logs from before
-    // these options lack them; there, lines belong to the trunk, and no style is passed on.
+    // What a drawn branch grows on: always the trunk, the trunk's branch on which the line begins,
+    // or any branch on which it begins. `style` tells which other branches take the style of a
+    // branch that is drawn on. Logs from before these options lack them; their lines grow on the
+    // trunk, and no style is passed on.
     enum class Branches { OfTrunk, OfNearest, OfAny } branches = Branches::OfAny;
     silhouette::StyleTo style = silhouette::StyleTo::Siblings;
 
