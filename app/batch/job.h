@@ -56,7 +56,7 @@ struct JobReport : DrawingReport {
 Result<JobReport> run_job(JobOptions const& options, terminal::Progress& progress);
 
 // Fails with a user error if the folder has files with the names that a job writes but no report of
-// an earlier job: they would not be ours to overwrite.
+// an earlier job, which suggests that they are the user's own.
 Result<void> check_job_folder(std::filesystem::path const& folder);
 
 // Formats the report for the user, as in report.txt.

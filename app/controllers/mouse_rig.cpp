@@ -15,8 +15,8 @@ namespace tractus::controllers {
 namespace {
 
 constexpr double kCountsPerSurfaceMm = 200;
-constexpr std::int32_t kSurfaceLow = 1000; // Away from the ends of the sensor's range, where a
-                                           // reading means a fault.
+// Distance from the ends of the sensor's range, where a reading means a fault.
+constexpr std::int32_t kSurfaceLow = 1000;
 constexpr std::int32_t kSurfaceHigh = 61000;
 constexpr std::int32_t kSurfaceFullScale = 62000;
 static_assert((kSurfaceHigh - kSurfaceLow) / kCountsPerSurfaceMm == MouseRig::kTop_mm);

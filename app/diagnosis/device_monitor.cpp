@@ -13,7 +13,7 @@ namespace tractus::diagnosis {
 using namespace std::chrono_literals;
 
 static constexpr Duration kWindow = 1s;
-// Longer intervals are pauses (the pen was away) and do not count.
+// Interval between reports above which the pen was away; such pauses do not count.
 static constexpr Duration kPause = 100ms;
 
 DeviceMonitor::DeviceMonitor(drivers::DeviceInfo const& info)

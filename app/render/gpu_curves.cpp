@@ -19,7 +19,7 @@ struct SegmentVertex {
     Vec2f traits = Vec2f::Zero(); // x: 1 if widths are in millimetres; y: sum of the flags below.
 };
 
-// Width of an arrow head's base, in line widths; kArrowLength likewise.
+// Width of an arrow head's base in line widths; kArrowLength is its length.
 constexpr float kArrowWidth = 4.5f;
 constexpr float kArrowLength = 7.0f;
 

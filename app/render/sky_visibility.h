@@ -22,7 +22,7 @@ public:
 
     // Visibility on the ground below the plant, as a square image for a texture.
     struct GroundPicture {
-        // side * side values in rows along +x, the first row at the lowest y.
+        // Values of side * side places, in rows along +x, the first row at the lowest y.
         std::vector<float> values;
         int side = 0;
         Vec2f corner_mm = Vec2f::Zero(); // Corner at the first value, in the plant frame.

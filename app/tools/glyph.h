@@ -47,7 +47,7 @@ struct Glyph {
 struct GlyphKind {
     char const* title;
     Glyph (*show)(void const* options);
-    // Applies the drag or press of a handle by the user. Options stay within their ranges.
+    // Applies the user's drag or press of a handle to the options, which stay within their ranges.
     void (*drag)(void* options, std::size_t handle, Vec2 const& to);
 };
 

@@ -65,7 +65,7 @@ private:
     void show_speed(view::WindowModel& model) const;
     static std::vector<BarButton> tool_meanings(view::WindowModel& model, Workbench& bench);
     static std::vector<BarButton> view_meanings(Workbench& bench);
-    // Each: a button per view. Next: one button that switches to the next view, if the others need
+    // Buttons for the views: one per view, or one that switches to the next view if the others need
     // too many rows.
     enum class Views { Each, Next };
     static std::vector<BarButton> main_buttons(view::WindowModel& model, Workbench& bench,

@@ -77,8 +77,7 @@ private:
         return line;
     }
 
-    // Cached preview, and the state it belongs to.
-    // Shared with the document, which may have moved on.
+    // Scene of the cached preview below; shared with the document, which may replace it meanwhile.
     std::shared_ptr<scene::Scene const> shown_scene_;
     int shown_years_ = 0;
     Timestamp began_ {};
