@@ -78,8 +78,7 @@ GLsizei tube_index_count(Material const& material, mesh::TriangleMesh const& sur
     return static_cast<GLsizei>(count);
 }
 
-// Sets up a buffer of instances as attributes of a vertex array. Several vertex arrays may share
-// the buffer.
+// Sets up a buffer of instances, which vertex arrays may share, as attributes of one of them.
 void use_instances(gl::VertexArray const& vertex_array, GLuint instances)
 {
     glBindVertexArray(vertex_array.name());
@@ -153,8 +152,7 @@ void draw_from_afar(GpuMesh::Part const& part, Shader const& shader, float pixel
                             std::min(count, part.instance_count));
 }
 
-// Whether organs of a part are drawn with their pictures, or in the pictures' mean colour, as for
-// the rhombi.
+// Whether organs are drawn with their pictures or in the pictures' mean colour.
 enum class Picture { Drawn, Mean };
 
 // Sets the uniforms of a picture: its sampler, and its strength, which is 0 if there is no picture.

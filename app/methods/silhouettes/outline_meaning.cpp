@@ -132,8 +132,7 @@ DrawnOnBranch const* outline_of(OutlinedTree const& tree, scene::ItemId id)
     return found == tree.own_outlines.end() ? nullptr : &*found;
 }
 
-// Undoes the declaration of a leaf. An outline taken from a bump, not drawn by hand, is erased with
-// it.
+// Undoes the declaration of a leaf; an outline taken from a bump is erased with it.
 scene::Edit no_leaf_any_more(scene::ItemId plant, DrawnOnBranch const& leaf)
 {
     if (leaf.of_bump)
@@ -180,8 +179,7 @@ Result<scene::Edit> declared_on(BumpLeaf const& bump, OutlineTool const& tool, S
                       .plant = plant };
 }
 
-// Gives a new tree its true size and its place on the picture's ground, in the scale of the
-// document's first plant.
+// Gives a new tree its true size and its place on the picture's ground.
 void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Scene const& scene)
 {
     constexpr double kMetre_mm = 1000; // Millimetres of a plant per metre.
@@ -192,8 +190,7 @@ void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Sce
     edit.stands_at_mm.x() += scene.state.picture->place.x_mm;
 }
 
-// Makes a new tree take the style of the nearest tree, unless the user has chosen a form or
-// numbers.
+// Makes a new tree take the nearest tree's style, unless the user chose a form or numbers.
 void take_nearest_style(DrawTree& edit, OutlineTool const& tool, scene::Scene const& scene)
 {
     if (tool.reads != OutlineTool::Reads::Closely || !is_usual(edit.form))
