@@ -36,7 +36,7 @@ struct DeriveOptions {
     // worth a thread's start.
     std::size_t piece = 32'768;
 
-    // Called with the axiom as step 0, then with the string after each step.
+    // Callback that receives the axiom as step 0, then the string after each step.
     std::function<void(int step, ModuleString const& string)> on_step {};
 };
 

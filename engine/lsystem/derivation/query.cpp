@@ -46,7 +46,8 @@ private:
     void answer(char query, std::span<float> parameters) const;
     void ask_environment(Modules const& modules, std::size_t length, std::span<float> parameters);
 
-    // Only the turtle's frame is needed: the drawing is discarded whenever it exceeds this size.
+    // Limit on the size of the drawing, which is discarded whenever it exceeds this: only the
+    // turtle's frame is needed.
     static constexpr std::size_t kMaxParts = 65'536;
     // Limit on stored turtle states; each needs as much memory as many modules.
     static constexpr std::size_t kMaxKept = 1'000'000;

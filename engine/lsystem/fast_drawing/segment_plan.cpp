@@ -148,7 +148,7 @@ private:
     BranchIndex const& index_;
     BranchCutter cutter_;
     std::array<Step, 256> steps_ {};
-    // Indexed by kind: true if an @ followed by this kind is a two-module symbol without effect on
+    // True, for each kind, if an @ followed by this kind is a two-module symbol without effect on
     // segments.
     std::array<bool, 256> is_plain_second_ {};
     Column<std::uint32_t> lengths_; // Number of segments of each axis of the piece.

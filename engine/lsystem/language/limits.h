@@ -8,8 +8,8 @@ namespace tractus::lsystem {
 
 // A time limit for work on a model. The engine itself has no clock; the caller provides one.
 struct TimeLimit {
-    // Called from any thread after every 65,536 modules, rule applications or loop iterations;
-    // returning true ends the work with an error. Empty: no time limit.
+    // Callback that any thread makes after every 65,536 modules, rule applications or loop
+    // iterations; returning true ends the work with an error. Empty: no time limit.
     std::function<bool()> is_over {};
     double seconds = 0; // Duration that the error message names.
 };

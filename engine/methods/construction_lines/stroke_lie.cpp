@@ -72,7 +72,7 @@ double half_cost(StrokeLie const& lie, double stem_mm)
         return kImpossible;
     // Angle of the half line above the perpendicular to the stem.
     double const rise_deg = degrees(std::atan2(far.along - near.along, out - gap));
-    // This term is for a stroke that returns to the stem.
+    // Term for a stroke that returns to the stem.
     return 0.1 + 0.35 * ramp(gap, 0.5 * most_gap, most_gap)
         + 1.5 * ramp(gap, most_gap, 2 * most_gap) + 0.8 * ramp(over, 0.03, 0.08)
         + 1.0 * ramp(rise_deg, 60, 78) + 0.9 * ramp(rise_deg, -20, -55)

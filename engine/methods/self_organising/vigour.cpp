@@ -61,7 +61,8 @@ private:
         auto const& node = tree_.links[i];
         double const lambda = laws_.apical_control;
         double const of_main = terminal_[i];
-        // Summed again: subtracting of_main from the total would lose digits.
+        // The laterals' sum is computed anew, because subtracting of_main from the total would lose
+        // digits.
         double of_laterals = 0;
         for (auto k = node.first_lateral; k < node.first_lateral + node.lateral_count; ++k)
             of_laterals += lateral_[k];

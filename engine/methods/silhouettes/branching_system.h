@@ -42,7 +42,7 @@ struct BranchingSystem {
     bool is_of_own_outline = false;
     // Number of touches that matched one of the system's bumps (bump_touch.h).
     std::size_t touches_taken = 0;
-    // Set if the whole crown is one leaf; there are no branches then.
+    // Leaf that the whole crown is, if any; there are no branches then.
     std::optional<LeafBlade> leaf {};
     // True if the system follows a sibling's style, or if its siblings follow its style. It takes
     // no other style then (sibling_style.h).

@@ -258,7 +258,8 @@ private:
         auto const cells = grid_.cells_of(crown);
         bool const overlaps = static_cast<double>(grid_.count_covered(cells))
             > kMostOverlap * static_cast<double>(cells.count);
-        // Covered even if no branch is added, so that the next gap is a different one.
+        // The cells count as covered even if no branch is added, so that the next gap is a
+        // different one.
         grid_.cover(cells);
         if (overlaps)
             return;

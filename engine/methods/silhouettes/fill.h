@@ -47,7 +47,7 @@ struct Branch {
     std::string style_from {};
     // Touches at bumps of the branch's own outline (bump_touch.h).
     std::vector<BumpTouch> touches {};
-    // Set if the branch ends in a leaf; it has no children then.
+    // Leaf in which the branch ends, if any; the branch has no children then.
     std::optional<LeafBlade> leaf {};
     // Stroke of a branch that was drawn on another branch; empty: the branch follows `path`.
     std::vector<Vec2> stroke {};

@@ -21,7 +21,7 @@ static Result<BranchingSystem> system_with_strokes(Branch const& parent, Inferen
         for (auto& branch : system->branches)
             if (branch.origin == Branch::Origin::Drawn) {
                 branch.stroke = parent.own_branches[branch.number];
-                // Exact end; the frame has rounded it.
+                // The exact end is restored, because the frame has rounded it.
                 branch.path.curve.end = branch.stroke.back();
             }
     return system;

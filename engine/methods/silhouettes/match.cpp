@@ -29,7 +29,7 @@ std::vector<CoverageGrid::Cells> crowns_of(CoverageGrid const& grid, BranchingSy
     return crowns;
 }
 
-// Shared area as a share of the larger of the two.
+// Intersection of two areas as a share of the larger one.
 double shared_area(CoverageGrid::Cells const& a, CoverageGrid::Cells const& b)
 {
     auto const larger = std::max(a.count, b.count);

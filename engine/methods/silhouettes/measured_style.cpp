@@ -55,7 +55,7 @@ public:
         xx_ += x * x;
         xy_ += x * y;
     }
-    // Constant if all points have the same x.
+    // Value of the line at x; constant if all points have the same x.
     double at(double x) const
     {
         double const n = static_cast<double>(std::max<std::size_t>(count_, 1));

@@ -13,7 +13,8 @@ public:
     // Points (x, y) sorted by x, all x distinct; at least one.
     explicit MonotoneCurve(std::vector<Vec2> points);
 
-    double at(double x) const; // Extrapolated linearly beyond the first and last points.
+    // Value of the curve at x, extrapolated linearly beyond the first and last points.
+    double at(double x) const;
 
     std::vector<Vec2> const& points() const { return points_; }
 

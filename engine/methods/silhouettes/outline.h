@@ -30,9 +30,9 @@ struct OwnOutline {
 
 // A branch that was drawn on another branch (own_branch.h).
 struct OwnBranch {
-    std::string branch; // Path of the branch's parent.
+    std::string branch; // Path of the parent branch.
     std::vector<Vec2> line;
-    StyleTo style_to = StyleTo::None; // Style propagation from the branch's parent.
+    StyleTo style_to = StyleTo::None; // Style propagation from the parent branch.
 };
 
 // A touch at the bumps of a drawn outline (bump_touch.h).

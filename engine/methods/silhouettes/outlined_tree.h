@@ -165,8 +165,8 @@ Result<CrownLine> crown_line_of(Stroke const& stroke);
 // branch or bump does not exist. Fails like infer_system().
 Result<std::size_t> count_waiting(OutlinedTree const& tree);
 
-// After lines have changed, keeps the names of the tree's branches and the assignment of lines to
-// branches (kept_names.h). Does nothing if there is no outline.
+// Keeps the names of the tree's branches and the assignment of lines to branches after lines have
+// changed (kept_names.h). Does nothing if there is no outline.
 Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::string const& fresh);
 
 // Builds the plant: as large as drawn when shown at its scale, with its foot at the origin. Without

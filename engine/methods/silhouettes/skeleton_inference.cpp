@@ -39,7 +39,7 @@ void name_branches(BranchingSystem& system, BranchNames const& names, std::strin
         system.branches[i].name = found->second[i];
 }
 
-// Assigns touches to drawn outlines; touches at other outlines have no effect for now.
+// Assigns touches to drawn outlines; touches at other outlines have no effect.
 void give_touches(BranchingSystem& system, std::vector<BumpTouch> const& touches)
 {
     for (auto touch : touches) {

@@ -37,7 +37,8 @@ constexpr std::array<StyleNames, 3> kStyleNames { {
       "twig_angle_deviation_deg" },
 } };
 
-// Written only if set, so that forms without styles keep their file format.
+// Lists the fields of a style. They are written only if the style is set, so that forms without
+// styles keep their file format.
 void list(scene::Fields& fields, StyleNames const& names, BranchStyle& style)
 {
     fields.sparse_field(names.children, &style.children);
@@ -52,7 +53,8 @@ void list(scene::Fields& fields, StyleNames const& names, BranchStyle& style)
     fields.sparse_field(names.angle_deviation_deg, &style.angle_deviation_deg);
 }
 
-// Written only if it is not three, so that older whorls keep their file format.
+// Lists the number of branches in a whorl. It is written only if it is not three, so that older
+// whorls keep their file format.
 void list_whorl(scene::Fields& fields, char const* name, Pattern& pattern)
 {
     int whorl = pattern.whorl == kUsualWhorl ? 0 : pattern.whorl;
