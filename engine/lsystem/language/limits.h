@@ -8,7 +8,7 @@ namespace tractus::lsystem {
 
 // A time limit for work on a model. The engine itself has no clock; the caller provides one.
 struct TimeLimit {
-    // Callback that any thread makes after every 65,536 modules, rule applications or loop
+    // Callback that any thread may call after every 65,536 modules, rule applications or loop
     // iterations; returning true ends the work with an error. Empty: no time limit.
     std::function<bool()> is_over {};
     double seconds = 0; // Duration that the error message names.

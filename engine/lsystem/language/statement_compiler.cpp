@@ -57,8 +57,8 @@ Result<void> StatementCompiler::statement_or_block(Program& program)
     return cursor_.peek() == '{' ? block(program) : statement(program);
 }
 
-// Compiles a condition in parentheses; returns the index of the jump instruction, whose target is
-// still to be set, that is taken if the condition is false.
+// Compiles a condition in parentheses and a jump that is taken if the condition is false. Returns
+// the index of the jump instruction, whose target is still to be set.
 Result<std::uint16_t> StatementCompiler::jump_unless_condition(Program& program)
 {
     if (cursor_.peek() != '(')

@@ -28,7 +28,7 @@ public:
     {
     }
 
-    // Returns true if lines are used at this point.
+    // Returns true if lines at this point are used, and false if a condition skips them.
     bool are_on() const
     {
         return open_.empty() || (open_.back().is_possible && open_.back().is_on);

@@ -25,7 +25,8 @@ struct CylinderStyle {
     bool operator==(CylinderStyle const&) const = default;
 };
 
-// State of the turtle at a control point. Plant frame; heading and normal have unit length.
+// State of the turtle at a control point, in the plant's frame. Heading and normal have unit
+// length.
 struct CylinderPoint {
     Vec3 position_mm = Vec3::Zero();
     Vec3 heading = Vec3::UnitZ();
@@ -35,7 +36,7 @@ struct CylinderPoint {
     CylinderStyle style {};
 };
 
-// A cross-section between two control points. Plant frame.
+// A cross-section between two control points, in the plant's frame.
 struct CylinderSection {
     Vec3 position_mm = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();

@@ -10,7 +10,8 @@
 namespace tractus::lsystem {
 
 // A surface of Bézier patches in the turtle's frame at scale 1: x to the turtle's right, y along
-// its heading, z to its upper side, with the contact point at the origin. Turtle units.
+// its heading, z to its upper side, with the contact point at the origin. Lengths are in turtle
+// units.
 struct BezierSurface {
     std::vector<BezierPatch> patches;
     Vec3 end_point = Vec3::Zero(); // Position of the turtle after drawing the surface.

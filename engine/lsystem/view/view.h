@@ -48,8 +48,8 @@ struct OrganDefinition {
     std::vector<OrganShape> leaves {};
 };
 
-// Contents of a view file (.v): the geometry and appearance of a model. Angles in degrees, lengths
-// in turtle units.
+// Contents of a view file (.v): the geometry and appearance of a model. Angles are in degrees,
+// lengths in turtle units.
 //
 // Besides cpfg's statements there are seven additional ones, which cpfg reports and skips:
 //   material: INDEX NAME kind=bark|stem|leaf|petal|solid color=R,G,B [roughness=] [translucency=]

@@ -49,11 +49,11 @@ Result<BentLine> with_size(PenSketch const& whole, std::size_t place, StemSide s
 inline constexpr std::array kHeadingPlaces { 0.0, 1.0 / 3, 2.0 / 3, 1.0 };
 constexpr double kGreatestHeading_deg = 90; // Maximum heading to either side.
 
-// Bends a stem so that at one of kHeadingPlaces it has the heading `heading_deg` as seen on the
-// sheet, which is measured from up and positive to the left. The heading at the neighbouring places
-// is unchanged. The sheet bends with the stem: lines cross it where they did and reach as far, and
-// stems attached to it keep their shape. Foot and length are unchanged. Fails with Fault::User if
-// the line is no stem, or if the sketch would give no plant.
+// Bends a stem so that at one of kHeadingPlaces it has the heading `heading_deg` on the sheet,
+// measured from up and positive to the left. The heading at the neighbouring places is unchanged.
+// The sheet bends with the stem: lines cross it where they did and reach as far, and stems attached
+// to it keep their shape. Foot and length are unchanged. Fails with Fault::User if the line is no
+// stem, or if the sketch would give no plant.
 Result<PenSketch> with_heading(PenSketch sketch, scene::ItemId stem, std::size_t place,
                                double heading_deg);
 

@@ -22,7 +22,7 @@ struct LineOrgan {
 };
 
 // A measured sketch whose layers may have different organs: leaves, surfaces, and plants of other
-// sketches (2008, section 5).
+// sketches (Anastacio et al. 2008, section 5).
 struct ComposedSketch {
     // Stems of the sketch, at least one. Their layers refer to organs by number.
     std::vector<MeasuredStem> stems;

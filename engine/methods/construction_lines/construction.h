@@ -14,7 +14,8 @@ namespace tractus::lines {
 // The construction lines with which an illustrator blocks in a plant: a stem, the boundaries that
 // the organs' tips reach at its left and right, and inclination lines across it, along which organs
 // are directed (Anastacio, Prusinkiewicz, Sousa, "Sketch-based parameterization of L-systems using
-// illustration-inspired construction lines", 2008). Millimetres on the sheet (drawn_line.h).
+// illustration-inspired construction lines", 2008). Coordinates are in millimetres on the sheet
+// (drawn_line.h).
 struct LineSketch {
     std::vector<Vec3> stem; // Points of the stem, (u, v, depth), base first.
     // Boundaries; empty if not drawn. A missing one is the mirror image of the other.
@@ -27,8 +28,8 @@ struct LineSketch {
     // topmost line has one additional node.
     std::vector<int> nodes_per_layer;
     // Number of nodes between each inclination line, in the order of the list, and the next one
-    // above it; replaces nodes_per_layer unless empty. A single number if there are fewer than two
-    // lines.
+    // above it; replaces nodes_per_layer unless empty. The list has a single number if there are
+    // fewer than two lines.
     std::vector<int> nodes_above {};
     // Boundaries in space, (u, v, depth): each gives the organs' reach at its azimuth around the
     // stem (around_stem.h). Azimuths differ by at least kSameAzimuth_deg; the left and right
@@ -100,8 +101,9 @@ struct Construction {
     double above() const { return 1 - inclinations.back().x; }
 };
 
-// Values of the positional functions (2008, section 4) at the position x, 0 to 1 along the stem.
-// Angles and sizes are linear between nodes, and constant below the first and above the last.
+// Values of the positional functions (Anastacio et al. 2008, section 4) at the position x, 0 to 1
+// along the stem. Angles and sizes are linear between nodes, and constant below the first and above
+// the last.
 struct FunctionValues {
     double heading_deg = 0; // Heading of the stem, as seen on the sheet.
     double pitch_deg = 0;   // Pitch of the stem, towards the viewer.

@@ -16,9 +16,9 @@ namespace tractus::lines {
 // entered by a program or a person, is exact and neither trimmed nor smoothed.
 bool is_drawn_by_hand(std::span<Vec3 const> points);
 
-// Removes the hooks at a line's ends: the part at most 4.5 mm (a fifth of a short line) from an end
-// that departs from the line's course there. The course is determined from a quarter of the line's
-// length, 3 to 20 mm.
+// Removes the hooks at a line's ends. A hook is an end piece of at most 4.5 mm (a fifth of a short
+// line) that departs from the line's course. The course near an end is determined from a quarter of
+// the line's length, 3 to 20 mm.
 std::vector<Vec3> trim_hooks(std::span<Vec3 const> points);
 
 // Returns the direction of a line at its first point, a unit vector on the sheet, measured over a

@@ -11,8 +11,8 @@
 
 namespace tractus::lines {
 
-// An organ drawn in three views (2008, section 6; Figure 2 c), millimetres. Each line has at least
-// two points; a midrib or section without points is straight.
+// An organ drawn in three views (Anastacio et al. 2008, section 6 and Figure 2 c), in millimetres.
+// Each line has at least two points; a midrib or section without points is straight.
 struct OrganViews {
     // Boundaries seen from above, from the organ's base to its tip, (right, up) on the sheet. One
     // without points is the mirror image of the other.

@@ -16,9 +16,8 @@
 namespace tractus::leaf {
 
 // Derivation of a grammar: a leaf's veins as a 2-G-map of faces, and the limb between them.
-//
-// The first face has x along it, y to its left and z out of its upper side; the origin is the
-// middle of its edge O. Lengths are in the grammar's unit.
+// The x axis points along the first face, y to its left and z out of its upper side; the origin is
+// the middle of its edge O. Lengths are in the grammar's unit.
 class Leaf {
 public:
     // Additional deformation of the blade in space. Angles are in degrees, distributed over the

@@ -9,7 +9,7 @@
 
 namespace tractus::self_organising {
 
-// A spherical brush at one moment. Millimetres in the tree's frame.
+// A spherical brush at one moment, in millimetres in the tree's frame.
 struct BrushBall {
     double seconds = 0; // Time since the stroke began; non-decreasing.
     Vec3 centre = Vec3::Zero();

@@ -93,8 +93,8 @@ std::span<HabitNumber const> habit_numbers();
 // the range.
 Result<void> check_habit(Habit const& habit);
 
-// The growth laws for a year of the tree's life, from 1. Lengths in millimetres; buds compete for
-// light.
+// The growth laws for a year of the tree's life, from 1. Lengths are in millimetres; buds compete
+// for light.
 Laws laws_in_year(Habit const& habit, int year);
 
 // The growth laws for a year in which buds compete for a brush's markers, with internodes of the

@@ -9,8 +9,9 @@ namespace tractus::self_organising {
 
 constexpr int kMostYears = 200;
 
-// Grows a tree for one more year without a brush: by light, then sagging under its weight.
-// `surroundings` are those of grow_step(). Lengths in millimetres. Fails like grow_step().
+// Grows a tree for one more year without a brush: its buds compete for light, then its branches sag
+// under their weight. `surroundings` are those of grow_step(). Lengths are in millimetres. Fails
+// like grow_step().
 Result<StepCount> grow_year(GrowingTree& tree, Surroundings& surroundings, Habit const& habit);
 
 // Grows a tree from a seedling for `years` years without a brush, 1 to kMostYears. Fails, as the

@@ -6,7 +6,7 @@
 
 namespace tractus::self_organising {
 
-// Weight and stiffness of branches. Lengths in millimetres.
+// Weight and stiffness of branches. Lengths are in millimetres.
 struct SagLaws {
     double weight = 1;              // Factor on gravity; 0: branches do not sag.
     double density_kg_per_m3 = 900; // Density of green wood.

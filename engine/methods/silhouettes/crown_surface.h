@@ -10,12 +10,11 @@
 namespace tractus::silhouette {
 
 // The surface of a crown around its trunk, in units of the outline.
-//
-// From an outline alone: the right and left halves are curves in (distance from the trunk, height
-// along it). At azimuth theta the surface is the blend w * right + (1 - w) * left with w = (1 + cos
-// theta) / 2. It is smooth all around and equals the outline at 0 and 180 degrees.
-//
-// From meridians: the surface that was drawn in space (drawn_surface.h).
+// A surface derived from an outline alone blends the outline's right and left halves, as curves in
+// (distance from the trunk, height along it): at azimuth theta it is w * right + (1 - w) * left
+// with w = (1 + cos theta) / 2. It is smooth all around and equals the outline at 0 and 180
+// degrees.
+// A surface given by meridians was drawn in space (drawn_surface.h).
 class CrownSurface {
 public:
     CrownSurface(std::span<Vec2 const> outline, std::span<Vec2 const> trunk);

@@ -95,11 +95,11 @@ struct FilledCrown {
     double coverage_after = 0;
 };
 
-// Adds branches where the crown is empty. First, from base to top and on both sides, copies of the
-// nearest sibling, rotated to the local branching angle and as large as fits inside the outline. If
-// more than a fifth of a copy's crown is covered already, smaller ones are tried (Wither 2009,
-// extended by sizes). Then, repeatedly, a branch into the widest gap, whose crown is the free area
-// around its end.
+// Adds branches where the crown is empty. First, copies of the nearest sibling are added from base
+// to top on both sides, rotated to the local branching angle and as large as fits inside the
+// outline. If more than a fifth of a copy's crown is covered already, smaller ones are tried
+// (Wither 2009, extended by sizes). Then a branch is added into the widest gap, repeatedly; its
+// crown is the free area around its end.
 FilledCrown fill_crown(CrownToFill const& crown, FillOptions const& options = {});
 
 } // namespace tractus::silhouette

@@ -8,8 +8,8 @@
 namespace tractus::silhouette {
 
 // The section of a crown's surface with the vertical half plane at one azimuth of the trunk, as
-// points (distance from the trunk's line, height along it) from the foot to the top. Units of the
-// drawing.
+// points (distance from the trunk's line, height along it) from the foot to the top, in the
+// drawing's unit.
 struct Meridian {
     // Azimuth of the half plane, 0 to below 360: 0 to the right in the sheet, 90 behind it.
     double theta_deg = 0;
@@ -36,8 +36,8 @@ private:
 };
 
 // Splits an outline into its right and left halves, as meridians at `theta_deg` and opposite to it.
-// The cuts are where the outline is nearest to the axis at its lowest and at its highest. The
-// outline is counter-clockwise, in the trunk's frame.
+// The cuts are at its lowest and its highest point near the axis. The outline is counter-clockwise,
+// in the trunk's frame.
 std::vector<Meridian> halves_of(std::span<Vec2 const> outline, double theta_deg);
 
 } // namespace tractus::silhouette

@@ -132,8 +132,9 @@ Result<std::optional<BumpLeaf>> leaf_on_bump(OutlinedTree const& tree, Stroke co
 Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke,
                                       LineOnBranch const& line);
 
-// Finds the branch to which a stroke belongs as a branch of a branch (own_branch.h), and adds the
-// stroke; these correspond to branch_outlined_by() and with_own_outline().
+// Functions for a branch drawn on another branch (own_branch.h): the path of the branch to which a
+// stroke belongs, and the tree with the stroke added. They correspond to branch_outlined_by() and
+// with_own_outline().
 Result<std::optional<std::string>> branch_borne_by(OutlinedTree const& tree, Stroke const& stroke,
                                                    Search search = Search::OnTrunk);
 Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke,

@@ -56,8 +56,8 @@ Box box_of(std::span<Vec2 const> points); // Bounding box of points, at least on
 
 double length_of(std::span<Vec2 const> points); // Length of an open polyline.
 
-// `count` (at least two) equally spaced points along an open polyline, both ends included, or
-// around an outline, beginning with its first point. At least one input point.
+// Returns `count` (at least two) equally spaced points along an open polyline, both ends included,
+// or around an outline, beginning with its first point. There must be at least one input point.
 std::vector<Vec2> resampled_line(std::span<Vec2 const> points, std::size_t count);
 std::vector<Vec2> resampled_outline(std::span<Vec2 const> points, std::size_t count);
 

@@ -110,8 +110,8 @@ std::string_view parent_in(std::string_view path); // The path without its last 
 std::string_view last_name_in(std::string_view path);
 
 // Default name of a branch: "b4" ends in bump 4; "L7" and "R7" are copies at the seventh position
-// on the left and right; "g2" fills gap 2; "d1" was drawn; "apex". A name kept from an earlier
-// drawing takes precedence.
+// on the left and right; "g2" fills gap 2; "d1" was drawn; "apex" is the trunk's own end. A name
+// kept from an earlier drawing takes precedence.
 std::string name_of(Branch const& branch);
 
 // Index of the branch with this name in a system; no value if there is none.

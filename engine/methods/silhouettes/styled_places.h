@@ -68,8 +68,8 @@ private:
 };
 
 // Assigns to each of `places` (ascending) a different one of `others` (ascending, at least as
-// many), in the same order, with the least sum of squared distances. Using one of `others` may cost
-// extra, in the same unit; without `costs`, nothing.
+// many), in the same order, with the least sum of squared distances. `costs` gives an additional
+// cost for using each of `others`, in the same unit; it may be empty.
 std::vector<std::size_t> nearest_in_order(std::vector<double> const& places,
                                           std::vector<double> const& others,
                                           std::vector<double> const& costs = {});

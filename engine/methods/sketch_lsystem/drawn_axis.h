@@ -12,8 +12,8 @@
 namespace tractus::sketch {
 
 // The turn of an axis before one of its segments, relative to the preceding segment's frame after
-// parallel transport: `/(plane)+(bend)\(plane)` in turtle commands. Degrees; plane from -180 to
-// 180, bend from 0 to 180. Both are 0 where the axis continues straight.
+// parallel transport: `/(plane)+(bend)\(plane)` in turtle commands. The plane is from -180 to 180
+// degrees, the bend from 0 to 180. Both are 0 where the axis continues straight.
 struct Turn {
     double plane_deg = 0;
     double bend_deg = 0;

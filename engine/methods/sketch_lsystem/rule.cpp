@@ -97,9 +97,9 @@ std::size_t lateral_rule_after(Rule const& rule, std::size_t place)
 namespace {
 
 // Counts the internodes that a rule's model will make. Lengths are multiplied in the model's order,
-// so rounding ends both at the same internode. Only one lateral of each ring is followed, and its
-// count is multiplied. If following takes more steps than the limit, the plant has too many
-// internodes in any case.
+// so that rounding ends the count and the model at the same internode. Only one lateral of each
+// ring is followed, and its count is multiplied. If following takes more steps than the limit, the
+// plant has too many internodes in any case.
 class InternodeCounter {
 public:
     explicit InternodeCounter(Rule const& rule)

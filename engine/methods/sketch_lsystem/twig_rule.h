@@ -10,8 +10,8 @@
 namespace tractus::sketch {
 
 // A drawn twig: an axis from its foot to its tip, and laterals in any order and direction that
-// begin on the axis or on other laterals. Millimetres; z is up, and a twig drawn on a sheet has y =
-// 0.
+// begin on the axis or on other laterals. Coordinates are in millimetres; z is up, and a twig drawn
+// on a sheet has y = 0.
 struct DrawnTwig {
     std::vector<Vec3> axis_mm;
     std::vector<std::vector<Vec3>> laterals_mm; // Laterals, 1 to kMostTwigLaterals.
