@@ -43,7 +43,7 @@ struct DeriveOptions {
 // Derives a string: rewrites the model's axiom `steps` times. Query modules (query.h) are answered
 // in the axiom and after each step.
 //
-// Fails, as the user's fault, if a limit is exceeded, if a loop in the model does not end, or if a
+// Fails with a user error if a limit is exceeded, if a loop in the model does not end, or if a
 // ?(...) calls a sub-L-system that the model does not have. The same model and options always give
 // the same string.
 Result<ModuleString> derive(Model const& model, DeriveOptions const& options = {});

@@ -31,7 +31,7 @@ namespace tractus::lsystem {
 //   Soil fills y < 0; water diffuses between voxels after each step. cell=1 content=1 uptake=0.1
 //   diffusion=0.1
 //
-// Returns an empty function if no environment is chosen. An environment fails, as the user's fault,
+// Returns an empty function if no environment is chosen. An environment fails with a user error
 // if the plant spans too many voxels or if the time limit is exceeded, which is checked every few
 // thousand voxels.
 Environment make_environment(EnvironmentChoice const& choice, TimeLimit const& time = {});

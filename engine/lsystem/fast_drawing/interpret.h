@@ -51,7 +51,7 @@ struct TurtlePlant {
 //
 // Materials are the view's, by turtle colour; a colour without a material is bark.
 //
-// Fails, as the user's fault, if a limit in the options is exceeded or if the homomorphism does not
+// Fails with a user error if a limit in the options is exceeded or if the homomorphism does not
 // end.
 Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString const& string,
                                             TurtleOptions const& options = {});

@@ -25,8 +25,8 @@ public:
     bool has_contexts() const;
 
     // Appends the rewritten string. In the last step, the End blocks of the sub-L-systems run, too.
-    // Stops early if `out` exceeds its limit or any machine stops. Fails, as the user's fault, for
-    // a ?(...) that names no sub-L-system or one that is already active.
+    // Stops early if `out` exceeds its limit or any machine stops. Fails with a user error for a
+    // ?(...) that names no sub-L-system or one that is already active.
     Result<void> rewrite(RangeRewriter::Task const& task, bool is_last_step);
 
     // Sets the variables of the ?(...) modules of `string` from index `from` on.

@@ -32,7 +32,7 @@ public:
     static SubsystemCall new_call(Model const& model, std::uint16_t subsystem);
 
     // Index in Model::subsystems of the L-system with this id, the first parameter of a ?(...).
-    // Fails, as the user's fault, if the model has none or if it is already active.
+    // Fails with a user error if the model has none or if it is already active.
     Result<std::uint16_t> find(float id) const;
 
     // is_call(): true if a module of this kind calls a sub-L-system; is_end(): true if it ends a

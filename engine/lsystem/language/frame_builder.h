@@ -11,8 +11,8 @@
 namespace tractus::lsystem {
 
 // Allocates registers in the frame shared by the programs of a rule or block, and appends
-// instructions to programs. Fails, as the user's fault and with the cursor's position, if a frame
-// or program becomes too large.
+// instructions to programs. Fails with a user error at the cursor's position if a frame or program
+// becomes too large.
 class FrameBuilder {
 public:
     explicit FrameBuilder(Cursor const& cursor)

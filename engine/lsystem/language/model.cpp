@@ -89,7 +89,7 @@ private:
     bool has_axiom_ = false;
 };
 
-// Consumes a word of the language, in either case; a blank in `word` matches any blanks.
+// Consumes a word of the language, ignoring case; a blank in `word` matches any blanks.
 bool Parser::take_word(std::string_view word)
 {
     cursor_.skip();

@@ -170,8 +170,7 @@ struct Model : LSystem {
 // cylinders had no colour per point.
 constexpr int kLanguageVersion = 2;
 
-// Compiles a model. Fails, as the user's fault, with the message "FILE:LINE:COLUMN: found ...,
-// expected ...".
+// Compiles a model. Fails with the user error "FILE:LINE:COLUMN: found ..., expected ...".
 //
 // A name that is assigned in a block of statements is a global variable. A name that is assigned
 // only in a rule is local to the rule; it starts as 0 and, as in cpfg, keeps its value from one

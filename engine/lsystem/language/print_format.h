@@ -24,7 +24,7 @@ struct PrintFormat {
 
 // Parses the text between the quotes: \n, \t and \r are control characters, %% is a percent sign,
 // %d %i %u %x %X %o print the integer part of a number, %f %e %g (and %F %E %G) the number. Widths
-// and precisions are limited to 99. Fails, as the user's fault; the message does not include the
+// and precisions are limited to 99. Fails with a user error, whose message does not include the
 // position.
 Result<PrintFormat> parse_print_format(std::string_view text);
 

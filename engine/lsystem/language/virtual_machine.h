@@ -86,7 +86,7 @@ public:
     bool has_stopped() const { return stop_ != Stop::None; }
     // Stops this machine because another machine that works on the same step has stopped.
     void stop_too(Stop reason) { stop_ = std::max(stop_, reason); }
-    // Returns an error, the user's fault, if the machine has stopped.
+    // Returns a user error if the machine has stopped.
     Result<void> check() const;
 
     // Records work, in modules, and checks the time limit at intervals.

@@ -27,8 +27,8 @@ public:
     std::size_t at() const { return at_; }
 
     // Passes the image of the next module to `sink`, like Expander::expand(). Returns false if the
-    // sink has returned 0. Fails, as the user's fault, if a loop in a rule does not end or if the
-    // main machine's time limit is exceeded.
+    // sink has returned 0. Fails with a user error if a loop in a rule does not end or if the main
+    // machine's time limit is exceeded.
     using Sink = std::function<std::size_t(Modules const& modules)>;
     Result<bool> read(Sink const& sink);
 
@@ -63,7 +63,7 @@ struct HomomorphismOptions {
     Cuts cuts = Cuts::Keep;
 };
 
-// Returns the homomorphic image of the whole string. Fails, as the user's fault, if a limit in the
+// Returns the homomorphic image of the whole string. Fails with a user error if a limit in the
 // options is exceeded or a loop does not end.
 Result<ModuleString> apply_homomorphism(Model const& model, ModuleString const& string,
                                         HomomorphismOptions const& options = {});

@@ -19,7 +19,7 @@ namespace tractus::lsystem {
 // __LINE__ and __FILE__ give their own position, or, in a macro, the start of the outermost call. A
 // `#` that no parameter follows stands for itself, because it is a turtle symbol. As in gcc, the
 // variable arguments may have a name, and a comma before ## __VA_ARGS__ is removed if the call has
-// none. Errors are the user's fault and include the position.
+// none. Errors are user errors that give the position.
 class MacroTable {
 public:
     // `files` holds the names of the files for error positions; it must outlive the table.

@@ -30,7 +30,7 @@ struct PlacedText {
 // Returns a part of a text; `view` must be a view into its characters.
 PlacedText part_of(PlacedText const& text, std::string_view view);
 
-// Makes the error "FILE:LINE:COLUMN: what", the user's fault, for a character of the text.
+// Makes the user error "FILE:LINE:COLUMN: what" for a character of the text.
 tl::unexpected<Error> error_in(PlacedText const& text, std::size_t index,
                                std::vector<std::string> const& files, std::string const& what);
 

@@ -12,7 +12,7 @@ namespace tractus::lsystem {
 // lines `x y z [multiplicity]`; or, without a version, `COUNT DIMENSION open|closed` and the
 // points. The points are control points of a uniform cubic B-spline. A closed contour is rotated
 // about the origin so that it begins on the positive x axis, and reversed if necessary so that it
-// runs from x to y. Fails, as the user's fault, with "FILE:LINE: ...".
+// runs from x to y. Fails with a user error of the form "FILE:LINE: ...".
 Result<Contour> parse_contour(std::string const& name, std::string_view text);
 
 } // namespace tractus::lsystem

@@ -33,7 +33,7 @@ struct CurveTable {
 // Reads a curve file: lines `points: N`, `dim: 2|3|4` (with 4, the last number repeats the point),
 // `type: bspline|bspline-closed|bspline-endpoint|bspline-phantom|bezier|bezier-surface`, then N
 // points. Of a surface only the first edge is used; other lines are for an editor and ignored. As
-// in cpfg, the lengths are measured at `samples` places. Fails, as the user's fault, with
+// in cpfg, the lengths are measured at `samples` places. Fails with a user error of the form
 // "FILE:LINE: ...".
 Result<CurveTable> parse_curve(std::string const& name, std::string_view text,
                                std::size_t samples = 100);

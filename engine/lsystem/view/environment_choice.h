@@ -21,8 +21,8 @@ struct EnvironmentChoice {
 bool names_environment(std::string_view text);
 
 // Parses NAME or NAME:KEY=NUMBER,KEY=NUMBER,...; blanks may replace colon and commas. Omitted
-// parameters have their defaults. Fails, as the user's fault, for unknown names and for numbers out
-// of range.
+// parameters have their defaults. Fails with a user error for unknown names and for numbers out of
+// range.
 Result<EnvironmentChoice> parse_environment(std::string_view text);
 
 } // namespace tractus::lsystem

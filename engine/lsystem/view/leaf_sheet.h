@@ -53,8 +53,8 @@ MaterialTextures leaf_textures(LeafSheet const& sheet);
 // Replaces an organ's shape by a leaf of a sheet, scaled to the organ's blade length.
 OrganShape leaf_shape(OrganShape const& organ, std::shared_ptr<CutLeaf const> leaf);
 
-// Formats a sheet as text, with pictures in base 64, and parses it. Parsing fails, as the user's
-// fault, with "FILE:LINE: ..."; sizes given in the text are not trusted. A leaf has at most 64
+// Formats a sheet as text, with pictures in base 64, and parses it. Parsing fails with a user error
+// of the form "FILE:LINE: ..."; sizes given in the text are not trusted. A leaf has at most 64
 // corners.
 std::string print_leaf_sheet(LeafSheet const& sheet);
 Result<LeafSheet> parse_leaf_sheet(std::string const& name, std::string_view text);

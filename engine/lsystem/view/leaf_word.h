@@ -34,8 +34,8 @@ std::string leaf_word(LeafWord const& wanted);
 // grammar's name.
 LeafWord parse_leaf_word(std::string_view word);
 
-// Fails, as the user's fault, if a grammar's name ends in an invalid damage parameter, as in
-// "oak+spots=3"; the message lists the parameters and their ranges.
+// Checks the name of a grammar. Fails with a user error if it ends in an invalid damage parameter,
+// as in "oak+spots=3"; the message lists the parameters and their ranges.
 Result<void> check_leaf_name(std::string_view grammar);
 
 } // namespace tractus::lsystem

@@ -20,7 +20,7 @@ struct BezierSurface {
 // Reads a surface in the format of cpfg's Bézier editor (.s): a header with `CONTACT POINT`, `END
 // POINT`, `HEADING`, `UP` and `SIZE`, then patches, each with a name, colours, the names of its
 // neighbours and 16 points. The surface is scaled so that `SIZE` becomes `size` turtle units. The
-// file's colours are ignored in favour of the turtle's. Fails, as the user's fault, with
+// file's colours are ignored in favour of the turtle's. Fails with a user error of the form
 // "FILE:LINE: ...".
 Result<BezierSurface> parse_surface(std::string const& name, std::string_view text, double size);
 

@@ -11,7 +11,7 @@ namespace tractus::lsystem {
 // per line. A vertex has three coordinates, along the turtle's left, its heading and cpfg's up; a
 // normal and texture coordinates may follow and are ignored, because triangles are flat.
 // Coordinates are multiplied by `size`. Other lines are skipped. Each triangle becomes a patch that
-// narrows to a point. Fails, as the user's fault, with "FILE:LINE: ...".
+// narrows to a point. Fails with a user error of the form "FILE:LINE: ...".
 Result<BezierSurface> parse_triangle_surface(std::string const& name, std::string_view text,
                                              double size);
 

@@ -110,7 +110,7 @@ struct View {
     std::vector<std::string> warnings;
 };
 
-// Reads a view file. Fails, as the user's fault, with "FILE:LINE:COLUMN: ...". `include` also
+// Reads a view file. Fails with a user error of the form "FILE:LINE:COLUMN: ...". `include` also
 // provides the files that the view names. A file that cannot be read causes a warning, which says
 // what happens instead.
 Result<View> parse_view(std::string const& name, std::string_view text,

@@ -35,7 +35,7 @@ struct ViewReader {
                                     std::string_view instead);
 };
 
-// Reads one statement's value into the reader's view. Fails, as the user's fault, with the
+// Reads one statement's value into the reader's view. Fails with a user error that gives the
 // position.
 using ReadStatement = Result<void> (*)(ViewReader&, std::string_view value);
 

@@ -17,8 +17,8 @@ constexpr std::int64_t kMostTexturePixels = 16'000'000;
 // Gives a material a picture. Its colour becomes the mean, in linear light, of the pixels with an
 // alpha of at least one half, for renderers that show no pictures. The rows of the material's
 // picture begin with the file's last one, because v is 0 at the base of organs
-// (engine/mesh/mesh.h). Fails, as the user's fault, for data that is not a PNG file and for too
-// many bytes or pixels; the message does not name the file.
+// (engine/mesh/mesh.h). Fails with a user error for data that is not a PNG file and for too many
+// bytes or pixels; the message does not name the file.
 Result<void> put_texture(Material& material, std::string_view png);
 
 // Gives a material the picture in a file of the model's folder, like put_texture(). A file that

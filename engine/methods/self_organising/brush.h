@@ -31,8 +31,8 @@ struct BrushSweep {
 
 // Computes the markers that a whole sweep sows, in the order in which the brush reaches their
 // cells. The markers in a cell follow from the cell's position and the seed alone: no cell is sown
-// twice, and the path of the brush does not matter. Fails, as the user's fault, if the sweep covers
-// too many cells.
+// twice, and the path of the brush does not matter. Fails with a user error if the sweep covers too
+// many cells.
 Result<std::vector<Vec3>> sow(BrushSweep const& sweep, Habit const& habit);
 
 // Grows the tree along the sweep. The branches stay where they grew: only weight that is added

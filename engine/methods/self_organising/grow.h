@@ -41,8 +41,8 @@ struct Surroundings {
 };
 
 // Grows a tree by one step: buds compete, vigour is distributed, shoots grow and starved branches
-// are shed. The laws must have passed check_laws(). Fails, as the user's fault, for a tree of more
-// than Laws::most_nodes nodes or one that spreads over too many cells, and then leaves the tree
+// are shed. The laws must have passed check_laws(). Fails with a user error for a tree of more than
+// Laws::most_nodes nodes or one that spreads over too many cells, and then leaves the tree
 // unchanged. The result is bit-identical on any number of threads.
 Result<StepCount> grow_step(GrowingTree& tree, Surroundings& surroundings, Laws const& laws);
 

@@ -82,12 +82,12 @@ struct ChangeHabit {
     std::uint64_t seed = 1;
 };
 
-// Checks of a period's values and of the tree's total age. Both fail as the user's fault.
+// Checks of a period's values and of the tree's total age. Both fail with a user error.
 Result<void> check_life(LifePart const& part);
 Result<void> check_age(GrownTree const& tree);
 
-// Grows the tree from its beginning through all periods of its life. Fails, as the user's fault,
-// for a habit or life out of range and for a stroke that is not in memory.
+// Grows the tree from its beginning through all periods of its life. Fails with a user error for a
+// habit or life out of range and for a stroke that is not in memory.
 Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& options = {});
 
 // Grows the tree and converts it to a plant. Axes keep their keys when the tree grows older.

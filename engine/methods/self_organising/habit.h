@@ -89,8 +89,8 @@ struct HabitNumber {
 };
 std::span<HabitNumber const> habit_numbers();
 
-// Checks a habit. Fails, as the user's fault, for a number out of range; the message names it and
-// the range.
+// Checks a habit. Fails with a user error for a number out of range; the message names it and the
+// range.
 Result<void> check_habit(Habit const& habit);
 
 // The growth laws for a year of the tree's life, from 1. Lengths are in millimetres; buds compete

@@ -95,7 +95,7 @@ struct Laws {
     bool operator==(Laws const&) const = default;
 };
 
-// Checks laws. Fails, as the user's fault, for a value out of range; the message names it and the
+// Checks laws. Fails with a user error for a value out of range; the message names it and the
 // range.
 Result<void> check_laws(Laws const& laws);
 

@@ -14,8 +14,8 @@ constexpr int kMostYears = 200;
 // like grow_step().
 Result<StepCount> grow_year(GrowingTree& tree, Surroundings& surroundings, Habit const& habit);
 
-// Grows a tree from a seedling for `years` years without a brush, 1 to kMostYears. Fails, as the
-// user's fault, for another number of years or a habit out of range, and like grow_step().
+// Grows a tree from a seedling for `years` years without a brush, 1 to kMostYears. Fails with a
+// user error for another number of years or a habit out of range, and like grow_step().
 Result<GrowingTree> grow_by_itself(Habit const& habit, int years, std::uint64_t seed);
 
 // The weights and the stiffness of a habit's wood and leaves.

@@ -16,8 +16,8 @@ namespace tractus::self_organising {
 // threads.
 class LightGrid {
 public:
-    // Computes the shade of points. Fails, as the user's fault, if the points spread over more
-    // cells than fit into memory.
+    // Computes the shade of points. Fails with a user error if the points spread over more cells
+    // than fit into memory.
     static Result<LightGrid> make(std::span<Vec3 const> points, Laws const& laws);
 
     // The shade in a cell; 0 outside the grid.

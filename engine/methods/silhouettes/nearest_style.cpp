@@ -33,7 +33,7 @@ bool is_other(scene::DocumentState const& before, scene::DocumentState const& af
               scene::PlantState const& taker, scene::ItemId source)
 {
     auto const was = plant_of(before, taker.id);
-    if (!was) // A new tree has taken its style already when it was drawn.
+    if (!was) // A new tree took its style when it was drawn.
         return false;
     auto const* const tree = outlined_tree(*was);
     bool const took = tree && takes_style(*tree);

@@ -35,7 +35,7 @@ struct ParentStyle {
     double mean_angle_deg() const;
 };
 
-// The style of a branch; without children if it has none.
+// Returns the style of a branch; a style without children if the branch has none.
 ParentStyle parent_style(Branch const& parent, BranchingSystem const& system);
 
 // Replaces the children of a branch by ones in the style of its siblings that were drawn on: the

@@ -49,7 +49,8 @@ struct ContractReading {
 };
 ContractReading read_contract(std::string const& name, std::string_view text);
 
-// Finds the contract's places in a text. Fails, as the user's fault, with the first violation.
+// Finds the contract's places in a text. Fails with a user error that describes the first
+// violation.
 Result<AxisContract> contract_of(std::string const& name, std::string_view text);
 
 // Values to be written to the places of a contract, as text.

@@ -33,12 +33,12 @@ struct GrowAlongStroke {
     ModelRule model {};
 };
 
-// The lengths of the drawn axis's segments on the desk. Fails, as the user's fault, for a rule out
-// of range or a model that does not keep its contract.
+// The lengths of the drawn axis's segments on the desk. Fails with a user error for a rule out of
+// range or a model that does not keep its contract.
 Result<SegmentLengths> lengths_of(GrowAlongStroke const& edit);
 
-// Writes the edit's plant as a model in cpfg's language. Fails like lengths_of() and, as the user's
-// fault, for a stroke that is too short for one segment.
+// Writes the edit's plant as a model in cpfg's language. Fails like lengths_of() and with a user
+// error for a stroke that is too short for one segment.
 Result<lsystem::ModelSource> model_of(GrowAlongStroke const& edit);
 
 // Grows the edit's model to a plant whose origin is the start of the stroke. Fails like model_of(),

@@ -37,8 +37,7 @@ constexpr int kMostModelSegments = 1000;
 SegmentLengths lengths_on_desk(AxisContract const& contract, double scale);
 
 // Returns the model with the axis through these nodes written to its contract's places; all other
-// bytes of its text stay the same. Fails, as the user's fault, if the model does not keep the
-// contract.
+// bytes of its text stay the same. Fails with a user error if the model does not keep the contract.
 Result<lsystem::ModelSource> model_along(ModelRule const& model, std::span<Vec3 const> nodes_mm,
                                          double scale);
 
@@ -49,7 +48,7 @@ struct ModelAxis {
 };
 Result<ModelAxis> axis_along(ModelRule const& model, std::span<Vec3 const> nodes_mm, double scale);
 
-// Checks that a plant follows the drawn axis. Fails, as the user's fault, if the plant's first axis
+// Checks that a plant follows the drawn axis. Fails with a user error if the plant's first axis
 // does not pass through these nodes, given in the plant's frame, because the model turns it by
 // something other than the drawn turns. Each node may be off by a thousandth of its segment's
 // length.

@@ -65,8 +65,8 @@ struct Rule {
     bool operator==(Rule const&) const = default;
 };
 
-// Checks a rule. Fails, as the user's fault, for a value out of range; the message names letter,
-// value and range.
+// Checks a rule. Fails with a user error for a value out of range; the message names letter, value
+// and range.
 Result<void> check_rule(Rule const& rule);
 
 // Rounds a number as a model's text shows it: to six significant digits, -0 to 0.

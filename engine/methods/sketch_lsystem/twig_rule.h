@@ -43,7 +43,7 @@ struct TwigRule {
 // each with a least-squares fit of positions, lengths and azimuths of the laterals (the inverse of
 // Ijiri et al. 2006, section 3).
 //
-// Fails, as the user's fault, if the axis or a lateral is only a dot or not finite, if there are no
+// Fails with a user error if the axis or a lateral is only a dot or not finite, if there are no
 // laterals or too many, or if the rule's internodes are out of range (check_rule()).
 Result<TwigRule> find_twig_rule(DrawnTwig const& twig);
 
