@@ -67,7 +67,7 @@ private:
         std::uint16_t parameters = 0;
         std::int8_t depth = 0;
         std::int8_t floor = 0; // Lower of the depths after each of the two modules.
-        // Depth of a branch that one of the two opens; kNoOpening if neither does.
+        // Depth of a branch that one of the two modules opens; kNoOpening if neither does.
         std::int32_t opening = 0;
     };
     struct Block {

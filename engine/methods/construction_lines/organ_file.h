@@ -33,8 +33,9 @@ Result<Vec3> parse_color(std::string_view text);
 //   section 0 0  6 -1  12 0
 //   picture iVBORw0KGgo…      -- a PNG file in base64, in place of the colour
 //
-// Lines may be missing, except that one side is required. Fails with Fault::User, with `name`, the
-// number of the line and what to write, or if the views give no surface, or one without breadth.
+// Lines may be missing, except that one side is required. Fails with Fault::User if the text is
+// invalid; the message gives `name`, the number of the line and what to write. Also fails if the
+// views give no surface, or one without breadth.
 Result<OrganFile> parse_organ(std::string_view text, std::string const& name);
 
 // Computes the surface of a leaf. Fails like organ_surface().
