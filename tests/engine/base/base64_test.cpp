@@ -5,7 +5,7 @@
 namespace tractus {
 namespace {
 
-// The vectors of RFC 4648, section 10.
+// Test vectors of RFC 4648, section 10.
 TEST(Base64, WritesAndReadsThePublishedVectors)
 {
     struct Vector {

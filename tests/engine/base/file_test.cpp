@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include <vector>
 
-// The paths of what fsync was called for, in order.
+// Returns the paths for which fsync was called, in order.
 static std::vector<std::string>& flushed()
 {
     static std::vector<std::string> paths;
@@ -18,7 +18,7 @@ static std::vector<std::string>& flushed()
 
 static std::mutex flushed_mutex;
 
-// Stands in for the C library's in this program: notes what is flushed, and flushes it.
+// Replaces the C library's fsync in this program: records the path, then flushes the file.
 extern "C" int fsync(int file)
 {
     std::error_code ignored;
@@ -137,7 +137,7 @@ TEST_F(File, MakesTheFoldersThatItIsIn)
     EXPECT_EQ(read_file(folder_ / "a" / "b" / "x").value(), "bytes");
 }
 
-// Otherwise a power failure leaves an empty file under the new name, or the old one.
+// In another order, a power failure could leave an empty file under the new name, or the old one.
 TEST_F(File, LetsTheDiskTakeAFileBeforeItsNameAndThenItsFolder)
 {
     flushed().clear();

@@ -53,7 +53,7 @@ TEST(SharedList, LosesAnyElement)
     }
 }
 
-// Against a vector; lists of a block's length and its neighbours, and indices at the blocks' ends.
+// Compares with a vector, for lists of about a block's length, and indices at the blocks' ends.
 TEST(SharedList, ChangesManyElementsAtOnce)
 {
     for (int const length : { 1, 31, 32, 33, 64, 100 })

@@ -60,7 +60,7 @@ TEST(SharedVector, IsReadFromItsSourceWhenSomebodyLooksAtIt)
     EXPECT_EQ(numbers->reads, 1);
 }
 
-// Cannot be read the first time.
+// Fails when it is read for the first time.
 struct Unreadable : ElementSource<int> {
     Result<std::vector<int>> read() const override
     {

@@ -26,7 +26,8 @@ TEST(Urgency, WhatMayComeLaterIsBelowTheOthersWithItsHelpers)
     std::map<pid_t, int> priorities; // Priorities of the threads that took part.
     std::thread([&] {
         set_urgency(Urgency::Later);
-        // Workers come when they wake: a hundred loops wait for one another's pieces.
+        // Worker threads join when they wake up, so a hundred loops whose pieces wait for each
+        // other are run.
         for (int i = 0; i < 100 && (i < 1 || priorities.size() < 2); ++i) {
             std::atomic<int> begun = 0;
             parallel_for(2, 1, [&](std::size_t begin, std::size_t end) {
@@ -55,8 +56,8 @@ TEST(Urgency, WhatIsSeenSoonDoesNotInterruptWhoWakesIt)
     EXPECT_EQ(::sched_getscheduler(0), SCHED_OTHER);
 }
 
-// The library's workers help everybody: one that has helped with what may come later must not make
-// the next one's loops, and whoever waits for them, less urgent.
+// The library's worker threads help everyone: a worker that has helped with low-priority work must
+// not lower the priority of the next loop, or of the thread that waits for it.
 TEST(Urgency, LoopsOfOthersStayWhereTheyAre)
 {
     int const usual = priority_here();

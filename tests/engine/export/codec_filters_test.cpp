@@ -13,7 +13,7 @@
 namespace tractus::exports {
 namespace {
 
-// What a reader makes of filtered numbers.
+// Returns what a reader decodes from filtered numbers.
 template<typename Number>
 std::vector<Number> read_back(std::span<Number const> filtered, CodecFilter filter,
                               std::size_t stride)

@@ -47,8 +47,8 @@ struct Corner {
     Vec2f texture;
 };
 
-// The corners of all triangles, in order: two meshes with the same are the same, however their
-// vertices are shared.
+// Returns the corners of all triangles, in order: meshes with equal corners are equal, however they
+// share vertices.
 std::vector<Corner> corners_of(mesh::Mesh const& mesh)
 {
     std::vector<Corner> corners;
@@ -64,7 +64,7 @@ std::vector<Corner> corners_of(mesh::Mesh const& mesh)
     return corners;
 }
 
-// Says what is not the same in a compressed file and a quantised one; empty if nothing is.
+// Returns the difference between a compressed file and a quantised one; empty if there is none.
 std::string difference(mesh::Mesh const& compressed, mesh::Mesh const& quantized)
 {
     auto const a = corners_of(compressed);
@@ -124,7 +124,7 @@ RC_GTEST_PROP(CompressedGlb, IsTheSameOnAnyNumberOfThreads, ())
     RC_ASSERT(mesh::on_threads(5, write) == expected);
 }
 
-// Several pieces, of triangles in memory and of a plant, one with tangents.
+// Several pieces, made from triangles in memory and from a plant, one of them with tangents.
 TEST(CompressedGlb, IsInPiecesThatStandAlone)
 {
     mesh::MeshOptions const fine { .min_sides = 40, .max_sides = 64 };
@@ -198,7 +198,7 @@ TEST(CompressedGlb, IsSmallerAndSaysWhatItNeeds)
     EXPECT_NEAR(static_cast<double>(glb_bytes(mesh, options)), bytes, 0.3 * bytes);
 }
 
-// Replaces a word of the JSON by another of the same length.
+// Replaces a word in the JSON by another one of the same length.
 std::string with_word(std::string glb, std::string const& word, std::string const& other)
 {
     auto const at = glb.find(word);
@@ -230,7 +230,7 @@ TEST(CompressedGlb, IsRefusedWhereItClaimsWhatCannotBe)
     expect_error("\"mode\":\"INDICES\"", "\"mode\":\"INDICEX\"", "mode or filter");
 }
 
-// Each case must end in a mesh that is sound or in an error.
+// Each case must end in a valid mesh or in an error.
 TEST(CompressedGlb, IsReadSafelyWhereItIsDamaged)
 {
     auto const glb = glb_of(mesh::make_mesh(mesh::sample_tree(2)), with({}, Vertices::Compressed));

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kAges = 5;
 
-// A tree that grows, and what is in the file of it.
+// Fixture with a growing tree and the contents of its file.
 class GlbGrowth : public testing::Test {
 protected:
     void SetUp() override
@@ -42,7 +42,7 @@ protected:
         return nlohmann::json::parse(glb.substr(20, u32_at(glb, 12)));
     }
 
-    // An accessor's numbers; zeros for one that has no bytes.
+    // Returns an accessor's numbers; zeros if it has no bytes.
     static std::vector<float> floats_of(std::string const& glb, nlohmann::json const& json,
                                         nlohmann::json const& index)
     {
@@ -132,7 +132,8 @@ TEST_F(GlbGrowth, HasATargetForEachAge)
     }
 }
 
-// Distance of a ring, at most, from the bend that the young plant's own mesh would round otherwise.
+// The tolerance is the greatest distance of a ring from the bend that the young plant's own mesh
+// would round differently.
 TEST_F(GlbGrowth, LooksAtEachAgeAsTheYoungPlantItselfDoes)
 {
     std::vector<mesh::AgedMesh::Vertices> vertices;
@@ -144,7 +145,7 @@ TEST_F(GlbGrowth, LooksAtEachAgeAsTheYoungPlantItselfDoes)
             for (auto const& position : surface.positions_mm)
                 box.add(position.cast<double>());
         Plant const alone = variation::without_unborn(young);
-        Bounds expected; // Bounds of its own mesh, leaves as triangles, too.
+        Bounds expected; // Bounds of the young plant's own mesh, with leaves as triangles.
         mesh::AgedMesh const own(alone);
         for (auto const& surface : own.whole().surfaces)
             for (auto const& position : surface.positions_mm)
@@ -181,8 +182,8 @@ TEST_F(GlbGrowth, GoesEvenlyFromAgeToAge)
 
 TEST_F(GlbGrowth, TakesNoBytesForNormalsThatDoNotTurn)
 {
-    auto const plan
-        = variation::plan_of(mesh::sample_tree(1), {}); // No weight: what stands, stands.
+    // Without weight, so that grown parts do not move.
+    auto const plan = variation::plan_of(mesh::sample_tree(1), {});
     variation::Grower grower(plan);
     Plant const whole = grower.grow(kKey);
     mesh::AgedMesh const mesh(whole);

@@ -24,7 +24,7 @@ std::uint32_t u32_at(std::string const& bytes, std::size_t offset)
     return value;
 }
 
-// A stream that takes some bytes and then fails, as a full disk does.
+// A stream that accepts some bytes and then fails, as a full disk does.
 class FullDisk : public std::stringbuf {
 public:
     explicit FullDisk(std::streamsize room)
@@ -60,7 +60,7 @@ TEST(GlbWriter, HeadersSayTheSizes)
 
 TEST(GlbWriter, WritesMetresAndYUp)
 {
-    // 200 mm and a dome of 10.
+    // Height of 200 mm and a dome of 10.
     auto const json = json_of(glb_of(mesh::make_mesh(mesh::single_axis(4, 10, 10))));
     auto const& positions = json["accessors"][0];
     EXPECT_NEAR(positions["min"][1].get<double>(), 0, 1e-9);
@@ -74,7 +74,7 @@ TEST(GlbWriter, WritesTheSameBytesAgain)
     EXPECT_EQ(glb_of(mesh::make_mesh(plant)), glb_of(mesh::make_mesh(plant)));
 }
 
-// The numbers of an accessor whose components are floats.
+// Returns the numbers of an accessor with float components.
 std::vector<float> floats_of(std::string const& glb, std::size_t accessor, std::size_t components)
 {
     auto const json = json_of(glb);
@@ -208,11 +208,11 @@ TEST(GlbWriter, SharesWhatPlantsHaveInCommon)
     auto const json = json_of(glb_of(plants, kInstanced));
     EXPECT_EQ(json["materials"].size(), 2u);
     EXPECT_EQ(json["images"].size(), 4u);
-    EXPECT_EQ(json["meshes"].size(), 4u); // Three plants and the leaf.
+    EXPECT_EQ(json["meshes"].size(), 4u); // Meshes of three plants and of the leaf.
     EXPECT_EQ(json["scenes"][0]["nodes"].size(), 3u);
     auto const& last = json["nodes"][json["scenes"][0]["nodes"][2].get<std::size_t>()];
     EXPECT_EQ(last["name"], "c");
-    EXPECT_DOUBLE_EQ(last["translation"][2], -2); // Away from the user is -z.
+    EXPECT_DOUBLE_EQ(last["translation"][2], -2); // The direction away from the user is -z.
 }
 
 TEST(GlbWriter, MakesPlantsOneAtATime)
@@ -233,7 +233,7 @@ TEST(GlbWriter, TriesAgainWhenLaterPlantsNeedMoreJsonThanTheFirst)
 {
     mesh::Mesh const small = mesh::make_mesh(mesh::single_axis(1, 1, 1));
     mesh::Mesh large = mesh::make_mesh(mesh::sample_tree(1));
-    for (int i = 0; i < 20; ++i) { // Twenty shapes that all differ.
+    for (int i = 0; i < 20; ++i) { // Twenty different shapes.
         large.organs.push_back(large.organs[0]);
         large.organs.back().prototype.positions_mm[0].x() += static_cast<float>(i + 1);
     }
@@ -265,7 +265,7 @@ TEST(GlbWriter, CoarserLevelsStandBesideTheScene)
         EXPECT_EQ(node["extras"]["MSFT_screencoverage"], nlohmann::json({ 0.2, 0.05, 0.0 }));
         auto const& levels = node["extensions"]["MSFT_lod"]["ids"];
         ASSERT_EQ(levels.size(), 2u);
-        for (auto const& level : levels) { // Where the plant stands.
+        for (auto const& level : levels) { // Levels have the position of the plant.
             auto const& coarser = json["nodes"][level.get<std::size_t>()];
             EXPECT_EQ(coarser["translation"], node["translation"]);
         }
@@ -278,7 +278,7 @@ TEST(GlbWriter, CoarserLevelsStandBesideTheScene)
         EXPECT_EQ(material["alphaMode"], "MASK");
     }
     EXPECT_EQ(json["extensionsUsed"].size(), 3u);
-    EXPECT_EQ(json["extensionsRequired"].size(), 1u); // Leaves are instanced.
+    EXPECT_EQ(json["extensionsRequired"].size(), 1u); // The extension for instanced leaves.
 }
 
 TEST(GlbWriter, WritesWhatTheWindNeeds)
@@ -308,7 +308,7 @@ TEST(GlbWriter, WritesWhatTheWindNeeds)
     EXPECT_EQ(*std::min_element(bends.begin(), bends.end()), 0);
     EXPECT_EQ(*std::max_element(bends.begin(), bends.end()), 1);
 
-    // A leaf's branch, in metres and +y up.
+    // Base of a leaf's branch, in metres with +y up.
     auto const pivots = floats_of(glb, of_leaves["_PIVOT"], 3);
     auto const levels = floats_of(glb, of_leaves["_LEVEL"], 1);
     ASSERT_EQ(levels.size(), plant.organs.size());
@@ -348,7 +348,7 @@ TEST(GlbWriter, OrgansThatAreNodesHaveTheWindInTheirExtras)
     auto const nodes
         = json_of(glb_of(std::span(&placed, 1), { .organs = GlbOptions::Organs::Nodes }));
     auto const json = json_of(glb);
-    nlohmann::json attributes; // Attributes of the same leaves where they are instanced.
+    nlohmann::json attributes; // Attributes of the same leaves as instances.
     for (auto const& node : json["nodes"])
         if (node.contains("extensions"))
             attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
@@ -390,7 +390,7 @@ TEST(GlbWriter, BarkHasItsFurrowsColourReliefAndOcclusion)
     EXPECT_FALSE(json["materials"][1].contains("normalTexture"));
     for (auto const& primitive : json["meshes"][0]["primitives"])
         EXPECT_EQ(primitive["attributes"].contains("TANGENT"), primitive["material"] == 0);
-    // Without pictures there is nothing to turn.
+    // Without pictures, tangents are not needed.
     auto const plain = json_of(glb_of(mesh, { .textures = GlbOptions::Textures::None }));
     EXPECT_FALSE(plain["materials"][0].contains("normalTexture"));
     EXPECT_FALSE(plain["meshes"][0]["primitives"][0]["attributes"].contains("TANGENT"));
@@ -428,7 +428,7 @@ TEST(GlbWriter, WritesTheTexturesOfAMaterial)
 
 TEST(GlbWriter, LeavesAreDoubleSidedAndColoursLinear)
 {
-    // Without pictures, which make colours lighter as far as they are dark themselves.
+    // Without pictures, since colours are lightened to compensate for dark pictures.
     auto const json = json_of(
         glb_of(mesh::make_mesh(mesh::sample_tree(1)), { .textures = GlbOptions::Textures::None }));
     for (auto const& material : json["materials"]) {

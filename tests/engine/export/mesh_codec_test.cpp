@@ -15,7 +15,8 @@ std::span<std::byte const> bytes_of(auto const& numbers)
     return std::as_bytes(std::span(numbers));
 }
 
-// Elements of so many words, compressed by ours and decompressed by the library.
+// Expects that elements of `words` words each, compressed by the program, are decompressed
+// correctly by the library.
 void expect_back(std::vector<std::uint32_t> const& numbers, std::size_t words)
 {
     BulkVector<std::byte> compressed;
@@ -38,7 +39,7 @@ RC_GTEST_PROP(MeshCodec, GivesAttributesBack, ())
     expect_back(numbers, words);
 }
 
-// Differences of every size, so that groups are written in every way.
+// Random differences of every size, so that groups are encoded in every way.
 RC_GTEST_PROP(MeshCodec, GivesSmoothAttributesBack, ())
 {
     auto const count = *rc::gen::inRange<std::size_t>(1, 1500);
@@ -79,7 +80,8 @@ TEST(MeshCodec, HoldsManyElementsThatAreAlike)
     EXPECT_EQ(flaw_in({ .count = numbers.size(), .stride = 4, .bytes = compressed }), nullptr);
 }
 
-// What the format says (EXT_meshopt_compression, appendix A): the first byte is the version's.
+// The format (EXT_meshopt_compression, appendix A) requires that the first byte contains the
+// version.
 TEST(MeshCodec, WritesTheVersionsOfTheExtension)
 {
     std::vector<std::uint32_t> const numbers { 0, 1, 2 };
@@ -102,7 +104,7 @@ RC_GTEST_PROP(MeshCodec, RefusesWhatIsTruncated, ())
     RC_ASSERT(!decompress(elements, std::as_writable_bytes(std::span(back))));
 }
 
-// Damage that is not found gives some numbers.
+// Damage that is not detected gives arbitrary numbers.
 RC_GTEST_PROP(MeshCodec, SurvivesAnyBytes, ())
 {
     auto const mode

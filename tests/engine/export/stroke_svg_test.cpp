@@ -16,7 +16,7 @@ std::string svg_of(std::vector<Stroke> const& strokes, StrokeView view)
     return out.str();
 }
 
-// 10 to the right, 20 away, 30 up.
+// Returns a line that ends 10 to the right, 20 away and 30 up.
 std::vector<Stroke> one_line()
 {
     return { stroke_of({ { 0, 0, 0 }, { 10, 20, 30 } }) };

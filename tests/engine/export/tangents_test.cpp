@@ -9,8 +9,8 @@
 namespace tractus::exports {
 namespace {
 
-// A square of side 1 that faces up; its texture is as a picture lies on it, the first row at the
-// top: v falls where y grows.
+// Returns a square of side 1 that faces up, with a texture like a picture lying on it, its first
+// row at the top: v decreases as y increases.
 mesh::TriangleMesh square()
 {
     mesh::TriangleMesh mesh;
@@ -36,7 +36,7 @@ TEST(Tangents, OfASquareAreItsPicturesSides)
     auto mesh = square();
     for (auto const& tangent : tangents_of(mesh))
         EXPECT_TRUE(tangent.isApprox(Eigen::Vector4f(1, 0, 0, 1))) << tangent.transpose();
-    for (auto& texture : mesh.texture_coordinates) // Mirrors them.
+    for (auto& texture : mesh.texture_coordinates) // Mirrors the texture coordinates.
         texture.x() = 1 - texture.x();
     for (auto const& tangent : tangents_of(mesh))
         EXPECT_TRUE(tangent.isApprox(Eigen::Vector4f(-1, 0, 0, -1))) << tangent.transpose();
@@ -54,7 +54,7 @@ TEST(Tangents, AreAcrossTheNormalWhereTheTextureTellsNothing)
     }
 }
 
-// Round a tube u grows counter-clockwise seen from its tip, and v grows towards the tip.
+// Around a tube, u increases counterclockwise seen from its tip, and v increases towards the tip.
 TEST(Tangents, RunRoundATube)
 {
     auto const mesh = mesh::make_mesh(mesh::single_axis(6, 40, 8));
@@ -68,7 +68,7 @@ TEST(Tangents, RunRoundATube)
         EXPECT_NEAR(tangent.dot(tube.normals[i]), 0, 1e-5);
         if (i == 0)
             continue;
-        // The next corner of a ring has the v of the one before.
+        // Skips all but neighbouring corners of a ring, which have equal v.
         Vec2f const step = tube.texture_coordinates[i] - tube.texture_coordinates[i - 1];
         Vec3f const way_mm = tube.positions_mm[i] - tube.positions_mm[i - 1];
         if (step.y() != 0 || step.x() <= 0 || way_mm.norm() < 1e-3f)

@@ -21,7 +21,7 @@ std::uint8_t level(GreyPicture const& picture, int x, int y)
     return picture.pixels[static_cast<std::size_t>(y * picture.width + x)];
 }
 
-// Mean difference between two columns.
+// Returns the mean difference between two columns.
 double column_step(GreyPicture const& picture, int a, int b)
 {
     double sum = 0;
@@ -47,7 +47,7 @@ TEST(Texture, BarkTilesInBothDirections)
         columns += column_step(bark, i - 1, i) / (bark.width - 1);
         rows += row_step(bark, i - 1, i) / (bark.height - 1);
     }
-    EXPECT_GT(columns, 2); // There is something to see.
+    EXPECT_GT(columns, 2); // The texture is not uniform.
     EXPECT_LT(column_step(bark, bark.width - 1, 0), 2 * columns);
     EXPECT_LT(row_step(bark, bark.height - 1, 0), 2 * rows);
 }

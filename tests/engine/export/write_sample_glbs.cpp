@@ -1,4 +1,4 @@
-// Writes .glb files of every sort into a folder, for the validator. Run: write_sample_glbs FOLDER
+// Writes .glb files of every kind into a folder, for the validator. Run: write_sample_glbs FOLDER
 #include "engine/base/file.h"
 #include "engine/export/glb_growth.h"
 #include "engine/export/glb_writer.h"
@@ -18,7 +18,8 @@
 namespace tractus::exports {
 namespace {
 
-// A little of everything: each kind of organ and material, polygons, no radius, sharp turns.
+// Returns a plant with all kinds of organs and materials, with polygons, zero radius, and sharp
+// turns.
 Plant odd_plant()
 {
     Plant plant = mesh::single_axis(6, 5, 0);
@@ -63,7 +64,7 @@ Plant odd_plant()
     return plant;
 }
 
-// A tree with two coarser levels and a billboard.
+// Returns a tree with two coarser levels and a billboard.
 PlacedMesh with_details(Plant const& plant)
 {
     PlacedMesh placed { .name = "far", .mesh = PlantToMesh { .plant = &plant } };
@@ -83,13 +84,14 @@ PlacedMesh with_details(Plant const& plant)
     return placed;
 }
 
-// "FILE PLANTS TRIANGLES", as the writer says it, for who imports the file.
+// Returns the line "FILE PLANTS TRIANGLES" with the writer's numbers, for programs that import the
+// file.
 std::string counts_line(std::string_view file, std::size_t plants, std::uint64_t triangles)
 {
     return fmt::format("{} {} {}\n", file, plants, triangles);
 }
 
-// A tree as it grows, in wind and with weight.
+// Writes a growing tree, with wind and weight.
 Result<void> write_growth(std::filesystem::path const& path, std::string& counts)
 {
     auto const plan = variation::plan_of(mesh::sample_tree(4), { .sag = 2 }, { 0.5, 0, 0 });
@@ -154,7 +156,7 @@ Result<void> write_samples(std::filesystem::path const& folder)
     // Meshed while it is written.
     PlacedMesh const streamed { .name = "odd", .mesh = PlantToMesh { .plant = &odd } };
     collection.push_back(streamed);
-    // More than 65,535 vertices: 32-bit indices.
+    // More than 65,535 vertices, which need 32-bit indices.
     PlacedMesh const fine { .mesh = [] {
         return mesh::make_mesh(mesh::sample_tree(9), { .min_sides = 40, .max_sides = 64 });
     } };

@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include <vector>
 
-// Random programs of C's preprocessor, against what gcc makes of them.
+// Compares random programs for C's preprocessor with the output of gcc.
 
 namespace tractus::lsystem {
 namespace {
@@ -40,16 +40,19 @@ std::string tokens(std::string const& text)
     return result;
 }
 
-// Programs that do not see each other, for one run of gcc: it takes longer to start than to work.
+// Independent programs that are processed in one run of gcc, since its start takes longer than its
+// work.
 class Programs {
 public:
     void add(std::string const& program)
     {
-        std::string text = fmt::format("@@ {}\n", lines_.size()); // Where its results begin.
+        // Marks the beginning of the program's results.
+        std::string text = fmt::format("@@ {}\n", lines_.size());
         for (auto const* name : { "A", "B", "C", "D", "f", "g", "h" })
             text += fmt::format("#undef {}\n", name);
         auto const line = line_count_ + std::count(text.begin(), text.end(), '\n') + 1;
-        text += fmt::format("#line {} \"model.l\"\n", line + 1); // Whatever others said.
+        // Resets the line number, whatever earlier programs set.
+        text += fmt::format("#line {} \"model.l\"\n", line + 1);
         lines_.push_back(line);
         programs_.push_back(program);
         text += program;
@@ -57,7 +60,7 @@ public:
         text_ += text;
     }
 
-    // Compares the programs with which gcc found nothing wrong, and says how many there were.
+    // Compares the programs in which gcc found no error, and returns their number.
     int compare_with_gcc() const
     {
         auto const folder
@@ -107,9 +110,9 @@ private:
     }
 
     std::string text_;
-    std::ptrdiff_t line_count_ = 0; // In the text.
+    std::ptrdiff_t line_count_ = 0; // Lines in the text so far.
     std::vector<std::string> programs_;
-    std::vector<std::ptrdiff_t> lines_; // Before each program.
+    std::vector<std::ptrdiff_t> lines_; // Number of lines before each program.
 };
 
 std::mt19937& random_numbers()
@@ -132,7 +135,7 @@ std::string one_of(std::initializer_list<std::string> texts)
     return one_of(std::vector(texts));
 }
 
-// Four macros without parameters, A to D, and three with one, two and any number of them.
+// Macros: four without parameters, A to D, and three with one, two and any number of them.
 struct Signature {
     std::string name;
     std::vector<std::string> parameters;
@@ -230,7 +233,7 @@ std::string random_program()
         if (number_below(5) == 0)
             program += "#undef " + one_of({ "A", "B", "f", "u" }) + '\n';
         auto line = RandomTokens({}, false).text(0, true);
-        for (auto& c : line) // A call goes on in the next line.
+        for (auto& c : line) // Continues a call on the next line.
             if (c == ' ' && number_below(12) == 0)
                 c = '\n';
         program += line + ";\n";
@@ -281,7 +284,7 @@ TEST(CPreprocessor, ComputesConditionsAsGcc)
     EXPECT_GT(programs.compare_with_gcc(), kProgramCount);
 }
 
-// Parts that are read or left out, nested, with definitions in both.
+// Generates nested conditional parts, with definitions in all branches.
 class RandomParts {
 public:
     std::string lines(int depth)
@@ -300,7 +303,7 @@ private:
         return one_of({ "#", "#", "  #", "# ", "#\t", "/* a */ #", "# /* a */ " });
     }
 
-    // What may stand behind a directive, up to the end of its line.
+    // Returns what may follow a directive, up to the end of its line.
     static std::string end_of_line()
     {
         return one_of({ "\n", "\n", "\n", " // a\n", " /* a */\n", " /* a\n#else\n*/\n" });

@@ -28,7 +28,7 @@ std::string without_blanks(std::string text)
     return text;
 }
 
-// Numbers in parentheses may differ by 1e-5 of their value, everything else not at all.
+// Compares strings; numbers in parentheses may differ by 1e-5 of their value.
 ::testing::AssertionResult same_strings(std::string const& found, std::string const& expected)
 {
     std::size_t i = 0;
@@ -61,7 +61,7 @@ std::string without_blanks(std::string text)
     return ::testing::AssertionSuccess();
 }
 
-// Folder of the models that people of the field published, and what cpfg makes of them.
+// Parameter: the folder of a published model, for which the result of cpfg is known.
 class PublishedModel : public ::testing::TestWithParam<std::string> { };
 
 nlohmann::json entry_of(std::string const& folder)
@@ -80,7 +80,7 @@ Result<Model> compile_entry(nlohmann::json const& entry)
                         entry["view"].is_string() ? entry["view"].get<std::string>() : "");
 }
 
-// Compiles without the files that the model names.
+// Compiles a model without the files that it refers to.
 Result<Model> compile_alone(nlohmann::json const& entry)
 {
     auto const folder = corpus() / "lsystems" / entry["saved"].get<std::string>();
@@ -108,7 +108,7 @@ TEST_P(PublishedModel, DrawsWhatCpfgDraws)
 {
     REQUIRE_CORPUS();
     auto const entry = entry_of(GetParam());
-    // This one was drawn without the model's functions, which have a file of their own.
+    // The reference for this model was drawn without its functions, which are in a separate file.
     auto const model = GetParam() == "10-manuals__11-CPFG__JumpingLamp" ? compile_alone(entry)
                                                                         : compile_entry(entry);
     ASSERT_TRUE(model) << model.error().message;
@@ -176,13 +176,14 @@ TEST(PublishedModels, AreAllComparedWithCpfg)
         left.insert(entry["saved"].get<std::string>());
     for (auto const& name : published_models())
         EXPECT_EQ(left.erase(name), 1u) << name;
-    // They draw random numbers; tests of their own follow.
+    // These models draw random numbers; they have separate tests below.
     EXPECT_EQ(left,
               std::set<std::string>(
                   { "10-manuals__11-CPFG__RandomMoss", "10-manuals__11-CPFG__WeepingBirch" }));
 }
 
-// Two models draw random numbers, which are not cpfg's: what does not depend on chance is compared.
+// Compiles one of two models whose random numbers differ from cpfg's, so only what does not depend
+// on chance is compared.
 Result<Model> compile_random(std::string const& folder, std::string const& name)
 {
     return compile_file(corpus() / "lsystems" / folder / name);
@@ -198,7 +199,7 @@ TEST(RandomMoss, HasTheLanguageOfItsRules)
         auto const string = derive(*model, { .steps = {}, .seed = seed });
         ASSERT_TRUE(string) << string.error().message;
         auto const counts = count_symbols(*model, *string);
-        // Each branch has one !, one comma and one turn; each step makes 3 or 5 F of one.
+        // Each branch has one !, one comma and one turn; each step replaces an F by 3 or 5.
         EXPECT_EQ(counts.at("["), counts.at("]"));
         EXPECT_EQ(counts.at("["), counts.at("!"));
         EXPECT_EQ(counts.at("["), counts.at(","));
@@ -233,13 +234,15 @@ TEST(WeepingBirch, ConservesItsInternodes)
     }
     auto const string = derive(*model);
     ASSERT_TRUE(string) << string.error().message;
-    EXPECT_NEAR(static_cast<double>(string->size()), 162254, 10000); // cpfg: 162,254 modules.
+    // The result of cpfg has 162,254 modules.
+    EXPECT_NEAR(static_cast<double>(string->size()), 162254, 10000);
 }
 
-// Classical L-systems with exact counts and hashes after some numbers of steps.
+// Parameter: a classical L-system with known counts and hashes after some numbers of steps.
 class CountedSystem : public ::testing::TestWithParam<std::string> { };
 
-// Non-parametric strings by hash, short parametric ones as they are, long ones by the sum of F.
+// Compares non-parametric strings by hash, short parametric ones in full, and long ones by the sum
+// of F.
 void compare_strings(Model const& model, ModuleString const& string, nlohmann::json const& expected)
 {
     auto text = to_string(model, string);

@@ -119,7 +119,7 @@ TEST(Statements, StopALoopThatDoesNotEnd)
               "condition ever becomes 0");
 }
 
-// Returns what a model prints.
+// Returns the output that a model prints.
 std::string printed(std::string const& axiom_and_rules, int steps = 1)
 {
     auto const model = compiled(with_header(axiom_and_rules, steps));
@@ -190,7 +190,7 @@ TEST(Stochastic, HasTheGivenFrequencies)
     for (int i = 0; i < 10'000; ++i)
         axiom += 'A';
     auto const string = derived(axiom + "\nA --> B : 1\nA --> C : 2\nA --> D : 1");
-    // Standard deviation: 43 and 50 of 10,000.
+    // The standard deviations are 43 and 50 of 10,000.
     EXPECT_NEAR(static_cast<double>(std::count(string.begin(), string.end(), 'B')), 2500, 200);
     EXPECT_NEAR(static_cast<double>(std::count(string.begin(), string.end(), 'C')), 5000, 220);
     EXPECT_NEAR(static_cast<double>(std::count(string.begin(), string.end(), 'D')), 2500, 200);

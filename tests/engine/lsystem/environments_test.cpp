@@ -11,7 +11,7 @@
 namespace tractus::lsystem {
 namespace {
 
-// Modules ?E of five parameters at places.
+// Modules ?E with five parameters at given positions.
 class Asking {
 public:
     explicit Asking(std::string const& choice)
@@ -60,16 +60,16 @@ TEST(LightEnvironment, CastsShadeInAPyramidBelow)
                                    { 2.5, 1.5, 2.5 },
                                    { 0.5, 9.5, 0.5 } },
                                  { 1, 0, 0, 0, 0, 0 });
-    EXPECT_FLOAT_EQ(found[0][0], 1); // Its own shade does not count.
+    EXPECT_FLOAT_EQ(found[0][0], 1); // A module's own shade does not count.
     EXPECT_FLOAT_EQ(found[1][0], 0.9F);
     EXPECT_FLOAT_EQ(found[2][0], 0.9F);
     EXPECT_FLOAT_EQ(found[3][0], 1);
     EXPECT_FLOAT_EQ(found[4][0], 0.95F);
     EXPECT_FLOAT_EQ(found[5][0], 1);
-    EXPECT_GT(found[3][2], 0.8F); // There is more of it away from the shade.
+    EXPECT_GT(found[3][2], 0.8F); // There is more light away from the shade.
 }
 
-// Against the definition, summed up one by one.
+// Compares with the definition, by summing the shades one by one.
 TEST(LightEnvironment, AgreesWithSummingEachShade)
 {
     Asking light("light:cell=2 shade=0.05 decay=1.5 depth=4 full=3");
@@ -112,15 +112,15 @@ TEST(SpaceEnvironment, GivesABallToTheFirstThatAsks)
     auto const first = space.ask(0, { { 0, 0, 0 }, { 1.5, 0, 0 }, { 2, 0, 0 }, { 0, 0, 3 } });
     EXPECT_EQ(first[0][0], 1);
     EXPECT_EQ(first[1][0], 0);
-    EXPECT_EQ(first[2][0], 1); // It touches.
+    EXPECT_EQ(first[2][0], 1); // The balls touch.
     EXPECT_EQ(first[3][0], 1);
     auto const later = space.ask(1, { { 0, 0.5, 0 }, { 0, 0, 0 }, { 0, 9, 0 }, { 0, 6.9, 0 } },
                                  { 1, 1, 2, 0.05F });
-    EXPECT_EQ(later[0][0], 0); // Taken in the step before,
-    EXPECT_EQ(later[1][0], 1); // by this one.
+    EXPECT_EQ(later[0][0], 0); // Occupied in the previous step,
+    EXPECT_EQ(later[1][0], 1); // by this module.
     EXPECT_EQ(later[2][0], 1);
     EXPECT_EQ(later[3][0], 1);
-    EXPECT_EQ(space.ask(0, { { 0.5, 0, 0 } })[0][0], 1); // Another derivation.
+    EXPECT_EQ(space.ask(0, { { 0.5, 0, 0 } })[0][0], 1); // Another derivation begins.
     EXPECT_EQ(space.ask(1, { { NAN, 0, 0 } })[0][0], 0);
 }
 
@@ -145,14 +145,14 @@ TEST(WaterEnvironment, SharesAVoxelAndRunsDry)
     Asking water("water:uptake=0.4,diffusion=0");
     auto const first = water.ask(
         0, { { 0.2, -0.5, 0.2 }, { 0.8, -0.5, 0.2 }, { 5, -0.5, 0 }, { 0, 1, 0 } }, { 1, 3, 1, 1 });
-    EXPECT_FLOAT_EQ(first[0][0], 0.25F); // Share of all that there is.
+    EXPECT_FLOAT_EQ(first[0][0], 0.25F); // Share of all the water.
     EXPECT_FLOAT_EQ(first[1][0], 0.75F);
     EXPECT_FLOAT_EQ(first[2][0], 0.4F);
     EXPECT_FLOAT_EQ(first[3][0], 0);
     auto const later = water.ask(1, { { 0.2, -0.5, 0.2 }, { 1.2, -0.5, 0.2 } });
     EXPECT_FLOAT_EQ(later[0][0], 0);
     EXPECT_FLOAT_EQ(later[1][0], 0.4F);
-    EXPECT_GT(later[1][2], 0); // Wetter away from the dry voxel.
+    EXPECT_GT(later[1][2], 0); // The gradient points away from the dry voxel.
 }
 
 TEST(WaterEnvironment, SpreadsAndLosesNothing)
@@ -161,7 +161,7 @@ TEST(WaterEnvironment, SpreadsAndLosesNothing)
     Vec3 const place { 0.5, -20.5, 0.5 };
     EXPECT_FLOAT_EQ(water.ask(0, { place })[0][0], 1);
     double const again = water.ask(1, { place })[0][0];
-    EXPECT_NEAR(again, 0.9, 1e-6); // Six neighbours give 0.15 each.
+    EXPECT_NEAR(again, 0.9, 1e-6); // Each of the six neighbours receives 0.15.
     EXPECT_FLOAT_EQ(water.ask(2, { { 0.5, -1.5, 0.5 } })[0][0], 1);
     EXPECT_FLOAT_EQ(water.ask(0, { place })[0][0], 1);
 }
@@ -173,7 +173,7 @@ TEST(Environments, AreChosenByTheView)
     EXPECT_EQ(model.view.environment.name, "light");
     EXPECT_EQ(to_string(model, *derive(model)), "F?E(1)[+F(2)?E(1)]");
     EXPECT_EQ(derived(rules), "F?E(5)[+F(2)?E(5)]");
-    // One that the program gives counts more.
+    // An environment given by the program overrides the view's.
     DeriveOptions options;
     options.environment = make_environment(*parse_environment("terrain"));
     EXPECT_EQ(to_string(model, *derive(model, options)).substr(0, 6), "F?E(1)");
@@ -185,7 +185,7 @@ TEST(Environments, AreChosenByTheView)
     EXPECT_EQ(refused.error().message, "no answer");
 }
 
-// Environments begin anew with each derivation.
+// Environments are reset for each derivation.
 TEST(Environments, GiveTheSamePlantEachTime)
 {
     auto const model = compiled(with_header("Axiom: A?E(1,1)\nA > ?E(x,r) : x>0 --> "

@@ -12,8 +12,8 @@
 namespace tractus::lsystem {
 namespace {
 
-// Contents of a rule, an L-system and a model, without their form. Parameters of successors are
-// whole numbers; those of contexts and predecessors have names that the printer makes up.
+// Contents of a rule, an L-system and a model, without their notation. Parameters of successors are
+// integers; those of contexts and predecessors have names chosen by the printer.
 struct PlainModule {
     char symbol = 'A';
     std::vector<int> parameters;
@@ -22,9 +22,10 @@ struct PlainModule {
 };
 
 struct PlainRule {
-    std::vector<PlainModule> left, predecessor, right, successor; // Values of formal ones are 0.
+    // Values of formal parameters are 0.
+    std::vector<PlainModule> left, predecessor, right, successor;
     bool has_condition = false;
-    int weight = 0; // 0: none.
+    int weight = 0; // Weight of a stochastic rule; 0: none.
 
     bool operator==(PlainRule const&) const = default;
 };
@@ -34,9 +35,9 @@ struct PlainSystem {
     bool ring = false;
     std::vector<PlainModule> axiom;
     std::string ignored;
-    std::vector<int> array; // Empty: none.
+    std::vector<int> array; // Empty if there is none.
     std::vector<PlainRule> rules, decomposition, homomorphism;
-    int depth = 1; // Depth of both.
+    int depth = 1; // Depth of decomposition and homomorphism.
 
     bool operator==(PlainSystem const&) const = default;
 };
@@ -102,7 +103,7 @@ PlainSystem random_system(int id)
     return system;
 }
 
-// Blanks where they may stand, or not.
+// Returns optional blanks.
 std::string blank()
 {
     return *rc::gen::element<std::string>("", " ", "\t", "  ");
@@ -169,7 +170,7 @@ std::string print(PlainSystem const& system)
     return text + "endlsystem\n";
 }
 
-// Returns what was compiled, as it was said.
+// Converts compiled modules back to plain ones.
 std::vector<PlainModule> read_back(Model const& model, std::vector<KindId> const& kinds)
 {
     std::vector<PlainModule> modules;
@@ -245,7 +246,7 @@ RC_GTEST_PROP(LanguageProperty, LSystemsPrintAndParse, ())
         auto const& compiled_system
             = i == 0 ? static_cast<LSystem const&>(*model) : model->subsystems[i - 1];
         auto found = read_back(*model, compiled_system);
-        // Symbols that are ignored are known only if they stand somewhere.
+        // Ignored symbols are known only if they occur somewhere.
         for (auto const symbol : found.ignored)
             RC_ASSERT(systems[i].ignored.find(symbol) != std::string::npos);
         found.ignored = systems[i].ignored;
@@ -253,12 +254,12 @@ RC_GTEST_PROP(LanguageProperty, LSystemsPrintAndParse, ())
     }
 }
 
-// An expression as a tree: a number, or an operation on one or two others.
+// An expression tree: a number, or an operation on one or two others.
 struct Expression {
     double number = 0;
     std::string text; // Text of the operator.
     Op op = Op::Copy;
-    int level = 9; // How strongly it binds.
+    int level = 9; // Precedence of the operator.
     std::unique_ptr<Expression> left, right;
 };
 
@@ -307,7 +308,7 @@ double value(Expression const& expression)
     return compute(expression.op, left, expression.right ? value(*expression.right) : left);
 }
 
-// Prints no more parentheses than it takes.
+// Prints an expression with the fewest parentheses.
 std::string print(Expression const& expression, int level)
 {
     if (!expression.left)

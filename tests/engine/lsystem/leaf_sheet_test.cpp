@@ -7,7 +7,8 @@
 namespace tractus::lsystem {
 namespace {
 
-// Two leaves: a triangle, and one twice as long. `size` is that of the pictures' files.
+// Returns a sheet with two leaves: a triangle, and one twice as long. `size` is the size of the
+// picture files.
 LeafSheet sheet_of(std::size_t size = 9)
 {
     LeafSheet sheet;
@@ -42,7 +43,7 @@ TEST(LeafSheet, IsReadAsItWasWritten)
 TEST(LeafSheet, WritesBase64AsTheStandardHasIt)
 {
     auto sheet = sheet_of();
-    sheet.color = leaf_page("foob"); // RFC 4648, section 10.
+    sheet.color = leaf_page("foob"); // Example of RFC 4648, section 10.
     sheet.normal = leaf_page("fooba");
     auto const text = print_leaf_sheet(sheet);
     EXPECT_NE(text.find("color Zm9vYg==\nnormal Zm9vYmE=\n"), std::string::npos) << text;

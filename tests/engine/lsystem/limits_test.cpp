@@ -9,11 +9,10 @@
 namespace tractus::lsystem {
 namespace {
 
-// A limit of time that has passed when it is asked for the third time: no test looks at a clock.
+// Returns a time limit that is exceeded at the third query, so that no test depends on a clock.
 TimeLimit soon()
 {
-    auto const asked
-        = std::make_shared<std::atomic<int>>(0); // Shared by the copies of the function.
+    auto const asked = std::make_shared<std::atomic<int>>(0); // Shared by copies of the function.
     return { [asked] { return ++*asked >= 3; }, 60 };
 }
 
@@ -43,7 +42,7 @@ TEST(TimeLimit, EndsLoopsInRulesAndBlocks)
     EXPECT_EQ(error_of_time("Axiom: A\nA : {x=1; while (x) {x=1;}} 1 --> B"), message("step 1"));
     EXPECT_EQ(error_of_time("Start: {x=1; do {x=1;} while (x);}\nAxiom: A"), message("the start"));
     EXPECT_EQ(error_of_time("EndEach: {x=1; while (x) {x=1;}}\nAxiom: A", 5), message("step 1"));
-    // No single loop is long here.
+    // None of the loops is long by itself.
     EXPECT_EQ(error_of_time("Axiom: A(30)\ndecomposition\nmaximum depth: 100\n"
                             "A(n) : {i=0; while (i<1000) {i=i+1;}} n>0 --> A(n-1)A(n-1)"),
               message("step 1"));
@@ -116,7 +115,7 @@ TEST(MemoryLimit, StopsOneModuleThatBecomesMany)
               "limit of memory");
 }
 
-// Modules within one module, deep within rules that never end, are drawn until a limit is reached.
+// Endless recursion of rules within one module must be stopped by a limit.
 TEST(DrawingLimits, HoldWithinOneModule)
 {
     auto const model = compiled(with_header("Axiom: A\nhomomorphism\nmaximum depth: 100000\n"
@@ -142,7 +141,7 @@ TEST(DrawingLimits, HoldWithinOneModule)
               "raise the limit of time");
 }
 
-// A line of /proc/self/status, in bytes; 0 where it cannot be read.
+// Returns a line of /proc/self/status in bytes; 0 if it cannot be read.
 std::size_t status_bytes(std::string const& key)
 {
     std::ifstream status("/proc/self/status");
@@ -152,7 +151,7 @@ std::size_t status_bytes(std::string const& key)
     return 0;
 }
 
-// All that drawing takes from the system counts: arrays that grow by copying, too.
+// All memory used by drawing counts, including arrays that grow by copying.
 TEST(DrawingLimits, HoldForTheMemoryOfTheProcess)
 {
     constexpr std::size_t kLimit = std::size_t { 160 } << 20;
@@ -161,7 +160,7 @@ TEST(DrawingLimits, HoldForTheMemoryOfTheProcess)
                                             0));
     auto const string = derive(model);
     ASSERT_TRUE(string);
-    std::ofstream("/proc/self/clear_refs") << 5 << std::flush; // The peak begins anew.
+    std::ofstream("/proc/self/clear_refs") << 5 << std::flush; // Resets the peak memory.
     auto const before = status_bytes("VmRSS:");
     if (before == 0 || status_bytes("VmHWM:") > before + (before >> 4) + (kLimit >> 4))
         GTEST_SKIP() << "the system does not tell the peak of the memory from here on";
@@ -170,7 +169,8 @@ TEST(DrawingLimits, HoldForTheMemoryOfTheProcess)
     ASSERT_FALSE(plant);
     EXPECT_NE(plant.error().message.find("needs more than 160 MB"), std::string::npos);
     EXPECT_LE(status_bytes("VmHWM:"), before + kLimit + (kLimit >> 3));
-    EXPECT_GE(status_bytes("VmHWM:"), before + (kLimit >> 2)); // Nor is it refused long before.
+    // The limit is not enforced long before it is reached.
+    EXPECT_GE(status_bytes("VmHWM:"), before + (kLimit >> 2));
 }
 
 TEST(DrawingLimits, HoldForWhatIsPlanned)
@@ -184,7 +184,7 @@ TEST(DrawingLimits, HoldForWhatIsPlanned)
     EXPECT_NE(plant.error().message.find("needs more than 2 MB"), std::string::npos);
 }
 
-// Nothing comes of these rules but what they hold.
+// These rules produce nothing, so only their own memory counts.
 TEST(MemoryLimit, CountsRulesThatRewriteEachOthersModules)
 {
     DeriveOptions options;

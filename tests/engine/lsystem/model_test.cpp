@@ -112,7 +112,7 @@ TEST(Model, GivesFunctionsItLacksTheValuesThatModelsExpect)
                                 "vvScale(1), play(\"bell\"), inblob(1,0,0,0), stop(1)+1)\n"
                                 "endlsystem\n");
     EXPECT_EQ(to_string(model, *derive(model)), "A(7,2,0,0,0,0,2)");
-    // One is of the window, whatever asks for it, one of blobs.
+    // One warning is for the window, whatever the query, and one for blobs.
     ASSERT_EQ(model.warnings.size(), 2u);
     EXPECT_EQ(model.warnings[1],
               "model.l:2:68: inblob() is not supported; its value is 0, as outside of all blobs");
@@ -123,7 +123,7 @@ TEST(Model, RefusesFilesWithOneWarning)
     auto const model = compiled("Lsystem: 1\nStart: {f = fopen(\"x\", \"w\"); fprintf(f, "
                                 "\"%f\", 1); fscanf(f, \"%f\", &y); fclose(f);}\nAxiom: "
                                 "A(f)\nendlsystem\n");
-    ASSERT_EQ(model.warnings.size(), 2u); // The other is of y.
+    ASSERT_EQ(model.warnings.size(), 2u); // The second warning is about y.
     EXPECT_EQ(model.warnings[0],
               "model.l:2:13: models read and write no files here: fopen() gives -1, and fprintf, "
               "fscanf, fflush and fclose do nothing");
@@ -164,7 +164,8 @@ TEST(Model, LooksUpCurvesByNumberAndName)
     EXPECT_NEAR(static_cast<double>(string->parameters[1]), 0, 1e-4);
     EXPECT_NEAR(static_cast<double>(string->parameters[2]), 9, 1e-4);
     EXPECT_EQ(string->parameters[3], 0.0f);
-    EXPECT_NEAR(static_cast<double>(string->parameters[4]), std::sqrt(90), 1e-4); // (3, 0, 9) long.
+    // The curve ends at (3, 0, 9).
+    EXPECT_NEAR(static_cast<double>(string->parameters[4]), std::sqrt(90), 1e-4);
     EXPECT_EQ(string->parameters[5], string->parameters[4]);
     EXPECT_EQ(string->parameters[6], 0.0f);
 }
@@ -185,7 +186,8 @@ TEST(Messages, NameTheWordOfAStatementThatWasMeant)
     EXPECT_EQ(error_in("y x = 4;"), "model.l:4:9: found 'x', expected ';'");
 }
 
-// A definition that ends in a turtle symbol takes the axiom in: the fault shows further down.
+// A definition that ends in a turtle symbol continues over the axiom, so the error appears on a
+// later line.
 TEST(Messages, SayWhatThePreprocessorSawBefore)
 {
     EXPECT_EQ(compile_error("Lsystem: 1\n#define TURN +\\\nAxiom: TURN F\nA --> B\nendlsystem\n"),
@@ -195,7 +197,7 @@ TEST(Messages, SayWhatThePreprocessorSawBefore)
               "as \\(a)");
 }
 
-// It is none of the system's, however it begins.
+// The text does not belong to the L-system, whatever it begins with.
 TEST(Messages, WarnOfWhatFollowsTheSystem)
 {
     for (auto const* const rest : { "more\n", "  more\n", "\tmore --> F\n" }) {

@@ -8,7 +8,7 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
-// However a string is cut, and on any number of threads, it draws the same plant.
+// A string must draw the same plant however it is split, and with any number of threads.
 
 namespace tractus::lsystem {
 namespace {
@@ -18,7 +18,7 @@ std::string text(Vec3 const& v)
     return fmt::format("{:a},{:a},{:a}", v.x(), v.y(), v.z());
 }
 
-// Returns all that a plant has, to the last bit.
+// Returns the full contents of a plant, to the last bit.
 std::string dump(TurtlePlant const& drawn)
 {
     auto const& plant = drawn.plant;
@@ -52,7 +52,7 @@ std::string dump(TurtlePlant const& drawn)
     return result;
 }
 
-// Returns what is drawn in pieces of the given length, or what went wrong.
+// Returns the plant drawn in pieces of the given length, or the error.
 std::string drawn_in_pieces(Model const& model, ModuleString const& string, int threads,
                             std::size_t long_branch, std::size_t max_parts = 1'000'000)
 {
@@ -77,7 +77,7 @@ material: 2 red kind=petal color=0.9,0.1,0.1
 organ: l leaf kind=blade material=1 length=2 width=1
 )";
 
-// Modules, mostly with closed brackets, so that most strings can be cut.
+// Returns modules, mostly with closed brackets, so that most strings can be split.
 std::string closed(std::vector<std::string> const& parts)
 {
     std::string text;
@@ -96,8 +96,8 @@ rc::Gen<std::string> any_bracket()
     return rc::gen::element<std::string>("[", "[", "[", "]", "]", "]");
 }
 
-// Random modules of all kinds that pieces treat differently, brackets and braces that need not
-// match among them.
+// Random modules of all kinds that pieces treat differently, including unbalanced brackets and
+// braces.
 RC_GTEST_PROP(Pieces, DrawTheSamePlant, ())
 {
     auto const symbol = rc::gen::element<std::string>(
@@ -119,7 +119,7 @@ RC_GTEST_PROP(Pieces, DrawTheSamePlant, ())
     RC_ASSERT(drawn_in_pieces(model, string, 4, length) == expected);
 }
 
-// No value: the string was not planned, or it is too short.
+// Returns the planned pieces; no value if the string cannot be planned or is too short.
 std::optional<std::vector<PlannedPiece>> plan(Model const& model, ModuleString const& string,
                                               std::size_t long_branch)
 {
@@ -148,7 +148,7 @@ RC_GTEST_PROP(Pieces, DrawTheSamePlantWhereSegmentsAreCounted, ())
     RC_ASSERT(drawn_in_pieces(model, string, 4, length) == expected);
 }
 
-// A tree with leaves, of which pieces of any length are drawn on several threads.
+// Returns a tree with leaves, whose pieces are drawn on several threads.
 Model tree(int steps)
 {
     return compiled(with_header("Axiom: A(1)\n"
@@ -160,7 +160,7 @@ Model tree(int steps)
                     kPiecesView);
 }
 
-// A parameter that is not finite, wherever it stands, lets every symbol be looked at by itself.
+// A parameter that is not finite disables the fast path for common symbols.
 RC_GTEST_PROP(Turtle, DrawsCommonSymbolsAsItDrawsAll, ())
 {
     auto const part = rc::gen::element<std::string>(
@@ -223,7 +223,7 @@ TEST(Pieces, AreCountedBeforeTheyAreDrawn)
     EXPECT_EQ(pieces->front().segment_count, plant.segment_count());
 }
 
-// Symbols that draw more cannot be counted without drawing it.
+// The result of these symbols cannot be counted without drawing them.
 TEST(Pieces, AreNotCountedWhereSymbolsDoMore)
 {
     for (std::string const symbol : { "@Gs", "@D(2)", "@M(1,2,3)", "@bo", "{(1)", "%", "@", "H" }) {
@@ -236,7 +236,7 @@ TEST(Pieces, AreNotCountedWhereSymbolsDoMore)
     EXPECT_TRUE(plan(model, derive(model).value(), 2));
 }
 
-// The homomorphism counts, so modules must be drawn in their order.
+// The homomorphism modifies a global variable, so modules must be drawn in their order.
 TEST(Pieces, KeepTheOrderOfGlobalVariables)
 {
     auto const model = compiled(with_header("Start: {n = 0;}\nAxiom: A\nA --> FB[+A]A\n"

@@ -10,7 +10,7 @@
 namespace tractus::lsystem {
 namespace {
 
-// Rows of segments, whatever their order: from, to, the radius at the base and at an axis' tip.
+// Returns sorted rows of segments: from, to, the radius at the base, and that at an axis's tip.
 std::vector<std::array<double, 8>> segments(Plant const& plant)
 {
     std::vector<std::array<double, 8>> result;

@@ -8,7 +8,7 @@
 namespace tractus::lsystem {
 namespace {
 
-// The text that a parser reads, without blanks and empty lines.
+// Returns the text for the parser, without blanks and empty lines.
 std::string preprocessed(std::string const& text)
 {
     auto const source = preprocess("model.l", text, {});
@@ -134,7 +134,7 @@ TEST(Preprocessor, SaysWhereAConditionIsWrong)
     EXPECT_EQ(preprocessed("#error too old\n"), "model.l:1:1: #error too old");
 }
 
-// As in C: what an included file closes must have begun in it.
+// As in C, conditions must begin and end in the same file.
 TEST(Preprocessor, ConditionsEndInTheirFile)
 {
     for (auto const* const directive : { "#endif", "#else", "#elif 1" }) {
@@ -171,7 +171,7 @@ TEST(Preprocessor, MakesStrings)
     EXPECT_EQ(preprocessed("#define wide #(3)\nwide"), "#(3)");
 }
 
-// The standard's own examples (C11 6.10.3.5, examples 3 and 7).
+// Examples 3 and 7 of the C standard (C11, 6.10.3.5).
 TEST(Preprocessor, ReadsResultsAgain)
 {
     EXPECT_EQ(
@@ -221,7 +221,8 @@ TEST(Preprocessor, KeepsTokensApart)
         return result ? result->text : result.error().message;
     };
     EXPECT_EQ(text("#define id(a) a\nid(x)y id(2)x 2id(x) id(F)(1)\n"), "\nx y 2 x 2id(x) F(1)\n");
-    EXPECT_EQ(text("#define X 3\n1e-X 1-X\n"), "\n1e-X 1-3\n"); // One number, says C.
+    // A single number according to the C standard.
+    EXPECT_EQ(text("#define X 3\n1e-X 1-X\n"), "\n1e-X 1-3\n");
 }
 
 TEST(Preprocessor, PassesWarningsOn)
@@ -261,14 +262,14 @@ TEST(Preprocessor, SaysWhatLineSays)
               "model.l:1:1: found #line x, expected a line's number, and perhaps \"FILE\"");
     EXPECT_NE(preprocessed("#line 40 made.l\n").find("found #line 40 made.l"), std::string::npos);
     EXPECT_NE(preprocessed("#line 4000000000\n").find("found #line"), std::string::npos);
-    EXPECT_EQ(preprocessed("# 40 A\n#40F\n"), "#40A#40F"); // The turtle's #.
+    EXPECT_EQ(preprocessed("# 40 A\n#40F\n"), "#40A#40F"); // The turtle's # symbol.
     std::string many;
     for (int i = 0; i < 2000; ++i)
         many += "#line 1 \"" + std::to_string(i) + "\"\n";
     EXPECT_NE(preprocessed(many).find("more than 1000"), std::string::npos);
 }
 
-// A line of an included file is of that file again, and one behind it of what includes it.
+// After an included file, line numbers are again those of the including file.
 TEST(Preprocessor, ForgetsAtTheEndOfAFileWhatLineSaid)
 {
     auto const include
@@ -296,9 +297,9 @@ TEST(Preprocessor, IncludesOnceWhereAPragmaSaysSo)
 TEST(Preprocessor, LeavesStringsAlone)
 {
     EXPECT_EQ(preprocessed("#define b 1\n\"a//b\" \"/*b\\\"*/\" b//c"), "\"a//b\"\"/*b\\\"*/\"1");
-    EXPECT_EQ(preprocessed("A \" B // c\nD"), "A\"BD"); // A lone quote begins nothing.
+    EXPECT_EQ(preprocessed("A \" B // c\nD"), "A\"BD"); // A single quote does not begin a string.
     EXPECT_EQ(derived("Start: { printf(\"// %g /* \", 1); }\nAxiom: A // b", 0), "A");
-    std::string quotes; // None of which ends another.
+    std::string quotes; // Quotes that do not end each other.
     for (int i = 0; i < 100'000; ++i)
         quotes += "\\\"";
     EXPECT_EQ(preprocessed(quotes), quotes);
@@ -320,7 +321,7 @@ TEST(Preprocessor, NamesTheDirectiveThatWasMeant)
     EXPECT_EQ(preprocessed("#if 1\n#esle\n#endif\n"),
               "model.l:2:1: found '#esle', expected '#else', perhaps");
     EXPECT_EQ(preprocessed("#if 0\n#defin X 3\n#iff\n#endif\n"), "");
-    // The turtle's #.
+    // The turtle's # symbol.
     for (std::string const line : { "#F", "#FFF", "#(2)F", "#fF(3)", "#iffF", "#fi", "#els(3)" })
         EXPECT_EQ(preprocessed(line), line);
 }
@@ -337,7 +338,7 @@ TEST(Preprocessor, BoundsWhatHostileMacrosCost)
         chain += "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + "\n";
     EXPECT_NE(preprocessed(chain + "A300\n").find("nested deeper"), std::string::npos);
     EXPECT_EQ(preprocessed(chain + "A150\n"), "x");
-    std::string empty = "#define A0\n"; // Doubles without making text.
+    std::string empty = "#define A0\n"; // Doubles without producing text.
     for (int i = 1; i < 60; ++i)
         empty += "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + " A"
             + std::to_string(i - 1) + "\n";

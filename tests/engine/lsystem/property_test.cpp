@@ -12,11 +12,11 @@
 namespace tractus::lsystem {
 namespace {
 
-// Makes the same cases each time, unless the environment says otherwise.
+// The seed is fixed, unless the environment variable sets other parameters.
 [[maybe_unused]] bool const has_parameters
     = setenv("RC_PARAMS", "seed=1 max_success=500", 0) == 0; // NOLINT(concurrency-mt-unsafe)
 
-// Modules of a few kinds in random order, with branches that are mostly closed.
+// Generates random modules of a few kinds, with mostly closed branches.
 rc::Gen<std::string> random_string(std::string const& symbols)
 {
     return rc::gen::map(
@@ -29,7 +29,7 @@ rc::Gen<std::string> random_string(std::string const& symbols)
         });
 }
 
-// A rule with or without a context of one module on each side.
+// Generates a rule with or without a context of one module on each side.
 rc::Gen<std::string> random_rule_text()
 {
     auto const context = [] { return rc::gen::element<std::string>("", "", "A", "B", "C", "+"); };
@@ -50,7 +50,7 @@ std::string derived_by(int threads, Model const& model, DeriveOptions const& opt
     return arena.execute([&] { return to_string(model, derive(model, options).value()); });
 }
 
-// A rule with a parameter that never applies keeps models away from the table.
+// A rule with a parameter, which never applies, prevents the use of the context table.
 RC_GTEST_PROP(LSystemProperty, ContextTableAgreesWithTheSearch, ())
 {
     auto const rules = *rc::gen::container<std::vector<std::string>>(random_rule_text());
@@ -70,7 +70,7 @@ RC_GTEST_PROP(LSystemProperty, ContextTableAgreesWithTheSearch, ())
         RC_ASSERT(to_string(tabled, *string) == to_string(searched, *expected));
 }
 
-// Brackets that do not match among them, and those that contexts do not see.
+// Includes unbalanced brackets, and brackets that contexts ignore.
 RC_GTEST_PROP(LSystemProperty, PiecesAgreeOnTheNeighboursAcrossThem, ())
 {
     auto const rules = *rc::gen::container<std::vector<std::string>>(random_rule_text());
@@ -91,7 +91,7 @@ RC_GTEST_PROP(LSystemProperty, PiecesAgreeOnTheNeighboursAcrossThem, ())
     RC_ASSERT(derived_by(4, model, options) == expected);
 }
 
-// Rules of all kinds, of which every string is cut into pieces.
+// Rules of all kinds, with every string split into pieces.
 RC_GTEST_PROP(LSystemProperty, ParallelAgreesWithSerial, ())
 {
     auto const rule = rc::gen::element<std::string>(
@@ -108,7 +108,7 @@ RC_GTEST_PROP(LSystemProperty, ParallelAgreesWithSerial, ())
         text += '\n' + line;
     auto const model = compiled(with_header(text, *rc::gen::inRange(1, 5)));
     auto const serial = derive(model);
-    RC_PRE(serial.has_value()); // Within the limits.
+    RC_PRE(serial.has_value()); // Only cases within the limits are used.
     auto const expected = to_string(model, *serial);
     DeriveOptions options;
     options.piece = *rc::gen::inRange<std::size_t>(1, 12);
@@ -116,8 +116,8 @@ RC_GTEST_PROP(LSystemProperty, ParallelAgreesWithSerial, ())
     RC_ASSERT(derived_by(4, model, options) == expected);
 }
 
-// Rules of which each module becomes a known number of others: pieces are written to their places,
-// some of which are smaller than one move of memory.
+// Rules whose modules become a known number of others: pieces are written directly to their
+// positions, and some are smaller than one memory copy.
 RC_GTEST_PROP(LSystemProperty, PiecesOfKnownSizesAreWrittenToTheirPlaces, ())
 {
     auto const module = rc::gen::element<std::string>("A(2)", "B(1)", "C", "D", "E", "F(1)",
@@ -140,7 +140,7 @@ RC_GTEST_PROP(LSystemProperty, PiecesOfKnownSizesAreWrittenToTheirPlaces, ())
     RC_ASSERT(derived_by(4, model, options) == expected);
 }
 
-// A module of two parameters that a rule computes from its own.
+// Generates a module with two parameters that a rule computes from its own.
 rc::Gen<std::string> random_module()
 {
     auto const value = [] {
@@ -156,7 +156,7 @@ rc::Gen<std::string> random_module()
         });
 }
 
-// The rules of modules A, B and C, of which chance chooses; each has `condition`.
+// Returns stochastic rules of modules A, B and C; each has `condition`.
 std::string rules_of_chance(std::vector<std::string> const& successors,
                             std::string const& condition)
 {
@@ -169,8 +169,8 @@ std::string rules_of_chance(std::vector<std::string> const& successors,
     return text;
 }
 
-// Rules with a condition, which always holds, are tried module after module. D's rule draws numbers
-// itself; E's is looked for in either case; F's needs no program.
+// Rules with a condition, which always holds, are tried for one module after another. D's rule
+// draws random numbers itself; E's is searched for in either case; F's needs no program.
 RC_GTEST_PROP(LSystemProperty, ModulesRewrittenTogetherAreAsThoseRewrittenAlone, ())
 {
     std::vector<std::string> successors(*rc::gen::inRange<std::size_t>(3, 9));
@@ -203,8 +203,7 @@ RC_GTEST_PROP(LSystemProperty, ModulesRewrittenTogetherAreAsThoseRewrittenAlone,
     RC_ASSERT(derived_by(4, together, options) == to_string(alone, *expected));
 }
 
-// A rule and another one before it that does the same in some contexts only are as good as the rule
-// alone.
+// A preceding rule with the same effect, in some contexts only, must not change the result.
 RC_GTEST_PROP(LSystemProperty, ContextsThatChangeNothingChangeNothing, ())
 {
     auto const context = [] { return rc::gen::element<std::string>("", "A", "B", "C", "+"); };
@@ -223,7 +222,7 @@ RC_GTEST_PROP(LSystemProperty, ContextsThatChangeNothingChangeNothing, ())
         contexts += '\n' + predecessor + " --> " + successor;
     }
     auto const steps = *rc::gen::inRange(1, 4);
-    // Contexts are found by the table, and, as it knows no parameters, by the search.
+    // Contexts are found by the table and, if a parameter prevents that, by the search.
     for (std::string const more : { "", "\nZ(x) --> Z(x)" }) {
         auto const one = compiled(with_header(plain + more, steps));
         auto const other = compiled(with_header(contexts + more, steps));
@@ -237,7 +236,7 @@ RC_GTEST_PROP(LSystemProperty, ContextsThatChangeNothingChangeNothing, ())
     }
 }
 
-// Branches that %(x) has kept are derived as if each were a string of its own.
+// Branches kept by %(x) must be derived as if each were a string of its own.
 RC_GTEST_PROP(LSystemProperty, KeptBranchesDeriveByThemselves, ())
 {
     std::string rules = *rc::gen::element<std::string>("", "ignore: +-%\n", "consider: ABC%\n");
@@ -284,7 +283,7 @@ TEST(LSystemThreads, ParametersAndChanceDoNotDependOnTheirNumber)
     EXPECT_TRUE(derived_by(4, model, {}) == one);
 }
 
-// Pieces of which little or nothing is left, side by side.
+// Neighbouring pieces that become empty or nearly so.
 TEST(LSystemThreads, PiecesMayBecomeNothing)
 {
     EXPECT_EQ(derived("Axiom: AAA\nA --> *"), "");
@@ -305,7 +304,7 @@ TEST(LSystemThreads, KnownSuccessorsDoNotDependOnTheirNumber)
     EXPECT_TRUE(derived_by(4, model, {}) == one);
 }
 
-// A module's rule affects later modules, those too whose own rules are plain arithmetic.
+// A module's rule affects later modules, even those whose own rules are plain arithmetic.
 TEST(LSystemThreads, SeedsThatARuleSetsHoldFromThereOn)
 {
     std::string const start

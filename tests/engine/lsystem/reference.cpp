@@ -62,7 +62,7 @@ ReferenceString ReferenceRewriter::step(ReferenceString const& string, int numbe
     return out;
 }
 
-// Appends what the module there becomes; returns how many modules that has read.
+// Appends the successor of the module at a position; returns how many modules it has consumed.
 std::size_t ReferenceRewriter::rewrite(ReferenceString const& string, std::size_t at,
                                        ReferenceString& out)
 {
@@ -86,7 +86,7 @@ std::size_t ReferenceRewriter::rewrite(ReferenceString const& string, std::size_
     return 1;
 }
 
-// Appends the module, or what rules that are applied again and again make of it.
+// Appends the module, or the result of applying rules to it recursively.
 void ReferenceRewriter::expand(RuleSet const& rules, ReferenceString const& string,
                                std::size_t left, std::size_t right, ReferenceModule const& module,
                                int depth, ReferenceString& out)
@@ -107,8 +107,8 @@ ReferenceString ReferenceRewriter::drawn(ReferenceString const& string)
     return out;
 }
 
-// Contexts are looked for leftwards from before `left` and rightwards from `right` on; where that
-// is kNoPosition, from behind the predecessor on.
+// Finds a rule. Contexts are searched leftwards from before `left` and rightwards from `right` on;
+// if that is kNoPosition, from behind the predecessor on.
 Rule const* ReferenceRewriter::find(RuleSet const& rules, ReferenceString const& string,
                                     std::size_t left, std::size_t right,
                                     ReferenceString const& predecessor)
@@ -183,7 +183,7 @@ bool ReferenceRewriter::matches_context(std::vector<KindId> const& context, Look
     return true;
 }
 
-// The next module that a context may mean, from before which, or behind which, it looks on.
+// Returns the next module that may match a context, before or behind `from`.
 std::optional<std::size_t> ReferenceRewriter::next(ReferenceString const& string, std::size_t from,
                                                    Looks looks, bool names_bracket,
                                                    int& rounds) const
@@ -303,7 +303,7 @@ std::vector<ReferenceSegment> draw_reference(Model const& model, ReferenceString
             saved.pop_back();
         } else if (symbol == '!' || symbol == '#') {
             turtle.diameter = parameter_or(turtle.diameter);
-        } else if (symbol == 'v') { // The only one here that begins with @.
+        } else if (symbol == 'v') { // The only module here that begins with @.
             Vec3 const level = Vec3::UnitZ().cross(turtle.heading);
             if (level.norm() >= 1e-9)
                 turtle.left = level.normalized();

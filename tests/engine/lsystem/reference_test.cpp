@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-// Every way in which the program rewrites and draws, against one that is as short as it can be.
+// Compares all ways in which the program rewrites and draws with the reference implementation.
 
 namespace tractus::lsystem {
 namespace {
@@ -36,7 +36,7 @@ std::string text_of(Model const& model, ModuleString const& string)
     return to_string(model, modules);
 }
 
-// Derives the model in every way there is: whole, and in pieces of some length.
+// Derives the model in every way: whole, and in pieces of some length.
 void compare(std::string const& text, int steps, std::size_t piece)
 {
     constexpr std::size_t kMost = 2000;
@@ -84,7 +84,7 @@ std::string string_of_plain_modules(std::size_t most)
     return all_of(some(any_of({ "A", "B", "C", "+", "-", "[", "]", "[", "]", "A[B]", "%" }), most));
 }
 
-// Without parameters rules with contexts of one module go through a table, and all others do not.
+// Rules without parameters and with contexts of one module use a table, all others do not.
 RC_GTEST_PROP(Reference, RulesWithContextsAgree, ())
 {
     std::string text = *any_of({ "", "", "ring L-system\n" })
@@ -102,8 +102,8 @@ RC_GTEST_PROP(Reference, RulesWithContextsAgree, ())
     compare(text, *rc::gen::inRange(1, 5), *rc::gen::inRange<std::size_t>(1, 20));
 }
 
-// Rules that are alike for a kind, with programs, chance, conditions and blocks, and those that are
-// run for many modules at once.
+// Rules of one kind, with programs, stochastic choice, conditions and blocks, including those
+// executed for many modules at once.
 RC_GTEST_PROP(Reference, RulesWithProgramsAgree, ())
 {
     static Texts const rules {
@@ -164,8 +164,8 @@ std::vector<Numbers> segments_of(Plant const& plant)
     return in_some_order(std::move(segments));
 }
 
-// The turtle draws common symbols from registers, branches by other threads, and segments that were
-// counted to their places.
+// The turtle draws common symbols in a fast path, branches on other threads, and counted segments
+// directly to their positions.
 RC_GTEST_PROP(Reference, SegmentsAgree, ())
 {
     static Texts const symbols { "F",  "F",      "F(0.5)", "F(0)",  "f",     "G(2)",    "g",

@@ -32,7 +32,7 @@ TEST(Contours, AreWalkedAtEqualSteps)
     EXPECT_EQ(stripe.name, "section");
     EXPECT_FALSE(stripe.closed);
     ASSERT_EQ(stripe.points.size(), Contour::kSteps + 1);
-    // Tripled end points: it reaches both.
+    // The end points are tripled, so the curve reaches both.
     EXPECT_LT((stripe.points.front() - Vec3f(0, -6, 0)).norm(), 1e-5f);
     EXPECT_LT((stripe.points.back() - Vec3f(0, 6, 0)).norm(), 1e-5f);
     for (std::size_t i = 1; i < stripe.points.size(); ++i)
@@ -70,7 +70,7 @@ TEST(Contours, NameThePlaceOfAnError)
               "section.con:3: expected a control point 'x y z [multiplicity]'");
 }
 
-// A flat square patch from y = 0 to 3 with the contact in the middle of its lower edge.
+// Returns a flat square patch from y = 0 to 3 with the contact in the middle of its lower edge.
 std::string square_surface(std::string const& frame, std::string const& neighbors = "L: ~ R: ~")
 {
     std::string text = "0 3 0 3 0 0\nPRECISION S: 5 T: 5\nCONTACT POINT  X: 1.5 Y: 0 Z: 0\n"
@@ -92,11 +92,11 @@ TEST(Surfaces, StandInTheTurtlesFrame)
     ASSERT_TRUE(upright) << upright.error().message;
     ASSERT_EQ(upright->patches.size(), 1u);
     auto const& patch = upright->patches[0];
-    EXPECT_EQ(patch.control[0], Vec3(-3, 6, 0)); // Size 3 becomes 6.
+    EXPECT_EQ(patch.control[0], Vec3(-3, 6, 0)); // Size 3 is scaled to 6.
     EXPECT_EQ(patch.control[15], Vec3(3, 0, 0));
     EXPECT_EQ(upright->end_point, Vec3(0, 6, 0));
-    EXPECT_GT(patch.normal_at(0.5, 0.5).z(), 0); // Its face is the turtle's upper side.
-    // Modelled with its length along -x: then what leads along y leads to the right.
+    EXPECT_GT(patch.normal_at(0.5, 0.5).z(), 0); // Its front is the turtle's upper side.
+    // If it is modelled with its length along -x, the y direction becomes the right.
     auto const lying = parse_surface(
         "leaf.s", square_surface("HEADING  X: -1 Y: 0 Z: 0\nUP  X: 0 Y: 0 Z: -1\n"), 3);
     ASSERT_TRUE(lying) << lying.error().message;
@@ -182,7 +182,7 @@ TEST(TriangleSurfaces, LieInTheFrameOfOrgans)
     ASSERT_EQ(surface->patches.size(), 2u);
     auto const& patch = surface->patches[0];
     EXPECT_EQ(patch.at(0, 0), Vec3(0, 0, 0));
-    EXPECT_EQ(patch.at(1, 0), Vec3(-10, 0, 0)); // To the left.
+    EXPECT_EQ(patch.at(1, 0), Vec3(-10, 0, 0)); // Towards the left.
     EXPECT_EQ(patch.at(0, 1), Vec3(0, 20, -5));
     EXPECT_EQ(patch.at(1, 1), Vec3(0, 20, -5));
     EXPECT_EQ(surface->end_point, Vec3::Zero());
@@ -205,7 +205,7 @@ TEST(ColorFiles, BecomeColorsOfTheView)
 {
     auto const map = color_map_statements("plant.map", std::string("\0\0\0\xff\x80\0", 6));
     ASSERT_TRUE(map) << map.error().message;
-    // The number, transparency, ambient, diffuse, emitted, reflected, shininess.
+    // Record: number, transparency, ambient, diffuse, emitted, reflected, shininess.
     std::string const record("\x05\x33"
                              "\x10\x10\x10"
                              "\xff\0\x33"
@@ -219,7 +219,8 @@ TEST(ColorFiles, BecomeColorsOfTheView)
         "model.v", "material: 0 soil kind=solid color=0.5,0.4,0.3\n" + *materials + *map, {});
     ASSERT_TRUE(view) << view.error().message;
     ASSERT_EQ(view->materials.size(), 3u);
-    EXPECT_EQ(view->materials.at(0).name, "soil"); // Said before; it would count behind it, too.
+    // Mentioned before the file, as in the reverse case.
+    EXPECT_EQ(view->materials.at(0).name, "soil");
     auto const& orange = view->materials.at(1);
     EXPECT_LT((orange.base_color - Vec3f(1, 0.502f, 0)).norm(), 1e-3f);
     EXPECT_EQ(orange.kind, Material::Kind::Stem);
@@ -240,7 +241,7 @@ TEST(ColorFiles, SayWhatTheyShouldBe)
               "a.mat: found 2 bytes, expected materials: records of 15 bytes");
 }
 
-// Every surface and contour that comes with a published model.
+// Reads every surface and contour of the published models.
 TEST(PublishedShapes, AreRead)
 {
     REQUIRE_CORPUS();

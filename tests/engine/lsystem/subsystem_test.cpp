@@ -6,7 +6,7 @@
 namespace tractus::lsystem {
 namespace {
 
-// A main L-system and one sub-L-system, number 2.
+// Returns a model with a main L-system and one sub-L-system, number 2.
 std::string two_systems(std::string const& main, std::string const& sub, int steps = 1)
 {
     return with_header(main, steps) + "\nLsystem: 2\n" + sub + "\nendlsystem\n";
@@ -21,7 +21,7 @@ std::string derived_text(std::string const& text)
     return string ? to_string(model, *string) : std::string();
 }
 
-// Returns what the blocks and rules print, in their order.
+// Returns the output printed by blocks and rules, in order.
 std::string printed_by(std::string const& text)
 {
     auto const model = compiled(text);
@@ -61,7 +61,7 @@ TEST(Subsystems, AreCalledAndEndedByRules)
 {
     auto const text
         = two_systems("Axiom: A\nA --> ?(2)A(3)$", "A(n) : n>0 --> BA(n-1)\nA(n) --> $C", 6);
-    // The call appears in the first step; the A that follows the new $ is the main one's.
+    // The call appears in the first step; the A behind the new $ belongs to the main L-system.
     EXPECT_EQ(derived_text(text), "?(2)BBB$C$");
 }
 
@@ -171,7 +171,7 @@ TEST(Subsystems, LeaveModelsWithoutThemAlone)
               "model.l:4:1: what follows endlsystem is not read, since it is no 'Lsystem:'");
 }
 
-// Once, in the order of the string.
+// Printed once, in the order of the string.
 TEST(Subsystems, PrintWhatTheirHomomorphismsPrint)
 {
     auto const model = compiled("Lsystem: 1\nderivation length: 0\nAxiom: B?(2)A(1)$B\n"

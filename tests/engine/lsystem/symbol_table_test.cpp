@@ -1,4 +1,4 @@
-// Every symbol of the turtle's, as cpfg's manual lists them: what it draws, and where it leads.
+// Tests every turtle symbol in cpfg's manual: what it draws, and where it leads.
 #include "tests/engine/lsystem/small_model.h"
 
 #include <array>
@@ -11,8 +11,8 @@
 namespace tractus::lsystem {
 namespace {
 
-// A row's symbols stand before one more F of length 1, whose tip is `tip`: so it shows where the
-// turtle was, how it lay, and how large it drew. Counts do not count that F.
+// A row's symbols are followed by one more F of length 1 with the tip `tip`, which shows the
+// turtle's position, orientation and scale. The counts do not include that F.
 struct Row {
     char const* symbols;
     Vec3 tip { 0, 0, 1 };
@@ -36,14 +36,14 @@ double const kHalf = std::sqrt(0.5);
 Vec3 const kBent { std::sin(0.5), 0, std::cos(0.5) }; // Half a radian towards +x.
 
 std::vector<Row> const kRows {
-    // Steps, without and with a segment.
+    // Steps, with and without a segment.
     { "F", { 0, 0, 2 }, 1 },
     { "F(3)", { 0, 0, 4 }, 1 },
     { "f", { 0, 0, 2 } },
     { "f(3)", { 0, 0, 4 } },
     { "G(3)", { 0, 0, 4 }, 1 },
     { "g(3)", { 0, 0, 4 } },
-    // Turns.
+    // Rotations.
     { "+", { -1, 0, 0 } },
     { "+(45)", { -kHalf, 0, kHalf } },
     { "-", { 1, 0, 0 } },
@@ -70,7 +70,7 @@ std::vector<Row> const kRows {
     { ",", { 0, 0, 1 }, 0, 0, 0, 0.5f, "zero" },
     { ";(2)", { 0, 0, 1 }, 0, 0, 0, 0.5f, "two" },
     { ",(0)", { 0, 0, 1 }, 0, 0, 0, 0.5f, "zero" },
-    // Polygons and cylinders: four segments between two control points, unless the symbol says.
+    // Polygons and cylinders: four segments between two control points by default.
     { "{F+F+F}", { -1, 0, -1 }, 0, 0, 1 },
     { "{.f.+f.+f.}", { -1, 0, -1 }, 0, 0, 1 },
     { "{G.+F.+F.}", { -1, 0, -1 }, 0, 0, 1 },
@@ -90,7 +90,7 @@ std::vector<Row> const kRows {
     { "@c(2)", { 0, 0, 1 }, 0, 1 },
     { "@bo(2)", { 0, 0, 1 }, 32 },
     { "@bc(2)", { 0, 0, 1 }, 32 },
-    // Place and frame, in the model's space: y is up, z comes to the viewer.
+    // Position and frame, in the model's space: y is up, z points to the viewer.
     { "@M(1,2,3)", { 1, -3, 3 } },
     { "@M(1,2)", { 1, 0, 3 } },
     { "@R(0,0,2)", { 0, -1, 0 } },
@@ -112,12 +112,12 @@ std::vector<Row> const kRows {
     { "@Ti(1,1)@Td(1)", kBent },
     { "_(0.5)f_(0)", { std::sin(kPi / 6), 0, 1 + std::cos(kPi / 6) } },
     { "/@Tf@Tp+", { 0, 1, 0 } },
-    // Questions, and what is no symbol of the turtle's.
+    // Queries, and symbols that the turtle does not know.
     { "?P(9,9,9)?H(9,9,9)?L(9,9,9)?U(9,9,9)?E(9)" },
     { "ABC(1,2,3)$" },
 };
 
-// Surfaces of the turtle's need sixteen points.
+// Returns a surface defined by the turtle, which needs sixteen points.
 std::string surface_symbols()
 {
     std::string result = "@PS(1)";
@@ -147,7 +147,7 @@ TEST(TurtleSymbols, DrawWhatTheTableSays)
 {
     for (auto const& row : kRows) {
         expect_row(row, kTropismView);
-        // Without tropisms common symbols take a way of their own.
+        // Without tropisms, common symbols use the fast path.
         if (std::string_view(row.symbols).find("@T") == std::string_view::npos)
             expect_row(row, kSymbolsView);
     }
@@ -160,7 +160,7 @@ std::vector<std::string> warnings_about(std::string const& symbols)
     auto const model = compiled(with_header("Axiom: F" + symbols + "F", 0), kSymbolsView);
     auto const result = interpret_with_warnings(model, derive(model).value());
     EXPECT_TRUE(result) << result.error().message;
-    EXPECT_TRUE(result && result->plant.segment_count() == 2) << symbols; // Drawn on.
+    EXPECT_TRUE(result && result->plant.segment_count() == 2) << symbols; // Drawing continues.
     return result ? result->warnings : std::vector<std::string>();
 }
 
@@ -181,7 +181,7 @@ TEST(TurtleSymbols, AreLeftOutWithOneSentence)
     };
     for (auto const& [symbols, warning] : cases)
         EXPECT_EQ(warnings_about(symbols), std::vector<std::string> { warning });
-    // They are about cpfg's ray tracer, or other programs.
+    // These symbols concern cpfg's ray tracer, or other programs.
     EXPECT_TRUE(warnings_about("@mo(1,2,3)@I(\"a\",2)@J(1,2,3)@Z@Y").empty());
     for (auto const& row : kRows) {
         auto const model

@@ -7,7 +7,7 @@
 namespace tractus::mesh {
 namespace {
 
-// A square of side 2 about the origin, from the middle of its side at x = 1 on.
+// Returns a square of side 2 about the origin, beginning in the middle of its side at x = 1.
 Contour square()
 {
     Contour contour;
@@ -28,7 +28,7 @@ Contour square()
     return contour;
 }
 
-// A ribbon two wide along y.
+// Returns a ribbon with a width of 2 along y.
 Contour ribbon()
 {
     Contour contour;
@@ -40,7 +40,8 @@ Contour ribbon()
     return contour;
 }
 
-// A straight axis of 100 mm, its section 10 mm times the contour, with a node in the middle.
+// Returns a straight axis of 100 mm with a node in the middle; its section is 10 mm times the
+// contour.
 Plant extruded(Contour const& contour)
 {
     Plant plant;
@@ -80,10 +81,10 @@ TEST(Extrusion, FillsAClosedOutline)
 TEST(Extrusion, GivesASheetTwoSides)
 {
     auto const mesh = mesh_of(extruded(ribbon()));
-    EXPECT_EQ(mesh.triangle_count(), 2u * 2 * 2 * 16); // Sides, stretches, triangles, strips.
+    EXPECT_EQ(mesh.triangle_count(), 2u * 2 * 2 * 16); // Sides, segments, triangles, strips.
     EXPECT_EQ(open_edge_count(mesh), 0u);
     for (auto const& position : mesh.positions_mm)
-        EXPECT_NEAR(position.x(), 0, 1e-4f); // Its normal is x, the ribbon lies across it.
+        EXPECT_NEAR(position.x(), 0, 1e-4f); // The ribbon lies across its normal, x.
 }
 
 TEST(Extrusion, TwistsWithItsSections)
@@ -95,14 +96,14 @@ TEST(Extrusion, TwistsWithItsSections)
     for (auto const& position : mesh.positions_mm)
         if (position.z() > 99)
             widest_mm = std::max<double>(widest_mm, position.x());
-    EXPECT_NEAR(widest_mm, 10 * std::sqrt(2), 1e-3); // A corner leads to x now.
+    EXPECT_NEAR(widest_mm, 10 * std::sqrt(2), 1e-3); // A corner now points to x.
 }
 
 TEST(Extrusion, PassesFromOneOutlineToAnother)
 {
     auto plant = extruded(square());
     for (auto& section : plant.node_section)
-        section.next_contour = kNoContour; // A circle.
+        section.next_contour = kNoContour; // No contour means a circle.
     plant.node_section[1].share = 0.5f;
     plant.node_section[2].share = 1;
     auto const mesh = mesh_of(plant);
@@ -127,7 +128,7 @@ TEST(Extrusion, HasTheSidesThatAreAskedFor)
         section.sides = 4;
     EXPECT_EQ(mesh_of(plant).triangle_count(), 2u * 2 * 2 * 4);
     auto const coarse = make_mesh(extruded(ribbon()), { .min_sides = 3, .max_sides = 8 });
-    EXPECT_EQ(coarse.triangle_count(), 2u * 2 * 2 * 8); // Half the fineness, half the sides.
+    EXPECT_EQ(coarse.triangle_count(), 2u * 2 * 2 * 8); // Half the fineness gives half the sides.
 }
 
 TEST(Extrusion, SurvivesNodesThatCoincideAndMaterialsThatChange)

@@ -9,7 +9,7 @@
 namespace tractus::mesh {
 namespace {
 
-// One mesh behind the other has the triangles that the mesh of both plants together has.
+// The triangles of two joined meshes must be those of the mesh of both plants together.
 TEST(JoinMeshes, GivesTheMeshOfBothPlants)
 {
     Vec3 const moved_mm(500, -20, 0);

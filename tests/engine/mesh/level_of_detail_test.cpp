@@ -21,7 +21,7 @@ Mesh mesh_at(Plant const& plant, double share)
     return make_mesh(coarser_plant(plant, {}, share), coarser_options({}, share));
 }
 
-// Volume of the frusta between nodes.
+// Returns the volume of the frusta between nodes.
 double skeleton_volume_mm3(Plant const& plant)
 {
     double volume = 0;
@@ -36,12 +36,13 @@ double skeleton_volume_mm3(Plant const& plant)
     return volume;
 }
 
-// Area of both sides of leaves, as they lie in the plant.
+// Returns the area of both sides of the leaves in the plant.
 double organ_area_mm2(Mesh const& mesh)
 {
     double area = 0;
     for (auto const& organ : mesh.organs)
-        for (auto const& instance : organ.instances) // Leaves are nearly flat, across their z.
+        // Leaves are nearly flat, perpendicular to their z.
+        for (auto const& instance : organ.instances)
             area += double { surface_area(organ.prototype) } * instance.scale.x()
                 * instance.scale.y();
     return area;
@@ -59,7 +60,7 @@ TEST(LevelOfDetail, HasTheShareOfTrianglesThatWasAskedFor)
 TEST(LevelOfDetail, NoTwigGoesThatCouldStay)
 {
     auto plant = sample_tree(1);
-    plant.organs.clear(); // Cards of leaves may take much less than they might.
+    plant.organs.clear(); // Leaf cards may need far fewer triangles than allowed.
     auto const full = static_cast<double>(make_mesh(plant).triangle_count());
     int thinned = 0;
     for (double const share : kShares) {
@@ -98,7 +99,7 @@ TEST(LevelOfDetail, TubesOfFewSidesKeepTheVolumeOfRoundOnes)
         return volume_mm3(make_mesh(plant, options).surfaces.at(0));
     };
     double const round = kPi * 10 * 10 * 4 * 50;
-    EXPECT_NEAR(volume(3), round, 0.06 * round); // The dome's tip is in it.
+    EXPECT_NEAR(volume(3), round, 0.06 * round); // Includes the tip of the dome.
     EXPECT_NEAR(volume(8), round, 0.06 * round);
 }
 
@@ -112,7 +113,7 @@ TEST(LevelOfDetail, TheTrunkStaysInItsPlaceAndAsThickAsItIs)
         auto const nodes = coarse.positions(now);
         EXPECT_EQ(nodes.front(), plant.positions(trunk).front());
         EXPECT_EQ(nodes.back(), plant.positions(trunk).back());
-        for (std::size_t i = 0; i < nodes.size(); ++i) { // Each is one of the whole plant's.
+        for (std::size_t i = 0; i < nodes.size(); ++i) { // Each node is one of the whole plant's.
             bool found = false;
             for (std::uint32_t k = 0; k <= trunk.segment_count; ++k)
                 found |= nodes[i] == plant.node_position_mm[trunk.first_node + k]

@@ -66,9 +66,9 @@ TEST(MakeMesh, HasTheVolumeOfATruncatedConeAndHalfABall)
 
 TEST(MakeMesh, MakesTheTrianglesThatAreCountedByHand)
 {
-    // Three segments of 8 quads; a ring and an apex for the dome; a base of 6.
+    // Three segments with 8 quads each; a ring and an apex for the dome; a base of 6.
     EXPECT_EQ(make_mesh(single_axis(3, 10, 5), kEightSides).triangle_count(), 3 * 16 + 16 + 8 + 6u);
-    // A pointed tip: the last segment is a cone of 8.
+    // With a pointed tip, the last segment is a cone of 8 triangles.
     EXPECT_EQ(make_mesh(single_axis(3, 10, 0), kEightSides).triangle_count(), 2 * 16 + 8 + 6u);
     // The lateral axis has no base of its own.
     auto plant = small_plant();
@@ -113,7 +113,7 @@ TEST(MakeMesh, IsSoundForATreeAndFacesOutwards)
         auto const mesh = make_mesh(plant);
         ASSERT_EQ(mesh.surfaces.size(), 1u);
         expect_sound(mesh.surfaces[0]);
-        // A few within sharp bends may be: they are inside the tube.
+        // A few triangles in sharp bends may be inverted: they are inside the tube.
         EXPECT_LT(inside_out_count(mesh.surfaces[0]), mesh.surfaces[0].triangle_count() / 200);
     }
 }
@@ -121,13 +121,13 @@ TEST(MakeMesh, IsSoundForATreeAndFacesOutwards)
 TEST(MakeMesh, NormalsLeanWithTheTaper)
 {
     auto const mesh = make_mesh(single_axis(4, 20, 4));
-    float const expected = 16.0f / 200; // Fall of the radius along the axis.
+    float const expected = 16.0f / 200; // Slope of the radius along the axis.
     auto const& tubes = mesh.surfaces[0];
     for (std::size_t i = 0; i < tubes.normals.size(); ++i) {
         auto const& position = tubes.positions_mm[i];
         auto const& normal = tubes.normals[i];
         if (position.z() < 1 || position.z() > 199)
-            continue; // Base and dome.
+            continue; // Skips base and dome.
         EXPECT_NEAR(normal.z() / Vec2f(normal.x(), normal.y()).norm(), expected, 0.01);
         EXPECT_GT(normal.head<2>().dot(position.head<2>()), 0);
     }
@@ -237,7 +237,7 @@ TEST(MakeMesh, KeepsTheWidthThroughASharpBend)
     for (auto const& position : mesh.surfaces[0].positions_mm)
         outermost
             = std::max(outermost, (position - Vec3f(0, 0, 50)).dot(Vec3f(-1, 0, 1).normalized()));
-    EXPECT_NEAR(outermost, 5, 0.2); // A pinched corner would have far less.
+    EXPECT_NEAR(outermost, 5, 0.2); // A pinched corner would be much thinner.
 }
 
 TEST(MakeMesh, JoinsMaterialsWithoutAGap)
@@ -266,7 +266,7 @@ TEST(MakeMesh, TextureIsSeamlessAndHasOneScale)
         EXPECT_EQ(tubes.positions_mm[first], tubes.positions_mm[first + 8]);
         EXPECT_EQ(tubes.texture_coordinates[first].x(), 0);
         EXPECT_EQ(tubes.texture_coordinates[first + 8].x(), 1);
-        // 50 mm a segment, and a circumference of 20 pi.
+        // Each segment is 50 mm long, and the circumference is 20 pi.
         EXPECT_NEAR(tubes.texture_coordinates[first].y(),
                     static_cast<double>(ring) * 50 / (20 * kPi), 1e-5);
     }
@@ -293,7 +293,7 @@ TEST(MakeMesh, FillsConcavePolygons)
 {
     auto plant = single_axis(1, 1, 1);
     plant.materials.push_back({ .name = "leaf", .kind = Material::Kind::Leaf });
-    // An arrowhead in the plane y = 0, of area 1,000 mm², facing -y.
+    // An arrowhead in the plane y = 0, with an area of 1,000 mm², facing -y.
     plant.polygon_vertices_mm = { { 0, 0, 0 }, { 50, 0, -20 }, { 0, 0, 40 }, { -50, 0, -20 } };
     plant.polygons = { { .first_vertex = 0, .vertex_count = 4, .material = 1 } };
     auto const mesh = make_mesh(plant);
@@ -308,7 +308,7 @@ TEST(MakeMesh, FillsConcavePolygons)
         magnitude += area_vector(polygon, i).norm() / 2;
     }
     EXPECT_NEAR(area.norm(), 2000, 1e-3);
-    EXPECT_NEAR(magnitude, 2000, 1e-3); // No triangle outside the outline.
+    EXPECT_NEAR(magnitude, 2000, 1e-3); // No triangle lies outside the outline.
     EXPECT_GT(area.dot(polygon.normals[0].cast<double>()), 0);
 }
 

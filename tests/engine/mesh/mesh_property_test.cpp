@@ -9,7 +9,7 @@
 namespace tractus::mesh {
 namespace {
 
-// Makes the same cases each time, unless the environment says otherwise.
+// The seed is fixed, unless the environment variable sets other parameters.
 [[maybe_unused]] bool const has_parameters
     = setenv("RC_PARAMS", "seed=1 max_success=60", 0) == 0; // NOLINT(concurrency-mt-unsafe)
 
@@ -52,7 +52,7 @@ RC_GTEST_PROP(MeshProperties, IsSound, ())
     RC_ASSERT(!::testing::Test::HasFailure());
 }
 
-// Into a buffer that is longer than it should need to be, so that too much would be seen.
+// The buffer is longer than necessary, so that writing beyond the plan would be detected.
 RC_GTEST_PROP(MeshProperties, PiecesTakeTheRoomThatThePlanSays, ())
 {
     auto const plant = *random_plants();

@@ -138,7 +138,7 @@ TEST(OrganMesh, SurvivesExtremeParameters)
                               .curl_rad = 9 }));
 }
 
-// A rhombus that is cut along its midrib.
+// A rhombus cut along its midrib.
 TEST(OrganMesh, BendsAndFoldsACutLeaf)
 {
     CutLeaf const cut { .corners = { { 0, 0 }, { 0.5, 0.5 }, { 0, 1 }, { -0.5, 0.5 } },

@@ -8,7 +8,7 @@
 namespace tractus::mesh {
 namespace {
 
-// A patch over a rectangle of the organ's plane, x from `left` on, bulging up by `bulge`.
+// Returns a patch over a rectangle in the organ's plane, x from `left` on, with a bulge of `bulge`.
 BezierPatch patch(double left, double width, double length, double bulge)
 {
     BezierPatch result;
@@ -52,7 +52,7 @@ TEST(SurfaceMesh, IsFinerWhereItBendsAndWhenAsked)
     auto const count = [](double bulge, int subdivision) {
         return surface_mesh(surface({ patch(0, 10, 30, bulge) }), subdivision).triangle_count();
     };
-    EXPECT_EQ(count(0, 4), 2u); // Flat: one quadrangle.
+    EXPECT_EQ(count(0, 4), 2u); // A flat patch is one quadrangle.
     EXPECT_GT(count(12, 4), count(3, 4));
     EXPECT_GT(count(12, 8), count(12, 4));
     EXPECT_GT(count(12, 4), count(12, 2));
@@ -63,7 +63,7 @@ TEST(SurfaceMesh, SharesTheSeamsOfNeighbors)
 {
     auto left = patch(-10, 10, 30, 12);
     auto right = patch(0, 10, 30, 12);
-    right.control[5].z() = 20; // The seam stays, the normals differ along it.
+    right.control[5].z() = 20; // The seam stays, but the normals along it differ.
     auto const apart = surface_mesh(surface({ left, right }), 4);
     left.neighbors[BezierPatch::Right] = 1;
     right.neighbors[BezierPatch::Left] = 0;
@@ -75,7 +75,8 @@ TEST(SurfaceMesh, SharesTheSeamsOfNeighbors)
     EXPECT_EQ(apart.positions_mm.size() - joined.positions_mm.size(), strips + 1);
 }
 
-// A row of two patches, the right one three times as broad; above each another, half as long.
+// Returns a row of two patches, the right one three times as wide, and above each another one of
+// half the length.
 std::vector<BezierPatch> four_patches()
 {
     std::vector<BezierPatch> patches { patch(-5, 10, 20, 3), patch(5, 30, 20, 3),
@@ -83,7 +84,7 @@ std::vector<BezierPatch> four_patches()
     for (std::size_t i = 2; i < 4; ++i)
         for (auto& point : patches[i].control)
             point.y() += 20;
-    using enum BezierPatch::Side; // Their rows begin at the tip.
+    using enum BezierPatch::Side; // The rows begin at the tip.
     patches[0].neighbors = { 2, BezierPatch::kNoPatch, BezierPatch::kNoPatch, 1 };
     patches[1].neighbors = { 3, BezierPatch::kNoPatch, 0, BezierPatch::kNoPatch };
     patches[2].neighbors = { BezierPatch::kNoPatch, 0, BezierPatch::kNoPatch, 3 };
@@ -91,7 +92,7 @@ std::vector<BezierPatch> four_patches()
     return patches;
 }
 
-// Each patch has an equal share of the texture, however large it is.
+// Returns texture coordinates: each patch has an equal share of the texture, whatever its size.
 Vec2 on_four_patches(Vec3f const& at)
 {
     return { at.x() < 5 ? (at.x() + 5) / 20 : 0.5 + (at.x() - 5) / 60,
@@ -109,7 +110,7 @@ TEST(SurfaceMesh, LaysATextureOnPatches)
             1e-5);
 }
 
-// Whatever way the patches go: columns for rows, from the other side, from the other end.
+// The orientation of the patches must not matter: rows and columns exchanged, or reversed.
 TEST(SurfaceMesh, LaysATextureAsTheOrganLies)
 {
     auto patches = four_patches();

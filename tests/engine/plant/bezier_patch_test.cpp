@@ -5,7 +5,7 @@
 namespace tractus {
 namespace {
 
-// Points of z = x^2 - y over a square, s along -y and t along x.
+// Returns points of z = x^2 - y over a square, s along -y and t along x.
 std::array<Vec3, 16> grid(double low, double high)
 {
     std::array<Vec3, 16> points;
@@ -41,7 +41,7 @@ TEST(BezierPatch, HasTheNormalOfItsTangents)
     EXPECT_GT(patch.normal_at(0.5, 0.5).z(), 0);
 }
 
-// All three bases reproduce quadratics up to a constant, so a known surface tells them apart.
+// All three bases reproduce quadratics up to a constant, so a known surface distinguishes them.
 TEST(BezierPatch, TakesOtherBases)
 {
     auto const points = grid(-3, 3); // The inner points are at -1 and 1.
@@ -51,7 +51,7 @@ TEST(BezierPatch, TakesOtherBases)
     Vec3 const middle = cardinal.at(0.5, 0.75);
     EXPECT_LT((middle - Vec3(0.5, 0, 0.25)).norm(), 1e-12);
     BezierPatch const spline { bezier_control(points, PatchBasis::BSpline) };
-    // A uniform cubic B-spline of y = x^2 at steps of 2 lies 4 / 3 above it.
+    // A uniform cubic B-spline of y = x^2 with steps of 2 is 4 / 3 above it.
     EXPECT_LT((spline.at(0.5, 0.75) - Vec3(0.5, 0, 0.25 + 4.0 / 3)).norm(), 1e-12);
     EXPECT_EQ(bezier_control(points, PatchBasis::Bezier), points);
 }

@@ -44,14 +44,14 @@ TEST(BranchAddress, HoldsWhenThePlantChangesElsewhere)
     auto const right = variation::add_axis(
         changed, variation::straight({ 0, 0, 200 }, { 150, 0, 200 }, 3), trunk, 1);
     EXPECT_EQ(PlantAddresses(changed).find_path(changed, address),
-              std::nullopt); // The twig is not there yet.
+              std::nullopt); // The twig does not exist yet.
     variation::add_axis(changed, variation::straight({ 50, 0, 200 }, { 50, 0, 260 }, 2), right,
                         changed.axes[right].first_segment);
     EXPECT_EQ(PlantAddresses(changed).find_path(changed, address),
               (std::vector<SegmentId> { 1, 9, 12, 13 }));
 }
 
-// A branch with a key is found wherever it stands and however many segments it has.
+// A branch with a key must be found at any position and with any number of segments.
 TEST(BranchAddress, FollowsTheKeyOfAnAxis)
 {
     auto const plant = variation::hand_made_plant();

@@ -6,7 +6,7 @@
 namespace tractus {
 namespace {
 
-// A stem of two segments with a branch, a leaf, a polygon, two materials and a shape.
+// Returns a stem of two segments with a branch, a leaf, a polygon, two materials and a shape.
 Plant leafy_plant()
 {
     Plant plant;
@@ -71,7 +71,7 @@ TEST(JoinPlants, MakesRoundWhatHasNoSections)
 TEST(JoinPlants, PutsAPartOnABranch)
 {
     auto plant = leafy_plant();
-    // A quarter turn that takes +z to +x, then to 1 mm beside the end of segment 2.
+    // A quarter turn from +z to +x, then a move to 1 mm beside the end of segment 2.
     PartPlace const place { .on = 2,
                             .turn = Quat(Eigen::AngleAxisd(kPi / 2, Vec3::UnitY())),
                             .moved_mm = { 6, 0, 15 } };

@@ -21,8 +21,8 @@ std::string graph_of(Plant const& plant)
     return out.str();
 }
 
-// Forms and materials of all kinds; organs in random places, turned and scaled at random, on any
-// segment and on the ground.
+// Returns a plant with shapes and materials of all kinds, and organs at random positions, rotations
+// and scales, on any segment and on the ground.
 Plant plant_with_organs(std::uint64_t seed, std::size_t organ_count)
 {
     Random random({ .seed = seed });
@@ -65,7 +65,7 @@ Plant plant_with_organs(std::uint64_t seed, std::size_t organ_count)
     return plant;
 }
 
-// Length, width, depth and petiole, millimetres.
+// Returns length, width, depth and petiole, in millimetres.
 Eigen::Vector4d sizes_of(Plant const& plant, Organ const& organ)
 {
     auto const& shape = plant.organ_shapes[organ.shape];
@@ -74,7 +74,7 @@ Eigen::Vector4d sizes_of(Plant const& plant, Organ const& organ)
              shape.petiole_mm * scale.y() };
 }
 
-// From the plant's base, which goes to the origin where a plant is read.
+// Returns a point relative to the plant's base, which becomes the origin when a plant is read.
 Vec3 from_base(Plant const& plant, Vec3 const& point_mm)
 {
     return point_mm - plant.node_position_mm.front();
@@ -115,7 +115,8 @@ void check_same(Plant const& before, Organ const& one, Plant const& after, Organ
     RC_ASSERT(is_told || is_round(read.kind) == (found == Material::Kind::Solid));
 }
 
-// Organs are in the order of what bears them: each has a height of its own here.
+// Returns the corresponding organ, found by its unique height, since organs are reordered by the
+// axes that bear them.
 Organ const& same_organ(Plant const& before, Organ const& organ, Plant const& after)
 {
     double const height_mm = from_base(before, organ.position_mm).z();
@@ -137,7 +138,7 @@ RC_GTEST_PROP(MtgOrgans, AreGivenBack, (std::uint64_t seed))
     RC_ASSERT(after.organs.size() == before.organs.size());
     for (auto const& organ : before.organs)
         check_same(before, organ, after, same_organ(before, organ, after));
-    // Nothing is lost by the second way that is not lost by the first.
+    // Writing and reading a second time must lose nothing.
     auto const again = parse_mtg("tree.mtg", graph_of(after));
     RC_ASSERT(again.has_value());
     RC_ASSERT(again->organs.size() == after.organs.size());
@@ -161,7 +162,7 @@ TEST(MtgOrgans, OfOneFormShareAShapeAndAreNotStretched)
     EXPECT_EQ(read->materials.size(), 2u);
 }
 
-// What a table of organs becomes. Their columns stand behind the position.
+// Reads a table of organs, whose columns follow the position.
 MtgPlant with_table(std::string const& lines,
                     std::string const& columns = "Length\tDirectionX\tDirectionY\tDirectionZ\t"
                                                  "Width\tDepth\tPetiole\tShape")
@@ -208,11 +209,11 @@ TEST(MtgOrgans, StandOnTheGroundWhereNoSegmentEnds)
 
 TEST(MtgOrgans, ThatCannotBePlacedAreCountedAndNamed)
 {
-    auto const read = with_table("\t+Leaf1\t1\t0\t2\n"            // No direction and no length.
-                                 "\t+Leaf2\t\t\t\t1\t0\t0\t1\n"   // No place,
-                                 "\t+Leaf3\t1\t\t2\t1\t0\t0\t1\n" // or not all of it.
+    auto const read = with_table("\t+Leaf1\t1\t0\t2\n"            // Without direction and length.
+                                 "\t+Leaf2\t\t\t\t1\t0\t0\t1\n"   // Without position,
+                                 "\t+Leaf3\t1\t\t2\t1\t0\t0\t1\n" // or with an incomplete one.
                                  "\t+Fruit1\t1\tNA\t2\t1\t0\t0\t1\n"
-                                 "\t+Fruit2\t1\t0\t2\t1\t0\t0\t0\n" // No direction.
+                                 "\t+Fruit2\t1\t0\t2\t1\t0\t0\t0\n" // Without direction.
                                  "\t+L1\t1\t0\t2\t1\t0\t0\t1\n");
     EXPECT_EQ(read.plant.organs.size(), 1u);
     ASSERT_EQ(read.warnings.size(), 1u);
@@ -221,7 +222,7 @@ TEST(MtgOrgans, ThatCannotBePlacedAreCountedAndNamed)
               "3 Leaf, 2 Fruit");
 }
 
-// In other files L and O may be internodes, and are.
+// In other files, L and O may be internodes, and must be read as such.
 TEST(MtgOrgans, AreOnlyThoseOfFilesWithTheirColumns)
 {
     auto const read = with_table("^<L3\t\t0\t0\t3\n\t+O1\t1\t0\t2\n\t+Leaf1\t1\t0\t2\n", "diam");
@@ -242,7 +243,7 @@ TEST(MtgOrgans, AreLeftOutWhereTheirSizesAreNone)
     EXPECT_TRUE(read.plant.organs.empty());
     ASSERT_EQ(read.warnings.size(), 1u);
     EXPECT_NE(read.warnings[0].find(": 6 L"), std::string::npos) << read.warnings[0];
-    // Small ones make no infinite scales: check_plant() has looked.
+    // Tiny organs must not get infinite scales; check_plant() verifies this.
     auto const small = with_table("\t+L1\t1\t0\t2\t0\t0\t0\t1\t1e-300\t9\n"
                                   "\t+L2\t1\t0\t2\t-1\t0\t0\t1\t0\t0\t9\n");
     EXPECT_EQ(small.plant.organs.size(), 2u);

@@ -73,11 +73,11 @@ TEST(Mtg, ReadsWhatItWrites)
     auto const read = parse_mtg("tree.mtg", written(plant));
     ASSERT_TRUE(read) << read.error().message;
     check_plant(*read);
-    // Numbers of axes are in the order of the file, which the plant's own need not be.
+    // Axes are numbered in the order of the file, which may differ from the plant's.
     EXPECT_EQ(written(*parse_mtg("tree.mtg", written(*read))), written(*read));
     ASSERT_EQ(read->axes.size(), plant.axes.size());
     ASSERT_EQ(read->segment_count(), plant.segment_count());
-    auto const lines = [](Plant const& of) { // Lines of segments, whatever their order.
+    auto const lines = [](Plant const& of) { // Returns the lines of segments, sorted.
         std::vector<std::array<double, 8>> result;
         for (SegmentId i = 0; i < of.segment_count(); ++i) {
             auto const [base, tip] = nodes_of(of, i);
@@ -90,11 +90,11 @@ TEST(Mtg, ReadsWhatItWrites)
         std::sort(result.begin(), result.end());
         return result;
     };
-    EXPECT_EQ(lines(*read), lines(plant)); // To the last digit.
+    EXPECT_EQ(lines(*read), lines(plant)); // Equal to the last digit.
 }
 
-// Fieldwork has it so: branches named in the column of their parent, or one further right;
-// intermediate entities left out; entities without a position.
+// Conventions of fieldwork: branches named in the column of their parent, or one further to the
+// right; intermediate entities omitted; entities without a position.
 TEST(Mtg, ReadsBothWaysToNameBranches)
 {
     auto const below = parse_mtg("tree.mtg",
@@ -126,7 +126,7 @@ TEST(Mtg, ReadsBothWaysToNameBranches)
     ASSERT_TRUE(beside) << beside.error().message;
     ASSERT_EQ(beside->axes.size(), 2u);
     EXPECT_EQ(beside->axes[0].segment_count, 2u);
-    EXPECT_EQ(beside->node_position_mm[2], Vec3(0, 0, 3000)); // Metres, as it is so small.
+    EXPECT_EQ(beside->node_position_mm[2], Vec3(0, 0, 3000)); // In metres, since it is so small.
     EXPECT_EQ(beside->node_radius_mm[0], 20'000);
 }
 

@@ -19,7 +19,7 @@ Result<PixelRows> read(std::string const& bytes, std::int64_t most_pixels = kMos
     return rows;
 }
 
-// Two columns, three rows, each pixel of its own.
+// Returns two columns and three rows of different pixels.
 PixelRows six_pixels(std::uint8_t alpha)
 {
     PixelRows rows { 2, 3, {} };
@@ -55,7 +55,8 @@ TEST(PngPixels, RefuseWhatIsDamagedOrTooLarge)
     EXPECT_EQ(large.error().message,
               "the picture has 2 x 3 pixels, more than 0 million: make it smaller");
     EXPECT_EQ(large.error().fault, Fault::User);
-    for (std::size_t size = 0; size < png.size() - 12; ++size) // The end itself may be missing.
+    // The end chunk itself may be missing.
+    for (std::size_t size = 0; size < png.size() - 12; ++size)
         EXPECT_FALSE(read(png.substr(0, size))) << size;
     // A header that claims 65,536 x 65,536 pixels.
     auto claims = png;

@@ -9,7 +9,7 @@
 namespace tractus {
 namespace {
 
-// A plant's segments as loose lines, some of them the wrong way round, in another order.
+// Returns a plant's segments as separate lines, some of them reversed, in another order.
 std::vector<SkeletonPiece> pieces_of(Plant const& plant)
 {
     std::vector<SkeletonPiece> pieces;
@@ -38,7 +38,7 @@ TEST(SkeletonLines, BecomeThePlantThatTheyWereTakenFrom)
     std::sort(counts.begin(), counts.end());
     EXPECT_EQ(counts, (std::vector<std::uint32_t> { 2, 2, 3, 4 }));
     EXPECT_EQ(found->axes.back().order, 2u);
-    // Thicker below: by the pipe model.
+    // Thicker at the base, by the pipe model.
     EXPECT_GT(found->node_radius_mm[0], found->node_radius_mm[4]);
 }
 
@@ -62,11 +62,11 @@ TEST(SkeletonLines, CutALoopAndKeepPartsApart)
         { { 0, 0, 0 }, { 0, 0, 10 } },    { { 0, 0, 10 }, { 5, 0, 20 } },
         { { 0, 0, 10 }, { -5, 0, 20 } },  { { 5, 0, 20 }, { 0, 0, 30 } },
         { { -5, 0, 20 }, { 0, 0, 30 } },  { { 90, 0, 3 }, { 90, 0, 13 } },
-        { { 90, 0, 13 }, { 90, 0, 13 } }, // No length.
+        { { 90, 0, 13 }, { 90, 0, 13 } }, // A line of zero length.
     };
     auto const plant = plant_from_lines("x", pieces).value();
     check_plant(plant);
-    EXPECT_EQ(plant.segment_count(), 5u); // Of the loop's four, one is cut.
+    EXPECT_EQ(plant.segment_count(), 5u); // One of the loop's four lines is cut.
     EXPECT_EQ(std::count_if(plant.axes.begin(), plant.axes.end(),
                             [](Axis const& axis) { return axis.parent_axis == kNone; }),
               2);
@@ -93,7 +93,7 @@ TEST(ObjLines, AreReadYUpAndInMetres)
     EXPECT_EQ((*pieces)[1].to_mm, Vec3(500, -250, 1500));
     EXPECT_EQ((*pieces)[2].from_mm, Vec3(0, 0, 0));
     auto const large = parse_obj_lines("a.obj", "v 0 0 0\nv 0 900 0\nl 1 2\n").value();
-    EXPECT_EQ(large[0].to_mm, Vec3(0, 0, 900)); // Already millimetres.
+    EXPECT_EQ(large[0].to_mm, Vec3(0, 0, 900)); // The lengths are already in millimetres.
 }
 
 TEST(ObjLines, SayWhatIsWrongAndWhere)

@@ -9,7 +9,7 @@ namespace {
 
 TEST(DeskPlacement, FitsAHighPlantToTheVolumesHeight)
 {
-    // 300 mm high and 100 mm to one side: the height decides.
+    // The plant is 300 mm high and extends 100 mm to one side: the height is decisive.
     auto const placement = place_on_desk(small_plant(), { .width_mm = 250, .height_mm = 150 });
     EXPECT_DOUBLE_EQ(placement.scale, 0.5);
     EXPECT_DOUBLE_EQ(placement.shown_height_mm, 150);
@@ -46,12 +46,12 @@ TEST(SelectionView, ShowsTheWholePlantOnTheTabletFromTheFront)
         EXPECT_LT(std::abs(shown.x()), volume.width_mm / 2);
         EXPECT_LT(std::abs(shown.y()), volume.depth_mm / 2);
     }
-    // Higher on the plant is farther up the tablet, and it is centred.
+    // A higher point on the plant is farther up on the tablet, and the plant is centred.
     EXPECT_GT(view.tablet_of_plant({ 0, 0, 300 }).y(), view.tablet_of_plant({ 0, 0, 0 }).y());
     EXPECT_NEAR(view.tablet_of_plant({ 50, 0, 150 }).norm(), 0, 1e-9);
 }
 
-// A trunk with `laterals` axes of the first order, each with one of the second.
+// Returns a trunk with `laterals` axes of the first order, each with one of the second.
 Plant bushy_plant(std::uint32_t laterals)
 {
     Plant plant;
@@ -104,11 +104,11 @@ TEST(SelectionView, ProjectsAsItShows)
 
 TEST(SelectionView, LooksFromWhereOneStands)
 {
-    // Seen from the right side, what is far from the user is to the right.
+    // Seen from the right, what is far from the user is on the right.
     auto const plant = small_plant();
     auto const side = fit_selection_view(plant, { .azimuth_deg = 90 });
     EXPECT_GT(side.tablet_of_plant({ 0, 50, 0 }).x(), side.tablet_of_plant({ 0, -50, 0 }).x());
-    // Seen from above, that holds too.
+    // This is also true from above.
     auto const high = fit_selection_view(plant, { .elevation_deg = 80 });
     EXPECT_GT(high.tablet_of_plant({ 0, 50, 0 }).y(), high.tablet_of_plant({ 0, -50, 0 }).y());
 

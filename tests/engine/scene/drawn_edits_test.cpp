@@ -12,7 +12,7 @@
 namespace tractus::scene {
 namespace {
 
-// A trunk of six internodes with a branch of two, and if wanted another one below it.
+// Returns a trunk of six internodes with a branch of two and, optionally, another branch below it.
 LoadModel model(bool has_branch, bool has_lower = false, Drawn drawn = Drawn::Keep)
 {
     std::string const lower = has_lower ? "[-(50)F(9)]" : "";
@@ -36,7 +36,7 @@ Stroke stroke_to(Vec3 const& end)
     return stroke;
 }
 
-// The branch is selected and drawn.
+// Returns a scene in which the branch was selected and drawn.
 Scene drawn_branch()
 {
     auto const scene = after({ model(true) });
@@ -72,7 +72,7 @@ TEST(DrawnEdits, AStrokeStaysWithItsBranchWhenOthersCome)
 {
     auto const scene = after({ model(true, true) }, drawn_branch());
     ASSERT_FALSE(scene.associations[0].what.is_orphaned);
-    // The new branch comes first now; the stroke is still on the one of two internodes.
+    // The new branch is now the first one; the stroke is still on the branch of two internodes.
     auto const path = scene.associations[0].what.path;
     ASSERT_EQ(path.size(), 2u);
     EXPECT_EQ(scene.base->axes[axis_of(*scene.base, path[0])].segment_count, 2u);
@@ -86,7 +86,8 @@ TEST(DrawnEdits, AnIndicatorOnABranchIsOrphanedToo)
         scene);
     auto const without = after({ model(false) }, scene);
     EXPECT_TRUE(without.indicators[0].what.is_orphaned);
-    for (auto const& node : plant_of(without).node_position_mm) // It does not act on everything.
+    // The indicator must not affect the whole plant.
+    for (auto const& node : plant_of(without).node_position_mm)
         EXPECT_EQ(node.y(), 0);
     auto const moved = after(
         { ChangeIndicator { .indicator = without.indicators[0].what }, model(true) }, without);
@@ -110,7 +111,7 @@ TEST(DrawnEdits, TakingAStrokeAwayBringsTheEarlierBack)
 TEST(DrawnEdits, RedrawingAPartMovesThePlant)
 {
     auto const scene = drawn_branch();
-    Stroke over; // From the stroke's middle to somewhere else.
+    Stroke over; // From the stroke's middle to another place.
     for (int i = 0; i <= 20; ++i)
         over.tips.push_back({ .time = timestamp_ns(i * 5'000'000),
                               .position_mm = Vec3(15, 10, 75) + i * Vec3(-5, 2, 0),
@@ -174,7 +175,8 @@ TEST(DrawnEdits, ErasingRefusesToLeaveWhatShapesNothing)
     EXPECT_FALSE(apply_edit(scene, EraseTips { numbered({ 0 }), {} }));
     EXPECT_FALSE(apply_edit(scene, EraseTips { numbered({ 1 }), { { 0, 1 } } }));
     EXPECT_FALSE(apply_edit(scene, EraseTips { numbered({}), { { 0, 1 } } }));
-    // A stroke that comes back to where it began, but for its last tips, has no chord without them.
+    // A stroke that returns to its beginning except for its last tips, so it has no chord without
+    // them.
     Stroke loop;
     for (double const x : { 0.0, 10.0, 20.0, 10.0, 0.0, -10.0 })
         loop.tips.push_back({ .position_mm = { x, std::abs(x - 5), 0 }, .touching = true });
@@ -221,7 +223,7 @@ TEST(DrawnEdits, ASkeletonOfAnotherProgramIsAPlantLikeAnother)
     EXPECT_GT(plant_of(scene).node_position_mm[2].x(), 20);
 }
 
-// A trunk of two cylinders with a branch on the lower one.
+// Returns a trunk of two cylinders with a branch on the lower one.
 LoadMeasured measured(std::string const& more = "")
 {
     return { .name = "tree.csv",
@@ -238,7 +240,7 @@ TEST(DrawnEdits, AMeasuredTreeIsAPlantLikeAnother)
     auto const bare = after({ measured() });
     EXPECT_EQ(bare.model_name, "tree.csv");
     ASSERT_EQ(bare.base->axes.size(), 2u);
-    // Two metres high, and shown as high as the drawing volume.
+    // It is two metres high, and shown at the height of the drawing volume.
     EXPECT_NEAR(bare.placement.scale * 2000, DrawingVolume().height_mm, 1e-6);
 
     auto const scene = after(
@@ -247,7 +249,7 @@ TEST(DrawnEdits, AMeasuredTreeIsAPlantLikeAnother)
     auto const drawn = plant_of(scene);
     EXPECT_GT((drawn.node_position_mm.back() - bare.base->node_position_mm.back()).norm(), 100);
 
-    // The branch is found again in the same tree when more of it was measured.
+    // The branch must be found again in the same tree when more of it was measured.
     auto const grown = after({ measured("4,2,500,200,12,500,200,13,0.05\n") }, scene);
     ASSERT_EQ(grown.associations.size(), 1u);
     EXPECT_FALSE(grown.associations[0].what.is_orphaned);
@@ -261,7 +263,7 @@ TEST(DrawnEdits, AMeasuredTreeThatIsNoneChangesNothing)
               "tree.csv:5: found x in column 2, expected a number");
 }
 
-// A session may come from anybody, with any times.
+// A session may come from anyone, with any times.
 TEST(DrawnEdits, AreDescribedWhateverTheirTimes)
 {
     Associate edit { stroke_towards({ 0, 0, 0 }) };

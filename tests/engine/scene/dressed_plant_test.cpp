@@ -8,7 +8,8 @@
 namespace tractus::scene {
 namespace {
 
-// A stem with a leaf of 50 mm, 10 of them stalk, a needle and a disc of a leaf's material.
+// Returns a stem with a leaf of 50 mm (including 10 mm of petiole), a needle, and a disc of a
+// leaf's material.
 Plant small_plant()
 {
     Plant plant;
@@ -65,7 +66,7 @@ TEST(Dressed, HasGrownLeavesInThePlaceOfItsOwn)
     EXPECT_EQ(other.materials[1].base_color, plant.materials[1].base_color) << "of the needles";
 }
 
-// Grown leaves that are replaced keep their blades' length.
+// When grown leaves are replaced, the length of their blades stays.
 TEST(Dressed, CanBeDressedAgain)
 {
     auto const once = dressed(small_plant(), small_sheet());

@@ -24,7 +24,8 @@ variation::Selection axes_of(Plant const& plant, std::initializer_list<std::size
     return paths;
 }
 
-// The trunk, both branches by one stroke, and the trunk again: edits 3, 5 and 7.
+// Returns a scene with strokes on the trunk, on both branches at once, and on the trunk again:
+// edits 3, 5 and 7.
 Scene drawn()
 {
     auto const scene = after({ trunk_with_branches() });
@@ -47,7 +48,7 @@ TEST(ItemIds, TellTheEditThatMadeAnItem)
     EXPECT_EQ(list_names({ item_id(3, 0), item_id(5, 1), item_id(7, 0) }), "3, 5.2 and 7");
 }
 
-// Two erasers that were over the pad at once: what one takes away changes no name for the other.
+// Two erasers used at once: what one removes must not change the names used by the other.
 TEST(ItemIds, MeanTheSameStrokeWhateverElseIsTakenAway)
 {
     auto const scene = drawn();
@@ -73,7 +74,7 @@ TEST(ItemIds, AreNeverGivenAgain)
     EXPECT_GT(scene.associations[3].id, last);
 }
 
-// As in a session from which a repair took an edit: those that are left keep the ids they had.
+// As in a session from which a repair removed an edit: the remaining strokes keep their ids.
 TEST(ItemIds, GoWithTheirEdit)
 {
     auto const scene = after({ trunk_with_branches() });
@@ -106,7 +107,7 @@ TEST(ItemIds, ChangeTheIndicatorThatIsMeant)
         << "it stays there";
 }
 
-// Segments have other numbers when a branch comes below; the place is still the same one.
+// Segments are renumbered when a branch is added below; the place must still be the same.
 TEST(Places, AreFoundInAPlantThatHasChangedElsewhere)
 {
     auto const before = after({ trunk_with_branches() });
@@ -119,7 +120,7 @@ TEST(Places, AreFoundInAPlantThatHasChangedElsewhere)
               scene.base->axes[0].first_segment + 2);
 }
 
-// As when a session was drawn on a model that is another by now.
+// As when a session was drawn on a model that has changed since.
 TEST(Places, ThatThePlantHasNotWait)
 {
     auto const scene = after({ trunk_with_branches(), Select { .at = { { { 0, 0 }, { 0, 99 } } } },

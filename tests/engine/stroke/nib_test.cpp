@@ -8,7 +8,7 @@
 namespace tractus {
 namespace {
 
-// Ten tips along a direction, 1 mm apart, of a pen that leans to +x.
+// Returns ten tips along a direction, 1 mm apart, of a pen that leans to +x.
 std::vector<TipSample> tips_along(Vec3 const& way, std::optional<double> lean_deg)
 {
     std::vector<TipSample> tips(10);
@@ -47,7 +47,8 @@ TEST(Nib, LeavesAllOfItsSideWhereItRests)
     EXPECT_DOUBLE_EQ(broadening(Nib::Side, std::vector { tips_along(Vec3::UnitX(), 65)[0] }, 0), 4);
 }
 
-// A hand trembles by tenths of a millimetre between two reports: its way is told over longer ones.
+// A hand trembles by tenths of a millimetre between reports, so the direction is measured over
+// longer distances.
 TEST(Nib, TakesNoTremorForADirection)
 {
     auto tips = tips_along(0.1 * Vec3::UnitX(), 65);

@@ -9,7 +9,7 @@
 namespace tractus {
 namespace {
 
-// Straight up, 100 mm, a tip every 2 mm.
+// Returns a vertical stroke of 100 mm with a tip every 2 mm.
 Stroke upright()
 {
     std::vector<Vec3> points;
@@ -18,7 +18,7 @@ Stroke upright()
     return stroke_of(points);
 }
 
-// A bulge to the right from one height to another, `gap_mm` beside the stroke.
+// Returns a bulge to the right between two heights, `gap_mm` beside the stroke.
 Stroke bulge(double from_mm, double to_mm, double gap_mm = 0)
 {
     std::vector<Vec3> points;

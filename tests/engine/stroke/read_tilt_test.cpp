@@ -15,7 +15,7 @@ namespace {
 
 using Buffer = std::vector<std::byte>;
 
-// How zip archives pack.
+// Compression methods of zip archives.
 constexpr std::uint16_t kStored = 0;
 constexpr std::uint16_t kDeflated = 8;
 
@@ -36,8 +36,8 @@ void put(Buffer& to, std::string const& text)
         to.push_back(static_cast<std::byte>(letter));
 }
 
-// One stroke of three points with pressure and time, and an extension that nobody knows; one of a
-// single point.
+// Returns the data of a stroke of three points with pressure, time and an unknown extension, and of
+// a stroke of a single point.
 Buffer sketch()
 {
     Buffer data;
@@ -52,7 +52,7 @@ Buffer sketch()
         put<std::uint32_t>(data, 1 << 1 | 1 << 16);
         put<std::uint32_t>(data, 3);
         put<float>(data, 1);         // Scale.
-        put<std::uint32_t>(data, 5); // The unknown one says its size.
+        put<std::uint32_t>(data, 5); // The unknown extension contains its size.
         put(data, Buffer(5));
         put<std::int32_t>(data, points);
         for (std::int32_t i = 0; i < points; ++i) {
@@ -95,7 +95,7 @@ void put_entry_fields(Buffer& to, std::uint16_t method, std::size_t packed, Buff
     put<std::uint16_t>(to, 0);
 }
 
-// A .tilt file around the sketch.
+// Returns a .tilt file that contains the sketch.
 Buffer tilt(Buffer const& data, std::uint16_t method)
 {
     auto const packed = method == kDeflated ? deflated(data) : data;
@@ -109,7 +109,7 @@ Buffer tilt(Buffer const& data, std::uint16_t method)
     put<std::uint16_t>(zip, 20);
     put_entry_fields(zip, method, packed.size(), data);
     put(zip, Buffer(10));
-    put<std::uint32_t>(zip, 0); // Where its header is.
+    put<std::uint32_t>(zip, 0); // Offset of its header.
     put(zip, std::string("data.sketch"));
     auto const size = zip.size() - directory;
     put<std::uint32_t>(zip, 0x06054b50);
@@ -134,7 +134,7 @@ TEST(ReadTilt, ReadsStoredAndDeflatedStrokes)
     for (auto const method : { kStored, kDeflated }) {
         auto const strokes = read_tilt("a.tilt", tilt(sketch(), method));
         ASSERT_TRUE(strokes) << strokes.error().message;
-        ASSERT_EQ(strokes->size(), 1u); // One point makes no stroke.
+        ASSERT_EQ(strokes->size(), 1u); // A single point is not a stroke.
         auto const& tips = strokes->front().tips;
         ASSERT_EQ(tips.size(), 3u);
         EXPECT_EQ(tips[0].position_mm, Vec3(-100, 0, 0));

@@ -10,7 +10,8 @@
 namespace tractus {
 namespace {
 
-// Root mean square distance of `points` from the curve, which has nearly the same parameter.
+// Returns the root mean square distance of `points` from the curve, with nearly the same
+// parametrisation.
 double distance_mm(std::vector<Vec3> const& points, std::vector<Vec3> const& curve)
 {
     double sum = 0;

@@ -16,7 +16,7 @@ TEST(StrokeText, ReadsATipPerLineAndAStrokePerParagraph)
                                        "# two strokes\n0 0 0\n0,5,10 0.5\r\n\n\n"
                                        "1 2 3 0.25 40\n4;5;6;2;50 # pressed hard\n\n9 9 9\n");
     ASSERT_TRUE(strokes) << strokes.error().message;
-    ASSERT_EQ(strokes->size(), 2u); // One point makes no stroke.
+    ASSERT_EQ(strokes->size(), 2u); // A single point is not a stroke.
     EXPECT_EQ((*strokes)[0].tips[1].position_mm, Vec3(0, 5, 10));
     EXPECT_EQ((*strokes)[0].tips[1].pressure, 0.5);
     EXPECT_EQ((*strokes)[0].tips[1].time, timestamp_ns(10'000'000));

@@ -6,7 +6,7 @@
 namespace tractus::variation {
 namespace {
 
-// Nodes in a row, each moved by `offset`.
+// Returns nodes in a row, each displaced by `offset`.
 Plant row(std::size_t nodes, Vec3 const& offset)
 {
     Plant plant;
@@ -26,7 +26,7 @@ TEST(Diversity, IsTheRootMeanSquareOfTheNodesDistances)
 
 TEST(Diversity, ComparesEveryPlantWithEveryOtherAndWithTheDrawnOne)
 {
-    for (std::size_t const nodes : { 3u, 10'000u }) { // All nodes are looked at, or some.
+    for (std::size_t const nodes : { 3u, 10'000u }) { // All nodes are compared, or a sample.
         Diversity diversity(row(nodes, Vec3::Zero()));
         diversity.add(row(nodes, { 1, 0, 0 }));
         diversity.add(row(nodes, { -1, 0, 0 }));

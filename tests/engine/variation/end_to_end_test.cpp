@@ -13,7 +13,7 @@
 namespace tractus::variation {
 namespace {
 
-// A pen over the front of `plant`, up from `from` to `to`.
+// Returns the selection by a pen over the front view of `plant`, upwards from `from` to `to`.
 std::vector<SegmentId> select(Plant const& plant, Vec2 const& from, Vec2 const& to)
 {
     SkeletonProjection view;

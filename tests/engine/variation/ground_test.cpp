@@ -10,7 +10,8 @@
 namespace tractus::variation {
 namespace {
 
-// A trunk with a root below it and, at its top, a branch that bears a twig; a leaf on each of them.
+// Returns a trunk with a root below it and, at its top, a branch that bears a twig; there is a leaf
+// on each.
 Plant rooted_plant()
 {
     Plant plant;
@@ -24,7 +25,7 @@ Plant rooted_plant()
     return plant;
 }
 
-// The branch hangs straight down from half way along it.
+// Returns the plant with the branch hanging straight down from the middle on.
 Plant hanging(Plant const& base)
 {
     return grow({ .plant = base,
@@ -41,7 +42,7 @@ TEST(Ground, CountsWhatStrokesHaveBentBelowItAndNotRoots)
     auto const base = rooted_plant();
     EXPECT_TRUE(segments_underground(base, base).empty());
     auto const bent = hanging(base);
-    // From 50 mm up, with 25 mm to a segment, the last of the branch, and the twig.
+    // From 50 mm up, with segments of 25 mm: the last segment of the branch, and the twig.
     EXPECT_EQ(segments_underground(bent, base), (std::vector<SegmentId> { 7, 8, 9 }));
     EXPECT_EQ(describe_underground(3, base), "3 of 12 segments are below the ground");
     EXPECT_EQ(describe_underground(1, base), "1 of 12 segments is below the ground");
@@ -63,15 +64,15 @@ TEST(Ground, BendsBranchesAlongItAndLeavesRoots)
         };
         EXPECT_NEAR(length(bent), length(base), 1e-9) << segment;
     }
-    // The root and all that is above the ground stay, and their organs with them.
+    // The root and everything above the ground stay, with their organs.
     for (NodeId const node : { 0u, 1u, 2u, 3u, 4u, 5u, 6u, 13u, 14u, 15u })
         EXPECT_EQ(bent.node_position_mm[node], before.node_position_mm[node]) << node;
     EXPECT_EQ(bent.organs[1].position_mm, before.organs[1].position_mm);
-    // The tip lies on the ground with its underside; the leaf is on it still.
+    // The underside of the tip lies on the ground; the leaf is still on it.
     Vec3 const tip = bent.node_position_mm[9];
     EXPECT_NEAR(tip.z(), bent.node_radius_mm[9], 1e-9);
     EXPECT_LT((bent.organs[0].position_mm - tip).norm(), 1e-9);
-    // What stands above the ground is left to the last bit.
+    // Parts above the ground are unchanged to the last bit.
     auto same = base;
     bend_along_ground(same, base);
     EXPECT_EQ(same.node_position_mm, base.node_position_mm);

@@ -53,7 +53,7 @@ TEST(GrowthAge, ComesToTheWholePlantWithoutAJump)
 TEST(GrowthAge, OnlyEverAddsToWhatStands)
 {
     auto const plant = forking_tree(5, 6);
-    auto const plan = plan_of(plant, {}, { 0.5, 0, 0 }); // No weight, no growth zone.
+    auto const plan = plan_of(plant, {}, { 0.5, 0, 0 }); // Without weight and growth zone.
     Grower grower(plan);
     Plant const whole = grower.grow({ 7, 3 });
     Plant before = grower.grow({ 7, 3 }, 0);
@@ -65,7 +65,7 @@ TEST(GrowthAge, OnlyEverAddsToWhatStands)
         }
         for (std::size_t i = 0; i < now.node_radius_mm.size(); ++i)
             EXPECT_GE(now.node_radius_mm[i], before.node_radius_mm[i]);
-        // Parts that have grown stand where they will stand.
+        // Grown parts are at their final positions.
         for (auto const& axis : now.axes)
             for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
                 auto const node = axis.first_node + i;
@@ -109,7 +109,7 @@ TEST(GrowthAge, LeavesUnfoldAfterTheirBranchIsThere)
     EXPECT_EQ(scale(1), 1);
 }
 
-// A tree whose organs are leaves; they sit on its last axes only.
+// Returns a tree whose organs are leaves, which are only on its last axes.
 Plant leafy_tree()
 {
     auto plant = forking_tree(6, 4);
@@ -125,7 +125,7 @@ TEST(GrowthAge, ShootsBearLeavesBeforeTheirTwigsAreThere)
     for (double const age : { 0.2, 0.4, 0.6, 0.8, 0.9 }) {
         auto const young = without_unborn(grower.grow({ 1, 0 }, age));
         check_plant(young);
-        std::size_t shoots = 0; // Axes that nothing stands on.
+        std::size_t shoots = 0; // Axes that bear no others.
         std::vector<bool> bears(young.axes.size());
         for (auto const& axis : young.axes)
             if (axis.parent_axis != kNone)
@@ -156,7 +156,7 @@ TEST(GrowthAge, YoungLeavesGoToTheirPlacesWithoutAJump)
         Plant const now = grower.grow({ 1, 0 }, static_cast<double>(i) / kSteps);
         for (std::size_t o = 0; o < now.organs.size(); ++o) {
             EXPECT_GE(now.organs[o].scale.x(), before.organs[o].scale.x());
-            // The trunk grows 5 m in 0.85 of the time; short branches pass quicker.
+            // The trunk grows 5 m in 0.85 of the time; short branches grow faster.
             if (before.organs[o].scale.x() > 0) {
                 ASSERT_LT((now.organs[o].position_mm - before.organs[o].position_mm).norm(), 12)
                     << i;
@@ -173,13 +173,14 @@ TEST(WithoutUnborn, LeavesWhatHasGrownAlone)
     auto const base = hand_made_plant();
     auto const plan = plan_of(base, { .strength = 0 });
     Grower grower(plan);
-    auto const young = without_unborn(grower.grow({}, 0.3 * kSkeletonShare)); // 120 mm of trunk.
+    // The trunk has grown 120 mm.
+    auto const young = without_unborn(grower.grow({}, 0.3 * kSkeletonShare));
     check_plant(young);
     ASSERT_EQ(young.axes.size(), 1u);
     EXPECT_EQ(young.segment_count(), 2u);
     EXPECT_NEAR(young.node_position_mm.back().z(), 120, 1e-9);
     EXPECT_EQ(young.node_radius_mm.back(), 0);
-    ASSERT_EQ(young.organs.size(), 1u); // The one on the ground.
+    ASSERT_EQ(young.organs.size(), 1u); // The organ on the ground.
     EXPECT_TRUE(young.polygons.empty());
 
     auto const whole = without_unborn(base);

@@ -9,7 +9,7 @@
 namespace tractus::variation {
 namespace {
 
-// Covariance of (d, x) after a step from a state of covariance `before`.
+// Covariance of (d, x) after a step from a state with covariance `before`.
 struct Covariance {
     double dd = 0;
     double dx = 0;
@@ -102,7 +102,7 @@ TEST(GrowthLaw, VeryShortAndVeryLongStepsStayFinite)
     }
 }
 
-// The largest gain whose feedback still dies down, by trying: d' = d - gain d(delay ago).
+// Finds numerically the largest gain for which the feedback decays: d' = d - gain d(delay ago).
 double largest_stable_gain(int delay)
 {
     double low = 0;

@@ -19,7 +19,7 @@ Plant matured(Plant const& plant, GrowthParameters const& parameters, Vec3 const
     return Grower(plan).grow({});
 }
 
-// An axis that leaves the ground at `from_up` radians from straight up.
+// Returns an axis that leaves the ground at `from_up` radians from vertical.
 Plant leaning(double from_up, int segments)
 {
     Plant plant;
@@ -38,7 +38,7 @@ TEST(Maturation, EndsInTheSteadyStateOfTheLaw)
                                .growth_zone_steps = 1000,
                                .maturation_bending = 0.0005,
                                .maturation_straightening = 0.02 };
-    double const decay_steps = p.maturation_straightening / p.maturation_bending; // 40
+    double const decay_steps = p.maturation_straightening / p.maturation_bending; // Equals 40.
     double const start = radians(89);
     auto const plant = matured(leaning(start, 200), p, { 0, 0, 1 });
     for (int const segment : { 10, 20, 50, 100, 150 }) {

@@ -24,13 +24,14 @@ double tilt_deg(Plant const& plant, SegmentId segment)
     return degrees(std::acos(std::clamp(direction_of(plant, segment).z(), -1.0, 1.0)));
 }
 
-// The noise of one step, and nothing else, of the law's equation.
+// Returns parameters with only the noise of one step in the law's equation.
 GrowthParameters white_noise(double gain, double noise_rad)
 {
     return { .steps = Steps::PerSegment, .gain = gain, .noise_rad = noise_rad, .noise_memory = 0 };
 }
 
-// Mean square of a component of the deviation of `segment` of an upright axis, over many plants.
+// Returns the mean square of a component of the deviation of `segment` on a vertical axis, over
+// many plants.
 double variance(GrowthPlan const& plan, SegmentId segment, int plants = 4000)
 {
     Grower grower(plan);
@@ -67,7 +68,7 @@ TEST(GrowthStatistics, NoiseWithMemoryHasThePredictedVariance)
 
 TEST(GrowthStatistics, TiltGrowsWithTheNoiseAsInTheReference)
 {
-    // Root mean square tilts that the reference implementation gives for 300 plants.
+    // Root mean square tilts from the reference implementation for 300 plants.
     auto const rms_deg = [](double noise_rad) {
         return degrees(std::sqrt(2 * variance(plan_of(pole(60), white_noise(0.2, noise_rad)), 59)));
     };
@@ -78,7 +79,7 @@ TEST(GrowthStatistics, TiltGrowsWithTheNoiseAsInTheReference)
 
 TEST(GrowthStatistics, FinerSegmentsHaveTheSameStatistics)
 {
-    // Segments of which one has its middle at 3/4 of the height, far from the base.
+    // One segment has its middle at 3/4 of the height, far from the base.
     GrowthParameters const p {};
     double const coarse = variance(plan_of(pole(2), p), 1);
     double const finer = variance(plan_of(pole(10), p), 7);
@@ -103,7 +104,7 @@ TEST(GrowthStatistics, FinerSegmentsSpreadTheirTipsAsFar)
     };
     double const fine = spread_mm(160);
     EXPECT_NEAR(spread_mm(20), fine, 0.05 * fine);
-    EXPECT_GT(fine, 30); // Out of 1000 mm: it can be seen, and the shape is kept.
+    EXPECT_GT(fine, 30); // Relative to 1000 mm, this is visible, and the shape is kept.
     EXPECT_LT(fine, 150);
 }
 
@@ -121,8 +122,8 @@ TEST(GrowthStatistics, StrengthScalesTheDeviation)
     EXPECT_NEAR(half, usual / 4, 1e-3 * usual);
 }
 
-// Tilts in degrees that the reference implementation prints for a side wind of length 1 and an
-// indicator gain of 0.05. They solve gain a = 0.05 cos² a.
+// Tilts in degrees from the reference implementation for a side wind of length 1 and an indicator
+// gain of 0.05. They solve gain a = 0.05 cos² a.
 struct Tilt {
     double gain = 0;
     double deg = 0;
@@ -195,13 +196,14 @@ TEST(GrowthIndicators, OneLongOneIsTwoShortOnes)
 
 TEST(GrowthIndicators, BranchesFeelThemToo)
 {
-    // Wind along y on branches that point along x: all of them turn to +y.
+    // With wind along y, all branches along x turn to +y.
     auto const plant = grown_freely(hand_made_plant(), { .strength = 0 }, { 0, 1, 0 });
     for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
         EXPECT_GT(direction_of(plant, segment).y(), 0.05) << segment;
 }
 
-// A curve in space, and where its 30th and last nodes come to lie by the reference implementation.
+// Returns a curve in space, for which the reference implementation gives the positions of the 30th
+// and the last node.
 std::vector<Vec3> reference_curve()
 {
     std::vector<Vec3> curve;
@@ -255,7 +257,8 @@ TEST(Growth, CirclingIsTheSameForFinerSegments)
 {
     GrowthParameters const p { .noise_rad = 0, .circumnutation_rad = 0.05 };
     auto const coarse = grown_freely(pole(45), p);
-    auto const fine = grown_freely(pole(405), p); // Nine in one: every fifth has the same middle.
+    // Nine segments replace one, so the middle of every fifth is the same.
+    auto const fine = grown_freely(pole(405), p);
     for (SegmentId segment = 0; segment < 45; ++segment)
         EXPECT_LT((direction_of(coarse, segment) - direction_of(fine, 9 * segment + 4)).norm(),
                   1e-12);

@@ -42,14 +42,14 @@ TEST(LocalInfluence, OverlappingBranchesFeelItOnce)
 TEST(LocalInfluence, FallsOffAroundWhereItWasDrawn)
 {
     auto const plant = hand_made_plant();
-    // Along the right branch, 100 mm above the ground as shown: fully on it.
+    // Along the right branch, 100 mm above the ground as shown, so the full influence.
     auto const wind = influence(
         plant, { { .start_mm = { 0, 0, 100 }, .end_mm = { 75, 0, 100 }, .reach_mm = 40 } });
     EXPECT_NEAR(wind.local[5].x(), 75 / 200., 1e-12);
-    // The twig's first segment is 15 mm above it, as shown 7.5: (1 - (7.5 / 40)²)².
+    // The twig's first segment is 15 mm above it, shown as 7.5: (1 - (7.5 / 40)²)².
     double const share = 1 - std::pow(7.5 / 40, 2);
     EXPECT_NEAR(wind.local[7].x(), 75 / 200. * share * share, 1e-12);
-    EXPECT_EQ(wind.local[3], Vec3(0, 0, 0)); // 75 mm above.
+    EXPECT_EQ(wind.local[3], Vec3(0, 0, 0)); // At a distance of 75 mm above.
     EXPECT_EQ(wind.everywhere, Vec3(0, 0, 0));
 }
 
@@ -61,9 +61,9 @@ TEST(LocalInfluence, LightDrawsEveryBranchTowardsItself)
     auto const light = influence(plant, { lamp });
     for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
         EXPECT_NEAR(light.local[segment].norm(), 1, 1e-12);
-    EXPECT_GT(light.local[10].normalized().x(), 0.9); // Left of it: to the right,
-    EXPECT_LT(light.local[3].z(), -0.4);              // above it: down,
-    EXPECT_GT(light.local[0].z(), 0.4);               // below it: up.
+    EXPECT_GT(light.local[10].normalized().x(), 0.9); // Left of the light, towards the right;
+    EXPECT_LT(light.local[3].z(), -0.4);              // above it, down;
+    EXPECT_GT(light.local[0].z(), 0.4);               // below it, up.
 }
 
 TEST(LocalInfluence, BendsTheBranchesThatItActsOnAndNoOther)

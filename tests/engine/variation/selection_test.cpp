@@ -15,8 +15,8 @@ using Path = std::vector<SegmentId>;
 using Paths = std::vector<Path>;
 using enum SegmentState;
 
-// The tree of figure 5: A (0) bears B (1) to the left and C (2) upwards; D (3) stands on C, and E
-// (4) on B. F (5) stands on D.
+// The tree of figure 5: A (0) bears B (1) to the left and C (2) upwards; D (3) is on C, E (4) on B,
+// and F (5) on D.
 Plant figure_5()
 {
     Plant plant;
@@ -130,7 +130,7 @@ TEST_F(Figure5, ClearForgetsEverything)
     EXPECT_EQ(selection.finish(), (Paths { { 4 } }));
 }
 
-// Looking along +y: u is x, v is z, depth is y.
+// A view along +y: u is x, v is z, depth is y.
 SkeletonProjection front_view(double half_size)
 {
     SkeletonProjection view;
@@ -144,7 +144,7 @@ TEST_F(Figure5, APenDrawnOverTheSkeletonSelects)
 {
     ProjectedSkeleton const skeleton(figure_5(), front_view(500));
     SelectionPen pen(skeleton, tree, selection);
-    // Up A, by mistake a little along B, then C, D and F.
+    // Along A, accidentally a little along B, then C, D and F.
     for (auto const& point :
          { Vec2(2, 20), Vec2(1, 90), Vec2(-20, 120), Vec2(12, 150), Vec2(40, 250), Vec2(60, 380) })
         pen.move_to(point);
@@ -153,7 +153,7 @@ TEST_F(Figure5, APenDrawnOverTheSkeletonSelects)
 
 TEST(SelectionPen, MissesNoThinBranchAtSpeed)
 {
-    // Twigs like the teeth of a comb, and one move across all of them.
+    // Twigs like the teeth of a comb, and one pen movement across all of them.
     auto plant = pole(50, 500);
     for (SegmentId segment = 0; segment < 49; ++segment)
         add_axis(plant, { { 0, 0, 10.0 * segment + 10 }, { 100, 0, 10.0 * segment + 10 } }, 0,
@@ -172,7 +172,8 @@ TEST(SelectionPen, MissesNoThinBranchAtSpeed)
 
 TEST(SelectionPen, FollowsTheTrunkBehindBranchesThatGrowTowardsTheEye)
 {
-    // Each branch leaves the trunk towards the eye (-y), rises, and hides the trunk's next 25 mm.
+    // Each branch leaves the trunk towards the eye (-y), rises, and hides the next 25 mm of the
+    // trunk.
     auto plant = pole(10, 100);
     for (SegmentId segment = 1; segment < 6; segment += 2) {
         double const z = 10.0 * segment + 10;
@@ -230,7 +231,7 @@ TEST(ProjectedSkeleton, AFingerReachesWhatLiesBeside)
 {
     Plant plant;
     add_axis(plant, { { -50, 0, 0 }, { 50, 0, 0 } });
-    add_axis(plant, { { -50, -90, 9 }, { 50, -90, 9 } }); // In front, but farther beside.
+    add_axis(plant, { { -50, -90, 9 }, { 50, -90, 9 } }); // In front, but farther to the side.
     ProjectedSkeleton const skeleton(plant, front_view(100));
     EXPECT_EQ(skeleton.pick({ 0, 4 }, { .line_half_width = 1, .finger = 6 }), 0u);
     EXPECT_EQ(skeleton.pick({ 0, 4 }, { .line_half_width = 1, .finger = 3 }), std::nullopt);
@@ -262,7 +263,7 @@ TEST(ProjectedSkeleton, FindsWhatLookingAtAllLinesFinds)
 
 TEST(ProjectedSkeleton, CutsWhatIsBehindTheEye)
 {
-    // The eye at the origin, looking along +y with an opening of 90 degrees.
+    // The eye is at the origin, looking along +y with a field of view of 90 degrees.
     Eigen::Matrix4d clip;
     clip << 1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, -1, 0, 1, 0, 0;
     Plant plant;
@@ -271,7 +272,7 @@ TEST(ProjectedSkeleton, CutsWhatIsBehindTheEye)
     ProjectedSkeleton const skeleton(plant, view_in_pixels(clip, { 200, 200 }));
     ASSERT_EQ(skeleton.lines().size(), 1u);
     EXPECT_NEAR(skeleton.lines()[0].to.x(), 110, 1e-3);
-    EXPECT_NEAR(skeleton.lines()[0].from.x(), 400, 1e-3); // A window's width beside the window.
+    EXPECT_NEAR(skeleton.lines()[0].from.x(), 400, 1e-3); // One window width beside the window.
     EXPECT_EQ(skeleton.pick({ 150, 100 }), 0u);
     EXPECT_EQ(skeleton.pick({ 50, 100 }), std::nullopt);
 }

@@ -16,7 +16,7 @@
 namespace tractus::variation {
 namespace {
 
-// A stroke laid along a branch by the reference script, in Python (tests/data/README.md).
+// A stroke laid along a branch by the reference script in Python (tests/data/README.md).
 struct Case {
     std::string name;
     StrokeFit fit = StrokeFit::Start;
@@ -69,8 +69,8 @@ std::vector<Vec3> laid_nodes(Plant const& plant, std::vector<Association> const&
     return nodes_mm;
 }
 
-// A trunk of one segment towards `below`, and on its end a straight branch whose segments are as
-// long as the stroke's pieces.
+// Returns a trunk of one segment towards `below`, and on its end a straight branch whose segments
+// have the lengths of the stroke's pieces.
 Plant plant_of(Case const& wanted)
 {
     Plant plant;
@@ -104,7 +104,7 @@ TEST(StrokeLaying, AgreesWithTheReference)
     }
 }
 
-// The table of the law's description: tips of one hanging twig and of its mirror image.
+// The table in the law's description: tips of a hanging twig and of its mirror image.
 TEST(StrokeLaying, GivesThePublishedTips)
 {
     struct Row {
@@ -144,7 +144,7 @@ TEST(StrokeLaying, GivesThePublishedTips)
 
 TEST(StrokeLaying, ATrunkTakesTheStrokeAsItLies)
 {
-    // Three turns of a helix, upright; and a straight line that leans by 45 degrees.
+    // Three turns of a vertical helix; and a straight line that leans by 45 degrees.
     std::vector<Vec3> helix;
     for (int i = 0; i <= 360; ++i)
         helix.push_back({ 35 * std::cos(radians(3 * i)), 35 * std::sin(radians(3 * i)), 0.7 * i });
@@ -166,7 +166,8 @@ TEST(StrokeLaying, ATrunkTakesTheStrokeAsItLies)
 
 TEST(StrokeLaying, ATurnOfAHelixIsNoDirection)
 {
-    // Drawn level, towards -y: its axis goes along the branch, though its start leads across.
+    // A horizontal helix towards -y: its axis follows the branch, although its beginning leads
+    // across.
     std::vector<Vec3> helix;
     for (int i = 0; i <= 360; ++i)
         helix.push_back(
@@ -213,13 +214,13 @@ TEST(StrokeLaying, LaterStrokesAndRidesKeepTheirShape)
                               .laying = StrokeLaying::HeadingAndPitch };
     auto const before = laid_nodes(plant, { branch });
     auto const after = laid_nodes(plant, { branch, trunk });
-    // The trunk leans to the side: the branch is carried, and hangs as it hung.
+    // The trunk leans to the side: the branch moves with it, and hangs as before.
     auto const chord = [&](std::vector<Vec3> const& nodes) {
         return Vec3(nodes[plant.axes[1].first_node + 3] - nodes[plant.axes[1].first_node]);
     };
     EXPECT_NEAR(chord(before).z(), chord(after).z(), 1e-6);
     EXPECT_LT(chord(after).z(), -30);
-    // What a later stroke has taken from a path carries the rest of it.
+    // A part that a later stroke has taken from a path moves the rest of it.
     auto const pole_plant = pole(12);
     std::vector<Vec3> const bow { { 0, 0, 0 }, { 0, 0, 50 }, { 40, 0, 90 }, { 90, 0, 90 } };
     Association const all { .path = segments_of(pole_plant.axes[0]),

@@ -2,12 +2,12 @@
 
 #include "tests/engine/methods/construction_lines/sketches.h"
 
-// What boundaries around a stem say of its organs, against shapes that are known in closed form.
+// Organs measured from boundaries around a stem, compared with shapes known in closed form.
 
 namespace tractus::lines {
 namespace {
 
-constexpr double kAcross_mm = 40; // Half-axes of the cross-section, on the sheet
+constexpr double kAcross_mm = 40; // Half-axes of the cross-section: in the sheet
 constexpr double kDeep_mm = 25;   // and towards the viewer.
 
 double on_ellipse(double azimuth_deg)
@@ -16,7 +16,7 @@ double on_ellipse(double azimuth_deg)
     return 1 / std::hypot(std::cos(angle) / kAcross_mm, std::sin(angle) / kDeep_mm);
 }
 
-// A line at the stem's azimuth, as far away as the elliptic cylinder around it, upright.
+// Returns a vertical line at an azimuth around the stem, on the elliptic cylinder.
 std::vector<Vec3> on_cylinder(double azimuth_deg)
 {
     double const far_mm = on_ellipse(azimuth_deg);
@@ -49,7 +49,7 @@ TEST(AroundStem, FourBoundariesGiveAnEllipticCrossSectionBack)
     }
 }
 
-// The plant that the text gives: each tip is on the cylinder.
+// In the plant made from the text, each tip must lie on the cylinder.
 TEST(AroundStem, OrgansOfTheModelReachTheEllipticCylinder)
 {
     for (auto const kind : { Pattern::Kind::Distichous, Pattern::Kind::Decussate,
@@ -62,7 +62,7 @@ TEST(AroundStem, OrgansOfTheModelReachTheEllipticCylinder)
     }
 }
 
-// Wherever they stand around it.
+// The boundaries may be anywhere around the stem.
 TEST(AroundStem, ManyBoundariesGiveAnEllipticCrossSectionBack)
 {
     std::vector<std::vector<double>> const azimuths_deg {
@@ -82,7 +82,7 @@ TEST(AroundStem, ManyBoundariesGiveAnEllipticCrossSectionBack)
     }
 }
 
-// Around a circle's arc the cross-section is the same ellipse everywhere.
+// Around an arc of a circle, the cross-section must be the same ellipse everywhere.
 TEST(AroundStem, FollowsABentStem)
 {
     constexpr double kRadius_mm = 150;
@@ -159,7 +159,7 @@ TEST(AroundStem, ALineKeepsItsAzimuth)
     EXPECT_EQ(degrees_between(0, 180), 180);
 }
 
-// A stem that leans towards the viewer by 30 degrees: behind it and in front of it is across it.
+// For a stem that leans towards the viewer by 30 degrees, front and back are perpendicular to it.
 TEST(AroundStem, AzimuthsAreThoseAroundAStemThatLeans)
 {
     double const sine = std::sin(radians(30));

@@ -31,7 +31,7 @@ StemSide other(StemSide side)
     return side == StemSide::Left ? StemSide::Right : StemSide::Left;
 }
 
-// The half is turned by the line alone: the other half, the other line and the boundaries stay.
+// Only the line's half is rotated: the other half, the other line and the boundaries stay.
 RC_GTEST_PROP(WithAngle, TurnsOneHalfOfOneLine, ())
 {
     static auto const drawing = whole_sketch();
@@ -51,8 +51,8 @@ RC_GTEST_PROP(WithAngle, TurnsOneHalfOfOneLine, ())
     RC_ASSERT(sketch.lines.size() == drawing.sketch().lines.size());
 }
 
-// The boundary reaches the wanted size on the ray there, and is what it was from the next places
-// on.
+// The boundary reaches the requested size there on its ray, and is unchanged beyond the next
+// positions.
 RC_GTEST_PROP(WithSize, MovesTheBoundaryThereAlone, ())
 {
     static auto const drawing = whole_sketch();

@@ -29,7 +29,7 @@ TEST(WithHeading, BendsTheStemThereAndNotAtTheNextPlaces)
         }
 }
 
-// What grows along an inclination line leaves the stem where it did and as it did.
+// Organs along an inclination line must keep their position and angle on the stem.
 TEST(WithHeading, TakesTheStemsLinesAlong)
 {
     auto const sketch = whole_sketch().sketch();

@@ -2,14 +2,14 @@
 #include "engine/methods/construction_lines/recognise_line.h"
 #include "tests/engine/methods/construction_lines/drawn_sketch.h"
 
-// Boundaries that are drawn while the surface moves, from sketches and from the pen.
+// Boundaries drawn while the surface moves, in sketches and by the pen.
 
 namespace tractus::lines {
 namespace {
 
 using Kind = Pattern::Kind;
 
-// In front of the stem of the hand sketch, bowed, and behind it.
+// Returns a curved boundary in front of the hand sketch's stem, or behind it.
 std::vector<Vec3> bow_in_depth(double far_mm)
 {
     std::vector<Vec3> points;
@@ -38,7 +38,7 @@ std::vector<std::string> texts_of(LineSketch const& sketch, Pattern const& patte
     return texts;
 }
 
-// A stem that comes towards the viewer, with a boundary on each side that goes along with it.
+// A stem that comes towards the viewer, with a boundary on each side that follows it.
 TEST(BoundariesInSpace, OnTheLeftAndTheRightAreThePapersCase)
 {
     auto const deep
@@ -76,12 +76,12 @@ TEST(BoundariesInSpace, KeepTheSidesOfTheSheet)
         EXPECT_NEAR(deep.nodes[i].right_size, flat.nodes[i].right_size, 1e-12);
         EXPECT_EQ(deep.nodes[i].left_deg, flat.nodes[i].left_deg);
     }
-    // Organs left and right are those of the sheet, so the text is, too.
+    // Organs on the left and right are those of the sheet, and so is the text.
     EXPECT_EQ(texts_of(with_depth()), texts_of(hand_sketch()));
     EXPECT_EQ(write_model(deep, { .kind = Kind::Spiral }, "plant").functions.size(), 11U);
 }
 
-// Each organ in front and behind reaches the curve that was drawn there.
+// The tip of each organ in front and behind must lie on the curve drawn there.
 TEST(BoundariesInSpace, OrganTipsLieOnThem)
 {
     auto const sketch = with_depth();
@@ -155,7 +155,7 @@ TEST(BoundariesInSpace, SaysWhatIsWrongWithThem)
               "the boundary where the inclination lines point");
 }
 
-// Of a plant with two stems one of which has such boundaries.
+// A plant with two stems, one of which has such boundaries.
 TEST(BoundariesInSpace, StandAroundTheStemThatTheyBelongTo)
 {
     auto second = with_depth();
@@ -184,7 +184,7 @@ TEST(BoundariesInSpace, StandAroundTheStemThatTheyBelongTo)
         EXPECT_NEAR((tips[i] - flat[i]).norm(), 0, 0.01) << i;
 }
 
-// Two boundaries on the sheet, as the pattern says.
+// With two boundaries in the sheet, the pattern decides.
 TEST(BoundariesInSpace, SizesMayFollowHalfEllipsesWithoutThem)
 {
     Pattern const linear { .kind = Kind::Decussate };
@@ -196,7 +196,7 @@ TEST(BoundariesInSpace, SizesMayFollowHalfEllipsesWithoutThem)
     auto const spiral = tips_of(
         hand_sketch(),
         { .kind = Kind::Spiral, .divergence_deg = 45, .sizes = Pattern::Sizes::HalfEllipses });
-    // Node 1, an eighth around: of .300672 and .180403.
+    // Node 1 is at an eighth of the circle, between .300672 and .180403.
     double const size = size_between({ 0.300672, 0.180403, 180 }, 0.25);
     EXPECT_NEAR((spiral[1] - Vec3(0, 70, 0)).norm() / 200, size, 1e-4);
 }
@@ -213,20 +213,20 @@ TEST(BoundariesInSpace, AreTakenForWhatTheyAreWhereTheirDepthCounts)
     EXPECT_EQ(recogniser.add(bow_in_depth(-40), InSpace).replaces, std::nullopt);
     EXPECT_EQ(recogniser.add(bow_in_depth(45), InSpace).replaces, 1U);
     EXPECT_EQ(recogniser.sketch().around.size(), 2U);
-    // One on the left, where there is one on the sheet, and the other way round.
+    // A boundary in space on the left replaces one in the sheet, and the other way round.
     EXPECT_EQ(recogniser.add(line({ Vec2(-50, 0), Vec2(-50, 200) })).role, Role::Left);
     std::vector<Vec3> const left { Vec3(-40, 0, 0), Vec3(-45, 200, 25) };
     EXPECT_EQ(recogniser.add(left, InSpace).replaces, 4U);
     EXPECT_EQ(recogniser.add(line({ Vec2(-55, 0), Vec2(-60, 200) })).replaces, 5U);
-    // What crosses the stem is an inclination line at any height.
+    // A line that crosses the stem is an inclination line at any height.
     EXPECT_EQ(
         recogniser.add({ Vec3(-60, 100, 0), Vec3(0, 80, 40), Vec3(60, 100, 0) }, InSpace).role,
         Role::Inclination);
-    // Stem, drawn again where it was.
+    // The stem, redrawn at its place.
     EXPECT_EQ(recogniser.add({ Vec3(1, 0, 0), Vec3(0, 200, 11) }, InSpace).role, Role::Stem);
 }
 
-// With the pen: the tablet's middle is (0, 0), the stem 120 mm long.
+// Returns a stroke by the pen; the tablet's middle is (0, 0), the stem 120 mm long.
 Stroke in_front(double far_mm)
 {
     return pen_stroke(
@@ -253,7 +253,7 @@ TEST(BoundariesInSpace, AreDrawnWhileTheSurfaceMoves)
     EXPECT_NEAR(construction.around[3].azimuth_deg, 270, 3);
     EXPECT_NEAR(construction.around[3].sizes[2] / construction.around[1].sizes[2], 4.0 / 3, 0.05);
     EXPECT_EQ(drawing.organs(), 6U);
-    // It is a line as any other: taken for something else, and for this again.
+    // It can be changed to another role and back, like any line.
     auto const back = drawing.sketch().lines.back().id;
     drawing.apply(SetLineRole { drawing.plant(), back, Role::Unsure });
     EXPECT_EQ(line_sketch(drawing.sketch())->around.size(), 1U);
@@ -261,7 +261,7 @@ TEST(BoundariesInSpace, AreDrawnWhileTheSurfaceMoves)
     EXPECT_EQ(line_sketch(drawing.sketch())->around.size(), 2U);
 }
 
-// In sessions from before.
+// In older sessions.
 TEST(BoundariesInSpace, LieOnTheSheetWhereTheirDepthDoesNotCount)
 {
     auto flat = whole_sketch();
@@ -287,15 +287,15 @@ TEST(BoundariesInSpace, GoAlongWithAStemThatIsDrawnAgainAtAnotherHeight)
     EXPECT_NEAR(after[20].z(), before[20].z() - 25, 0.01) << "the stem is nearer to it now";
 }
 
-// By the pen's pressure, from a quarter to three quarters of its range, along 120 mm.
+// The pen's pressure changes from a quarter to three quarters of its range, along 120 mm.
 TEST(DepthByPressure, BringsTheStemTowardsTheViewer)
 {
     auto stroke = stem();
     auto tips = stroke.tips.vector();
     for (std::size_t i = 0; i < tips.size(); ++i)
         tips[i].pressure = 0.25 + 0.5 * (tips[i].position_mm.y() + 60) / 120;
-    tips.front().pressure = 0; // The pen comes down,
-    tips.back().pressure = 0;  // and is lifted.
+    tips.front().pressure = 0; // Pen-down and
+    tips.back().pressure = 0;  // pen-up.
     stroke.tips = SharedVector<TipSample>(std::move(tips));
     Drawing drawing;
     drawing.apply(AddLine { .stroke = stroke, .depth_by = DepthBy::Pressure });

@@ -34,7 +34,8 @@ TEST(CaptureLine, TakesADotAndAnEndlessLine)
     EXPECT_LT(capture_line(std::vector<Vec3> { Vec3(0, 0, 0), Vec3(0, 1e5, 0) }).size(), 8'001U);
 }
 
-// A pen that starts slowly, goes and stops, in a hand that trembles, asked so often a second.
+// Returns points of a pen that accelerates, moves and stops, in a trembling hand, with a given
+// report rate.
 std::vector<Vec3> drawn(std::vector<Vec2> const& corners, double rate_hz)
 {
     constexpr double kDuration_s = 1.5;

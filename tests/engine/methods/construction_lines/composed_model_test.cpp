@@ -20,7 +20,7 @@ std::string refusal_of(ComposedSketch const& sketch)
     return model ? "it is written" : model.error().message;
 }
 
-// On the sheet, from the foot of the first stem.
+// Converts a position to the sheet, relative to the base of the first stem.
 Vec3 on_sheet(Vec3 const& place_mm)
 {
     return Vec3(place_mm.x(), place_mm.z(), -place_mm.y()) / 10;
@@ -34,7 +34,7 @@ std::vector<Vec3> tops_of(Plant const& plant)
     return tops;
 }
 
-// A sketch whose layers bear the plants of others by their numbers from 1, or leaves: 0.
+// Returns a sketch whose layers bear other sketches, by their numbers from 1, or leaves: 0.
 ComposedSketch composition(LineSketch lines, Pattern const& pattern = {},
                            std::vector<ComposedSketch> const& organs = {},
                            std::vector<std::size_t> const& of_layers = {})
@@ -52,8 +52,8 @@ ComposedSketch leaf()
     return composition(bent_sketch());
 }
 
-// The paper's double-compound leaf: as many leaves of leaflets as the one sketch has leaves, whose
-// tops are on its boundaries.
+// The paper's double-compound leaf: the compound leaf has as many leaflet-bearing leaves as the
+// first sketch has leaves, and their tops are on its boundaries.
 TEST(ComposedModel, OrgansReachTheBoundariesOfWhatBearsThem)
 {
     for (auto const& sketch : { hand_sketch(), bent_sketch() }) {
@@ -64,7 +64,8 @@ TEST(ComposedModel, OrgansReachTheBoundariesOfWhatBearsThem)
         auto const tops = tops_of(plant);
         auto const length_mm = measured(sketch).stem.length_mm();
         for (std::size_t i = 1; i < tops.size(); ++i) {
-            // The organ's own stem bends: how far its top is from its foot, not its length.
+            // The organ's own stem bends, so the distance from base to top is compared, not its
+            // length.
             auto const foot = on_sheet(plant.positions(plant.axes[i]).front());
             EXPECT_LT(std::fabs(foot.z()), 1e-3) << "in the plane of a frond";
             EXPECT_GT((tops[i] - foot).norm(), 0.1 * length_mm);
@@ -72,7 +73,7 @@ TEST(ComposedModel, OrgansReachTheBoundariesOfWhatBearsThem)
     }
 }
 
-// With a straight stem an organ ends where the leaf in its place ends.
+// With a straight stem, an organ must end where the leaf in its place would end.
 TEST(ComposedModel, AnOrgansTopIsWhereTheLeafsTipWouldBe)
 {
     for (auto const kind : { Kind::Distichous, Kind::Decussate, Kind::Spiral, Kind::Whorled })
@@ -92,7 +93,7 @@ TEST(ComposedModel, AnOrgansTopIsWhereTheLeafsTipWouldBe)
         }
 }
 
-// What stands on an organ is what its own sketch has, made smaller and turned.
+// An organ must be the plant of its own sketch, scaled and rotated.
 TEST(ComposedModel, AnOrganIsThePlantOfItsSketch)
 {
     Pattern const spiral { .kind = Kind::Spiral };
@@ -113,7 +114,7 @@ TEST(ComposedModel, AnOrganIsThePlantOfItsSketch)
     }
 }
 
-// Leaves below and flowers above, one sketch.
+// A sketch with leaves below and flowers above.
 TEST(ComposedModel, LayersMayBearDifferentOrgans)
 {
     auto sketch = hand_sketch();
@@ -142,7 +143,7 @@ TEST(ComposedModel, OrgansMayHaveOrgansOfTheirOwn)
     EXPECT_EQ(plant.organs.size(), 5U * 10 * 10);
 }
 
-// The derivation ends when the last leaf is there.
+// The derivation must end when the last leaf is there.
 TEST(ComposedModel, GrowsUntilAllIsThere)
 {
     auto const text = compiled(composed(composition(hand_sketch(), {}, { leaf() }, { 1 })));

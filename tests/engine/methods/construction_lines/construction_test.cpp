@@ -5,7 +5,8 @@
 namespace tractus::lines {
 namespace {
 
-// Computed by hand: rays at 45 to 90 degrees to boundaries a quarter and 0.15 of the stem away.
+// Expected values computed by hand: rays at 45 to 90 degrees to boundaries at 0.25 and 0.15 of the
+// stem's length.
 TEST(Construction, MeasuresASketchAsComputedByHand)
 {
     auto const result = measured(hand_sketch());
@@ -35,7 +36,7 @@ TEST(Construction, FunctionsAreLinearBetweenNodesAndConstantBeyond)
     EXPECT_DOUBLE_EQ(values_at(result, 0.5).heading_deg, 0);
 }
 
-// Between circles about the stem's own centre every reach is the gap.
+// Between circles about the stem's own centre, every reach is the distance between the circles.
 TEST(Construction, ReachesFromABentStemAreTheGaps)
 {
     auto const ring = [](double radius_mm) {
@@ -212,7 +213,7 @@ TEST(Construction, RefusesWhatIsNoSketchAtAll)
               "the sketch's lines have 20011 points together, more than 200");
 }
 
-// Where a stem crosses itself, an inclination line counts near its own middle.
+// If a stem crosses itself, an inclination line is assigned near its own middle.
 TEST(Construction, AStemMayCrossItself)
 {
     LineSketch const sketch { .stem = { Vec3(0, 0, 0), Vec3(0, 100, 0), Vec3(30, 100, 0),

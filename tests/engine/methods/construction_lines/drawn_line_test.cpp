@@ -40,7 +40,7 @@ TEST(DrawnLine, ALinesLastPointBelongsToIt)
     EXPECT_EQ(crossings(upright, DrawnLine({ Vec2(-9, 101), Vec2(9, 101) })).size(), 0U);
 }
 
-// Two scribbles across each other cross millions of times.
+// Two crossing scribbles have millions of intersections.
 TEST(DrawnLine, ScribblesDoNotFillTheMemory)
 {
     std::vector<Vec2> upright;

@@ -48,7 +48,7 @@ int misread(std::vector<Habit> const& habits, int count)
     return wrong;
 }
 
-// A stem with both boundaries and two inclination lines, as corners.
+// Returns a stem with both boundaries and two inclination lines, as polylines.
 std::vector<StrokeToExplain> plain_sketch()
 {
     return { stroke({ { 0, 0, 0 }, { 0, 200, 0 } }), stroke({ { -50, -5, 0 }, { -40, 205, 0 } }),
@@ -63,7 +63,7 @@ TEST(ExplainSketch, ReadsOneHabitAtATime)
     int wrong = 0;
     for (std::size_t i = 0; i < kHabitCount; ++i)
         wrong += misread({ static_cast<Habit>(i) }, kEach);
-    EXPECT_LE(wrong, 3) << "of " << kEach * kHabitCount; // 95 in 100.
+    EXPECT_LE(wrong, 3) << "of " << kEach * kHabitCount; // At least 95 of 100 must be right.
 }
 
 TEST(ExplainSketch, ReadsTwoHabitsAtATime)
@@ -82,8 +82,8 @@ TEST(ExplainSketch, ReadsTwoHabitsAtATime)
     EXPECT_LE(wrong, 2) << "of " << count;
 }
 
-// For the night, and for the table in the manual: --gtest_also_run_disabled_tests. 40 sketches with
-// each habit, then pairs of them up to 1,000.
+// For long runs, and for the table in the manual: --gtest_also_run_disabled_tests. Reads 40
+// sketches with each habit, then pairs of habits up to 1,000.
 TEST(ExplainSketch, DISABLED_CountsAThousandSketchesByHabit)
 {
     constexpr int kEach = 40;
@@ -204,7 +204,7 @@ TEST(ExplainSketch, TurnsAStemRoundThatWasDrawnFromItsTop)
     EXPECT_TRUE(explanation.strokes[0].is_turned_round);
     EXPECT_EQ(explanation.strokes[1].role, Role::Left);
     EXPECT_EQ(explanation.sketch.stem.front(), Vec3(0, 0, 0));
-    strokes[0].turn_round = true; // Somebody does not want that.
+    strokes[0].turn_round = true; // The user has rejected the reversal.
     auto const hanging = explain_sketch(strokes).front();
     EXPECT_FALSE(hanging.strokes[0].is_turned_round);
     EXPECT_EQ(hanging.sketch.stem.front(), Vec3(0, 200, 0));
@@ -213,7 +213,7 @@ TEST(ExplainSketch, TurnsAStemRoundThatWasDrawnFromItsTop)
 
 TEST(ExplainSketch, ALeaningPlantThatHangsStaysAsItWasDrawn)
 {
-    // From a branch downwards, and its leaves lean to the tip.
+    // A stem from a branch downwards, with leaves that lean towards the tip.
     std::vector<StrokeToExplain> strokes {
         stroke({ { 0, 200, 0 }, { 10, 100, 0 }, { 0, 0, 0 } }),
         stroke({ { -40, 190, 0 }, { -25, 0, 0 } }),
@@ -230,7 +230,8 @@ TEST(ExplainSketch, WhatSomebodySaysCounts)
 {
     auto strokes = plain_sketch();
     strokes[4].said = Role::Unsure;
-    strokes.push_back(stroke({ { -60, 60, 0 }, { -80, 90, 0 } })); // Far off and short.
+    // A short stroke far from the stem.
+    strokes.push_back(stroke({ { -60, 60, 0 }, { -80, 90, 0 } }));
     strokes.back().said = Role::Left;
     auto const explanation = explain_sketch(strokes).front();
     EXPECT_EQ(explanation.strokes[4].role, Role::Unsure);

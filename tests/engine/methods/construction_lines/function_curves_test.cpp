@@ -6,7 +6,7 @@
 namespace tractus::lines {
 namespace {
 
-// As a model finds them.
+// Returns the function tables as a model uses them.
 std::vector<lsystem::FunctionTable> tabulated(Construction const& construction)
 {
     std::vector<lsystem::FunctionTable> tables;
@@ -35,7 +35,8 @@ TEST(FunctionCurves, TablesHaveTheNodesValuesExactly)
     }
 }
 
-// The paper's chain: from the base, each place is the one before it and the internode there.
+// The paper's chain: beginning at the base, each node's position is the previous one plus the
+// internode there.
 TEST(FunctionCurves, InternodesLeadFromNodeToNode)
 {
     auto sketch = hand_sketch();

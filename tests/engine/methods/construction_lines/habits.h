@@ -209,7 +209,7 @@ private:
         }
         for (auto const role : { Role::Left, Role::Right }) {
             auto const& line = role == Role::Left ? left : right;
-            auto const is_one = hand_.chance(0.5); // Applies a habit to only one of the two lines.
+            auto const is_one = hand_.chance(0.5); // Some habits apply to only one of the lines.
             if (has(Habit::BoundaryInTwo))
                 rest.push_back(as_strokes(hand_.pieces(line, 2), role));
             else if (has(Habit::BoundaryInFour) && (is_one || role == Role::Left))
@@ -315,7 +315,7 @@ private:
         if (has(Habit::AnyOrder))
             rest.insert(rest.begin() + 1 + static_cast<std::ptrdiff_t>(hand_.below(rest.size())),
                         stem);
-        // After the first lines on the stem, with which the illustrator sees it.
+        // Redrawn last, when the illustrator sees it with the lines on it.
         else if (has(Habit::StemRedrawn)) {
             rest.insert(rest.begin(), { stem[0] });
             rest.push_back({ stem[1] });

@@ -9,7 +9,7 @@
 namespace tractus::lines {
 namespace {
 
-// A stem of 180 mm that bows.
+// Returns a curved stem of 180 mm.
 std::vector<Vec3> bowed_line()
 {
     std::vector<Vec3> points;
@@ -25,7 +25,7 @@ double heading_deg(std::vector<Vec3> const& line, double share)
     return degrees(std::atan2(-way.x(), way.y()));
 }
 
-// Of the headings along the line's middle 90 %.
+// Returns the root mean square error of the headings along the middle 90 % of a line.
 double rms_heading_error_deg(std::vector<Vec3> const& line, std::vector<Vec3> const& meant)
 {
     double sum = 0;
@@ -79,7 +79,7 @@ TEST(HandLine, CornersStaySharp)
         for (auto const& point : cleaned)
             least_mm = std::min(least_mm, (point - Vec3(0, 0, 0)).norm());
         EXPECT_LT(least_mm, 1.0) << seed;
-        // Straight up to 3 mm before the corner.
+        // The line must be straight up to 3 mm before the corner.
         for (auto const& point : cleaned) {
             double const off_mm = std::fabs(point.y() - std::fabs(point.x())) / std::sqrt(2.0);
             EXPECT_LT(off_mm, 1.2) << seed << ": " << point.transpose();

@@ -9,7 +9,8 @@ namespace {
 using Kind = Pattern::Kind;
 using Face = Pattern::Face;
 
-// Three nodes between the first two lines, two between the next, and one on the topmost.
+// Returns a sketch with three nodes between the first two lines, two between the next, and one on
+// the topmost.
 LineSketch two_layers(std::vector<LayerOrgans> layers)
 {
     auto sketch = hand_sketch();
@@ -43,7 +44,7 @@ LineOrgan square(Vec3 const& color)
     return { .surface = { .patches = organ_surface(views).value(), .color = color } };
 }
 
-// What stands in a layer is what stands there where the whole plant has its pattern.
+// The organs of a layer must be those that a whole plant with the layer's pattern has there.
 TEST(LayerOrgans, EachLayerHasAPatternOfItsOwn)
 {
     auto const sizes = { Pattern::Sizes::Linear, Pattern::Sizes::HalfEllipses };
@@ -74,7 +75,7 @@ TEST(LayerOrgans, EachLayerHasAPatternOfItsOwn)
             }
 }
 
-// How far the upper side of an organ points to the top of an upright stem.
+// Returns how far the upper side of an organ points to the top of a vertical stem.
 double upwards(Organ const& organ)
 {
     return (organ.orientation * Vec3(0, 0, 1)).z();
@@ -100,7 +101,7 @@ TEST(LayerOrgans, EachLayerHasAFaceOfItsOwn)
     }
 }
 
-// Leaves below, surfaces of two colours above.
+// Leaves below, and surfaces of two colours above.
 TEST(LayerOrgans, EachLayerHasSurfacesOfItsOwn)
 {
     auto sketch = two_layers({ {}, { .organ = 2 }, { .organ = 1 } });
@@ -117,7 +118,7 @@ TEST(LayerOrgans, EachLayerHasSurfacesOfItsOwn)
     EXPECT_EQ(std::count(shapes.begin() + 5, shapes.end(), shapes[5]), 5);
     EXPECT_NE(shapes[3], shapes[5]);
     EXPECT_NE(shapes[0], shapes[3]);
-    // They are as long as the leaves would be.
+    // The organs must be as long as leaves would be.
     auto leaves = sketch;
     leaves.organs_per_layer.clear();
     auto const of_leaves = tips_of(leaves, { .kind = Kind::Spiral });
@@ -126,7 +127,7 @@ TEST(LayerOrgans, EachLayerHasSurfacesOfItsOwn)
         EXPECT_LT((tips[i] - of_leaves[i]).norm(), 1e-3) << i;
 }
 
-// Two stems side by side with the same lines have the same layers.
+// Two stems side by side with the same lines must have the same layers.
 TEST(LayerOrgans, SeveralStemsHaveLayers)
 {
     std::vector<Pattern> const patterns { { .kind = Kind::Distichous },

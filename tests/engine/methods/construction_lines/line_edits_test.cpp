@@ -40,13 +40,13 @@ TEST(AddLine, TheOnlyInclinationLineHoldsAllAlong)
     auto const construction = measure_sketch(lines, Missing::Guessed).value();
     ASSERT_EQ(construction.inclinations.size(), 2U);
     EXPECT_EQ(construction.inclinations[0].left_deg, construction.inclinations[1].left_deg);
-    // From (0, -40) to (-50, -20) where it meets the boundary.
+    // From (0, -40) to (-50, -20), where it meets the boundary.
     EXPECT_NEAR(construction.inclinations[0].left_deg, 90 - degrees(std::atan2(20, 50)), 1.5);
     EXPECT_EQ(measure_sketch(lines).error().message.substr(0, 35),
               "there is only one inclination line:");
 }
 
-// Which of the lines the pen drew first makes no difference, but that the stem is the first.
+// The order of the lines must not matter, except that the stem comes first.
 TEST(AddLine, TakesTheOtherLinesInAnyOrder)
 {
     auto const whole = whole_sketch();
@@ -80,7 +80,7 @@ TEST(AddLine, ALineDrawnAgainTakesTheEarlierOnesPlaceAndNodes)
     EXPECT_EQ(drawing.organs(), 6U);
 }
 
-// Where the stem begins the plant stands, and the other lines stay where they are.
+// The plant's base is where the stem begins; the other lines stay where they are.
 TEST(AddLine, ThePlantStandsWhereItsStemIsDrawnAgain)
 {
     auto drawing = whole_sketch();
@@ -92,7 +92,7 @@ TEST(AddLine, ThePlantStandsWhereItsStemIsDrawnAgain)
     EXPECT_NEAR((lines.right.front() - Vec2(40, -60)).norm(), 0, 0.1);
 }
 
-// The surface is raised by 60 mm while the stem is drawn: towards the viewer.
+// The surface is raised by 60 mm while the stem is drawn, which means towards the viewer.
 TEST(AddLine, TheSurfacesHeightIsTheStemsDepth)
 {
     Drawing drawing;
@@ -108,8 +108,8 @@ TEST(AddLine, TheSurfacesHeightIsTheStemsDepth)
     EXPECT_EQ(line_sketch(resting.sketch())->stem.back().z(), 0) << "a sensor's noise";
 }
 
-// The paper stays on the tablet where the plant is moved to, and its foot where plants are shown in
-// another size.
+// When the plant is moved, the sheet moves with it on the tablet; when plants are shown at another
+// size, its base stays.
 TEST(AddLine, GoesOnWhereThePlantIsShownNow)
 {
     auto drawing = whole_sketch();
@@ -134,7 +134,7 @@ TEST(AddLine, GoesOnWhereThePlantIsShownNow)
     EXPECT_EQ(moved.scene().placement.scale, 0.05);
 }
 
-// What was drawn on a branch stays, and other plants are not built again.
+// Strokes on branches must be kept, and other plants must not be rebuilt.
 TEST(AddLine, ChangesThePlantsSourceAlone)
 {
     Drawing drawing;
@@ -243,7 +243,7 @@ TEST(SetLineRole, SaysWhatALineIs)
               "the sketch has no line");
 }
 
-// The boundary that was there before is kept, and may become it again.
+// The previous boundary is kept, and can be restored.
 TEST(SetLineRole, AnotherBoundaryTakesItsPlace)
 {
     Drawing drawing;
@@ -280,7 +280,7 @@ TEST(SaidOf, NamesTheLineAndWhatIsMissing)
                   "This is the right boundary" }));
 }
 
-// Of the functions at a few places, each as a share of what the sketch has there.
+// Returns the functions at a few positions, relative to those of the sketch.
 std::vector<double> functions_of(PenSketch const& sketch)
 {
     auto const construction = measure_sketch(line_sketch(sketch).value(), Missing::Guessed).value();

@@ -28,7 +28,7 @@ double length_of(OrganSurface const& surface)
     return (patches[patches.size() - kAcross].control[12] + patches.back().control[15]).norm() / 2;
 }
 
-// How far apart two surfaces are at most, by their lengths.
+// Returns the greatest distance of two surfaces, relative to their lengths.
 double apart(OrganSurface const& one, OrganSurface const& other)
 {
     double most = 0;
@@ -114,7 +114,7 @@ TEST(OrganFile, SaysWhatIsWrongAndWhere)
         std::string::npos);
 }
 
-// The sentence for an empty text is that of the first line.
+// The error for an empty text is that for a missing first line.
 TEST(OrganFile, RefusesAnEmptyText)
 {
     EXPECT_NE(refusal("\n").find("first line"), std::string::npos);
@@ -134,7 +134,7 @@ TEST(BringOrgan, DrawsTheLeafBesideThePlant)
     EXPECT_EQ(organ.color, OrganColor::Pink) << "the nearest";
     ASSERT_EQ(organ.lines.size(), 2U);
     EXPECT_NE(organ.lines[0].line.id, organ.lines[1].line.id);
-    // A pen's lines are smoothed, so the corner in the middle of these is round.
+    // A pen's lines are smoothed, so the corner in their middle is rounded.
     EXPECT_LT(apart(surface_of(organ).value(), surface_of(file).value()), 0.06);
     for (auto const& line : organ.lines)
         for (auto const& tip : line.line.stroke.tips) {
@@ -158,7 +158,7 @@ TEST(BringOrgan, DrawsTheLeafBesideThePlant)
               std::string::npos);
 }
 
-// A curve as a hand draws it comes back as it was kept.
+// A curve drawn by hand must be read back as it was written.
 TEST(BringOrgan, GivesBackWhatWasKept)
 {
     std::vector<Vec3> edge;

@@ -5,7 +5,7 @@
 #include "engine/scene/write_rules.h"
 #include "tests/engine/methods/construction_lines/drawn_sketch.h"
 
-// Rules that somebody writes in place of a pattern's.
+// Rules that the user writes in place of a pattern's.
 
 namespace tractus::lines {
 namespace {
@@ -24,7 +24,7 @@ std::string text_of(Drawing const& drawing)
     return model ? model->source.text : "";
 }
 
-// Two organs for each node of a spiral.
+// Adds a second organ to each node of a spiral's text.
 std::string twice(std::string const& text)
 {
     return replaced(text, "    --> [/(t)", "    /* Twice. */ --> [~l(9)][/(t)");
@@ -43,7 +43,7 @@ TEST(OwnRules, AreTheModelsThatTheyWereWrittenFrom)
     EXPECT_EQ(text_of(drawing), own);
 }
 
-// Redrawing changes functions and numbers alone.
+// Redrawing must change only functions and numbers.
 TEST(OwnRules, StayWhereTheSketchIsDrawnAgain)
 {
     auto drawing = whole_sketch();
@@ -55,7 +55,8 @@ TEST(OwnRules, StayWhereTheSketchIsDrawnAgain)
     auto const layer = layers_of(drawing.sketch()).value().front();
     drawing.apply(SetLayerNodes { drawing.scene().state.active, layer.line, layer.nodes + 4 });
     EXPECT_EQ(drawing.organs(), more + 2 * 4) << "two for each node now";
-    drawing.draw(pen_stroke({ { -80, -70, 0 }, { -70, 0, 0 }, { -30, 70, 0 } })); // On the left.
+    // A line on the left.
+    drawing.draw(pen_stroke({ { -80, -70, 0 }, { -70, 0, 0 }, { -30, 70, 0 } }));
     auto const after = model_of(drawing.sketch()).value();
     EXPECT_NE(after.functions, before.functions);
     EXPECT_NE(after.source.text.find("/* Twice. */"), std::string::npos);
@@ -84,7 +85,7 @@ TEST(OwnRules, ThatDoNotCompileChangeNothing)
     EXPECT_FALSE(drawing.sketch().rules);
 }
 
-// A change for which the pattern's rules read other tables is refused until somebody writes them.
+// A change that requires other tables than the rules read is refused until they are rewritten.
 TEST(OwnRules, RefuseWhatTheyDoNotRead)
 {
     auto drawing = whole_sketch();
@@ -110,7 +111,8 @@ TEST(OwnRules, HaveAViewOfTheirOwn)
     EXPECT_NE(model_of(drawing.sketch())->source.view_text, model.source.view_text);
 }
 
-// Arrays of one name in several L-systems are those of each; what is not the sketch's stays.
+// Equally named arrays of several L-systems are separate; arrays that do not belong to the sketch
+// must stay.
 TEST(OwnRules, KeepEachLSystemsNumbers)
 {
     LineModel model;

@@ -13,7 +13,7 @@ namespace {
 
 using Says = StemRecogniser::Says;
 
-// Upright, of 200 mm, 100 mm apart.
+// Returns a recogniser with two vertical stems of 200 mm, 100 mm apart.
 StemRecogniser two_stems()
 {
     StemRecogniser recogniser;
@@ -40,8 +40,8 @@ TEST(StemRecogniser, GivesLinesToTheNearestStem)
     EXPECT_EQ(recogniser.inclination_strokes(1), std::vector<std::size_t> { 2 });
 }
 
-// Of two lines between the stems the first is the nearer one's; the second, though it is nearer to
-// that as well, is the other one's, which has none there yet.
+// Two lines between the stems: the first belongs to the nearer stem; the second, although it is
+// nearer to the same stem, belongs to the other one, which has no line on that side yet.
 TEST(StemRecogniser, GivesABoundaryToTheStemThatHasNoneThere)
 {
     auto recogniser = two_stems();
@@ -83,8 +83,8 @@ struct MeantLine {
     std::size_t stem = 0;
 };
 
-// Two sketches beside each other, whose sides may overlap a little, their lines in any order in
-// which each stem comes before its own.
+// Returns two sketches side by side, which may overlap slightly, with their lines in any order in
+// which each stem precedes its own lines.
 std::vector<MeantLine> two_sketches(unsigned seed)
 {
     std::mt19937 random(seed);

@@ -8,7 +8,7 @@
 namespace tractus::lines {
 namespace {
 
-// A line on the sheet that begins there in a direction, and turns evenly.
+// Returns a line in the sheet with a given beginning and direction, and with constant curvature.
 std::vector<Vec3> bow(Vec2 from_mm, double heading_deg, double turn_deg, double length_mm)
 {
     constexpr int kPieces = 100;
@@ -42,8 +42,7 @@ LineModel model_of(std::vector<StemLines> const& stems, Pattern const& pattern =
     return write_model(measured_stems(stems), pattern, "plant");
 }
 
-// Where an axis of a plant begins and ends on the sheet of a sketch whose first stem begins at its
-// middle.
+// Base and top of an axis on the sheet of a sketch whose first stem begins at its middle.
 struct Ends {
     Vec3 foot_mm;
     Vec3 top_mm;
@@ -68,7 +67,7 @@ TEST(SeveralStems, ASingleOneIsThePlantThatItWas)
     }
 }
 
-// A clump: each stands where it is drawn, and is one axis.
+// A clump: each stem must be where it is drawn, and be one axis.
 TEST(SeveralStems, StandBesideEachOtherWhereTheyAreDrawn)
 {
     auto const left = bow({ -60, -5 }, 20, 40, 120);
@@ -85,7 +84,8 @@ TEST(SeveralStems, StandBesideEachOtherWhereTheyAreDrawn)
     EXPECT_EQ(plant.organs.size(), 3U * 10) << "five nodes on each";
 }
 
-// What a stem without lines of its own bears is what the other one bears, turned and by its length.
+// A stem without lines of its own must bear the organs of the other stem, rotated and scaled to its
+// length.
 TEST(SeveralStems, WithoutLinesOfTheirOwnAreLikeTheOneThatHasThem)
 {
     auto const sketch = hand_sketch();
@@ -109,7 +109,7 @@ TEST(SeveralStems, WithoutLinesOfTheirOwnAreLikeTheOneThatHasThem)
 
 TEST(SeveralStems, ALateralAxisBeginsOnTheStemAndEndsWhereItIsDrawn)
 {
-    auto const lateral = bow({ 3, 110 }, -60, 30, 80); // 3 mm off the stem.
+    auto const lateral = bow({ 3, 110 }, -60, 30, 80); // The lateral begins 3 mm beside the stem.
     auto const model = model_of({ { .sketch = hand_sketch() }, alone(lateral, 0) });
     auto const plant = grown(model);
     ASSERT_EQ(plant.axes.size(), 2U);
@@ -117,7 +117,7 @@ TEST(SeveralStems, ALateralAxisBeginsOnTheStemAndEndsWhereItIsDrawn)
     EXPECT_NEAR((ends.foot_mm - Vec3(0, 110, 0)).norm(), 0, 1e-2);
     EXPECT_NEAR((ends.top_mm - lateral.back()).norm(), 0, 0.3);
     EXPECT_EQ(plant.organs.size(), 20U);
-    // Heading and depth of each; what both share is there once.
+    // Heading and depth of each stem; shared functions exist once.
     EXPECT_EQ(model.functions.size(), 2U * 2 + 5);
 }
 
@@ -131,7 +131,7 @@ TEST(SeveralStems, TwoFromItsTopAreAForkOfIt)
     auto const plant = grown(write_model(stems, {}, "plant"));
     for (std::size_t axis = 1; axis < 3; ++axis)
         EXPECT_NEAR((ends_of(plant, axis).foot_mm - Vec3(0, 200, 0)).norm(), 0, 1e-2);
-    // No thicker than what bears them.
+    // Axes are not thicker than those that bear them.
     auto const radius_mm = [&](std::size_t axis, bool last) {
         auto const& of = plant.axes[axis];
         return plant.node_radius_mm[of.first_node + (last ? of.segment_count : 0)];
@@ -161,7 +161,7 @@ TEST(SeveralStems, ALateralMayBearOthersAndHaveLinesOfItsOwn)
     EXPECT_EQ(plant.organs.size(), 10U + 2 * 6);
 }
 
-// The derivation ends when the last stem has grown, and not later.
+// The derivation must end exactly when the last stem has grown.
 TEST(SeveralStems, EachStepAddsToThePlant)
 {
     auto const model = compiled(model_of({ { .sketch = coarse_sketch() },

@@ -10,13 +10,13 @@ namespace {
 
 using Line = std::vector<Vec2>;
 
-// Half a margin as a formula: x over y.
+// Half of a margin as a formula: x over y.
 struct Profile {
     double width = 0.3;
-    double low = 1; // Below 1 it is widest below the middle.
+    double low = 1; // A value below 1 moves the widest place below the middle.
     double blunt = 1;
     int waves = 0;
-    double wave_depth = 0; // Share of the width there.
+    double wave_depth = 0; // Depth as a share of the width there.
 };
 
 Line half_of(Profile const& profile)
@@ -35,7 +35,7 @@ Line half_of(Profile const& profile)
     return line;
 }
 
-// Parabolas from (0, 0): a control point and an end each.
+// Builds a line of parabolas from (0, 0), with a control point and an end each.
 Line half_of(Line const& controls)
 {
     Line line { Vec2::Zero() };
@@ -55,14 +55,15 @@ struct Species {
     Line half {};
     double stalk = 0.2;
     std::vector<double> mains {}; // Angles on one side.
-    int pairs = 0;                // Side veins of the midrib,
-    double first = 0.1;           // from here
-    double last = 0.8;            // to there,
-    double angle = 45;            // at the base,
-    double angle_at_tip = 38;     // and at the tip.
-    double turn = 0;              // How far they bend forwards.
-    double alternate = 0;   // How far veins on the left begin above those on the right, in gaps.
-    int sides_of_mains = 0; // On both sides of the first main vein.
+    int pairs = 0;                // Pairs of side veins on the midrib, …
+    double first = 0.1;           // … position of the first pair,
+    double last = 0.8;            // position of the last pair,
+    double angle = 45;            // angle at the base,
+    double angle_at_tip = 38;     // angle at the tip.
+    double turn = 0;              // Forward bend of the veins.
+    // Displacement of the veins on the left relative to those on the right, in intervals.
+    double alternate = 0;
+    int sides_of_mains = 0; // Number of side veins on both sides of the first main vein.
 };
 
 Line const kLimeHalf { { 0.05, -0.12 }, { 0.2, -0.1 },  { 0.42, -0.07 }, { 0.48, 0.2 },
@@ -200,7 +201,8 @@ bool has_inside(Line const& ring, Vec2 const& at)
     return turns != 0;
 }
 
-// From a place on, first in a direction, to the margin; it turns left by so much on its way.
+// Returns a vein from a point to the margin, with a given initial direction and total rotation to
+// the left.
 Line vein_to(Line const& margin, Vec2 const& from, double heading_deg, double turn_left_deg)
 {
     auto const grow = [&](double length, double turn) {
@@ -216,7 +218,7 @@ Line vein_to(Line const& margin, Vec2 const& from, double heading_deg, double tu
         }
         return line;
     };
-    // Until it has turned so far when it comes to the margin.
+    // Adjusts the curvature until the total rotation at the margin is as requested.
     auto line = grow(1, 0);
     for (int i = 0; i < 4 && turn_left_deg != 0; ++i)
         line = grow(0.008 * double(line.size()), turn_left_deg);
@@ -265,7 +267,7 @@ void add_mains(BotanicalLeaf& leaf, Species const& species, Random& random)
         }
 }
 
-// No half is the other's mirror image.
+// Varies half a margin, so that the two halves are not mirror images.
 Line grown(Line half, double side, Random& random)
 {
     double const width = 1 + 0.015 * random.normal();

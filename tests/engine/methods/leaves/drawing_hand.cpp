@@ -11,7 +11,7 @@ namespace {
 
 using Line = std::vector<Vec2>;
 
-// Where one is after so much of a line, also before its begin and behind its end.
+// Returns the position after a distance along a line, extended beyond both its ends.
 class Walk {
 public:
     explicit Walk(Line const& line)
@@ -45,7 +45,7 @@ public:
     {
     }
 
-    // A line of the flat leaf in millimetres, from so far before its begin to so far behind its
+    // Draws a line of the flat leaf, in millimetres, extended before its beginning and behind its
     // end.
     std::vector<Vec3> draw(Line const& line, double before_mm, double behind_mm)
     {
@@ -59,7 +59,7 @@ public:
         double at = -before_mm;
         for (double time = 0; at < end; time += 1 / rate_hz) {
             tips.push_back(in_space(walk.at(at)) + trembling(waves, time));
-            // It sets out and arrives slowly.
+            // The pen starts and stops slowly.
             double const slow
                 = std::min({ 1.0, 0.25 + 0.1 * (at + before_mm), 0.25 + 0.1 * (end - at) });
             at += slow * usual_mm_s * (1 + 0.35 * std::sin(2 * kPi * change_hz * time)) / rate_hz;
@@ -99,11 +99,11 @@ private:
         return sum;
     }
 
-    // The blade bends evenly from its base on; the stalk is straight.
+    // Bends the blade evenly from its base; the petiole is straight.
     Vec3 in_space(Vec2 const& at_mm) const
     {
         Vec3 at(at_mm.x(), at_mm.y(), 0);
-        double const bend = radians(manner_.bend_deg) / manner_.size_mm; // For each millimetre.
+        double const bend = radians(manner_.bend_deg) / manner_.size_mm; // Bend per millimetre.
         if (bend != 0 && at.y() > 0) {
             at.z() = -(1 - std::cos(bend * at.y())) / bend;
             at.y() = std::sin(bend * at.y()) / bend;
@@ -123,7 +123,7 @@ Line scaled(Line line, double scale)
     return line;
 }
 
-// Begins anywhere on a closed line.
+// Rotates a closed line to a random beginning.
 Line turned_round(Line ring, Random& random)
 {
     double const where = random.uniform();

@@ -1,4 +1,4 @@
-// A leaf drawn by pen becomes a grammar.
+// Tests converting a leaf drawn by pen into a grammar.
 #include "engine/methods/leaves/derived_outline.h"
 #include "engine/methods/leaves/drawn_leaf.h"
 #include "engine/methods/leaves/leaf.h"
@@ -33,7 +33,7 @@ Drawn drawn_leaf(std::string const& species, std::uint32_t number)
     Drawn drawn;
     drawn.truth = botanical_leaf(species, random);
     double const way = random.uniform();
-    // Number by number: in which order a call's arguments are made is the compiler's choice.
+    // In separate statements, since the evaluation order of a call's arguments is unspecified.
     drawn.manner.size_mm = random.uniform(60, 150);
     drawn.manner.bend_deg = random.uniform(0, 30);
     drawn.manner.turned_deg = random.uniform(0, 360);
@@ -43,14 +43,14 @@ Drawn drawn_leaf(std::string const& species, std::uint32_t number)
         : way < 0.88                 ? Manner::Outline::Halves
                                      : Manner::Outline::OneHalf;
     drawn.manner.has_stalk = random.uniform() < 0.7;
-    if (drawn.manner.outline == Manner::Outline::OneHalf) // Its mirror image is meant.
+    if (drawn.manner.outline == Manner::Outline::OneHalf) // The mirror image is the other half.
         for (std::size_t i = 0; i < drawn.truth.left.size(); ++i)
             drawn.truth.left[i] = { -drawn.truth.right[i].x(), drawn.truth.right[i].y() };
     drawn.hand = draw_by_hand(drawn.truth, drawn.manner, random);
     return drawn;
 }
 
-// A species' figures.
+// Statistics of a species.
 struct Figures {
     int leaves = 0;
     int exact = 0;
@@ -58,7 +58,7 @@ struct Figures {
     double angle_sum = 0;
     int angles = 0;
     int far_off = 0; // By more than 3 degrees.
-    int well = 0;    // Outlines that overlap by 0.97.
+    int well = 0;    // Outlines that overlap by at least 0.97.
     double worst_overlap = 1;
     double overlap_sum = 0;
     double worst_bend = 0;
@@ -79,8 +79,8 @@ FlatLine moved(FlatLine ring, double turn_deg, Vec2 const& by)
     return ring;
 }
 
-// Of two leaves laid on each other as well as they can be: where a hand's outline and midrib meet
-// is known to a millimetre or two, which is no matter of their shapes.
+// Returns the greatest overlap of two leaves over small displacements: a hand's outline and midrib
+// meet only to within a millimetre or two, which does not concern their shapes.
 double best_overlap(FlatLine const& a, FlatLine const& b)
 {
     double turn_deg = 0;
@@ -115,7 +115,7 @@ bool has_all_veins(Drawn const& drawn, RecognisedLeaf const& seen, DrawnLeaf con
     return found == meant;
 }
 
-// Veins of a half on the left come as on the right.
+// Veins on the left of a half leaf are given as on the right.
 double angle_off(LeafFit::Vein const& vein, BotanicalLeaf::Vein const& meant)
 {
     return std::abs(std::remainder(vein.fitted_angle_deg - meant.angle_deg, 360));
@@ -175,8 +175,8 @@ TEST(DrawnLeaf, ComesBackFromTwoHundredDrawings)
     }
     EXPECT_GE(all.exact, 0.95 * all.leaves);
     EXPECT_LE(all.far_off, 0.01 * all.angles);
-    // A willow of 60 mm is narrower than 10 mm: the tremor is a tenth of it. In one lime two veins'
-    // tips cross, and what is between them stays empty.
+    // A willow leaf of 60 mm is narrower than 10 mm, so the tremor is a tenth of its width. In one
+    // lime leaf, the tips of two veins cross, and the space between them stays empty.
     EXPECT_GE(all.well, 0.96 * all.leaves);
 }
 
@@ -187,7 +187,7 @@ LeafFit fitted(std::string const& species, std::uint32_t number)
     return fit_leaf(*seen).value();
 }
 
-// Places of all vertices of the leaf, its limb filled.
+// Returns the positions of all vertices of the leaf, with its lamina filled.
 std::vector<Vec3> derived_places(std::string const& text)
 {
     auto const grammar = parse_grammar(text, "drawn.leaf");

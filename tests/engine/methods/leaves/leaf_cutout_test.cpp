@@ -18,7 +18,7 @@ template<typename IsThere> std::vector<float> picture(IsThere const& is_there)
     return alpha;
 }
 
-// A cross: a convex shape round it is far larger than it is.
+// A cross, for which a convex shape is much larger than the cross itself.
 bool is_cross(int x, int y)
 {
     bool const is_upright = x >= 56 && x < 72 && y >= 10 && y < 120;
@@ -44,7 +44,7 @@ double area(Cutout const& shape)
     return sum;
 }
 
-// Whether one of the triangles holds a point. Their corners run clockwise where y is downwards.
+// True if one of the triangles contains a point. Their corners are clockwise with y downwards.
 bool holds(Cutout const& shape, Vec2 const& at)
 {
     for (auto const& [a, b, c] : shape.triangles) {
@@ -78,7 +78,8 @@ TEST(LeafCutout, HoldsAllThatIsThere)
 TEST(LeafCutout, HasTwoTrianglesLessThanCorners)
 {
     for (int const corners : { 8, 16 }) {
-        // Corners that turn inwards stay: eight are enough for a star's hull, not for its bays.
+        // Concave corners need more corners: eight are enough for a star's hull, but not for its
+        // bays.
         CutoutOptions const options { .most_corners = corners, .most_bays = corners < 16 ? 0 : 6 };
         auto const shape = cut_out(picture(is_star), kCutSide, options);
         EXPECT_LE(shape.corners.size(), static_cast<std::size_t>(corners));

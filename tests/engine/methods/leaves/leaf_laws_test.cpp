@@ -16,7 +16,7 @@ namespace {
 
 std::string mirrored_text(std::string text)
 {
-    // Rotations about x and z change their signs, C1 and C2 their places.
+    // Rotations about x and z change their signs; C1 and C2 are exchanged.
     std::string const swap[][2]
         = { { "7,30,40", "-7,30,-40" }, { "-5,10,-50", "5,10,50" }, { "3,20,90", "-3,20,-90" },
             { "]C1", "]Cx" },           { "]C2", "]C1" },           { "]Cx", "]C2" } };
@@ -50,7 +50,7 @@ TEST(LeafLaws, AMirroredGrammarGrowsTheMirrorImage)
     auto const other = grown(mirrored_text(text));
     ASSERT_EQ(one.size(), other.size());
     ASSERT_GT(one.size(), 50u);
-    // Corners come counter-clockwise in both, so that a face's are there in another order.
+    // Corners are counterclockwise in both, so a face's corners come in another order.
     for (auto const& place : one) {
         Vec3 const wanted(place.x(), -place.y(), place.z());
         double nearest = 1;

@@ -9,7 +9,7 @@
 namespace tractus::leaf {
 namespace {
 
-// A square on its corner, 1 high and wide.
+// Returns a square standing on its corner, with a height and width of 1.
 HalfOutline diamond()
 {
     return { .points = { { .is_corner = true },
@@ -71,7 +71,7 @@ TEST(LeafOutline, HasTeethThatAddTheirArea)
     half.count = 50;
     half.depth = 0.01;
     double const wider = area(exact(half).line()) - 0.5;
-    // Half of depth times length, less what fades at both ends (an eighth and a sixth, by half).
+    // Half of depth times length, minus the fading at both ends (an eighth and a sixth, by half).
     double const length = 2 * std::sqrt(2.0);
     EXPECT_NEAR(wider, 0.5 * 0.01 * length * (1 - 0.5 / 8 - 0.5 / 6), 0.001);
 }
@@ -127,7 +127,7 @@ TEST(LeafOutline, IsWhereVeinsEndAndTheLimbDoes)
             EXPECT_NEAR(std::abs(at.x()), std::min(at.y(), 1 - at.y()), 0.006);
         }
     }
-    // The blade and its stalk: half a square of area and 0.3 of a hundredth.
+    // The blade and its petiole: half a square of area and 0.3 of a hundredth.
     EXPECT_NEAR(std::abs(area(border)), 0.5 + 0.003, 0.003);
 }
 
@@ -139,7 +139,7 @@ TEST(LeafOutline, KeepsLeavesWholeWhereTheyVary)
     EXPECT_EQ(leaf.map().counts().euler_characteristic(), 1);
 }
 
-// The angle between the first and the last main vein is the whole bend.
+// The angle between the first and the last main vein must be the whole bend.
 TEST(LeafPose, BendsByItsAngleAndLeavesTheFlatLeaf)
 {
     auto const grammar = parse_grammar(kText, "diamond.leaf");

@@ -13,7 +13,7 @@
 namespace tractus::leaf {
 namespace {
 
-// A leaf of the shipped grammar "feather" and what is painted of it.
+// Fixture with a leaf of the grammar "feather", which comes with the program, and its picture.
 class LeafPaint : public ::testing::Test {
 protected:
     void SetUp() override
@@ -34,7 +34,7 @@ protected:
         return paint_leaf(*leaf_, triangles_, options);
     }
 
-    // Pixels of the leaf, and of its edge.
+    // Returns the pixels of the leaf, including its edge.
     static std::vector<std::size_t> pixels_of(LeafPicture const& picture)
     {
         std::vector<std::size_t> made;
@@ -121,7 +121,7 @@ TEST_F(LeafPaint, IsOlderNearerToVeins)
     EXPECT_LT(picture.age[order.back()], picture.age[order.front()]);
 }
 
-// The law looked at from its other end: what is old there is young here.
+// The law with age reversed: the colours for old and young are exchanged.
 TEST_F(LeafPaint, TurnsRoundWithItsColors)
 {
     PaintOptions const options;
@@ -225,7 +225,7 @@ TEST_F(LeafPaint, IsTheSameAgain)
     EXPECT_EQ(once.translucency, again.translucency);
 }
 
-// Whatever was painted before, and however large it was.
+// The result must not depend on what the painter painted before, or on its size.
 TEST_F(LeafPaint, IsTheSameFromAPainterThatHasPaintedBefore)
 {
     PaintOptions const options {
@@ -242,7 +242,7 @@ TEST_F(LeafPaint, IsTheSameFromAPainterThatHasPaintedBefore)
     EXPECT_EQ(fresh.translucency, used.translucency);
 }
 
-// Small pictures of it mix the leaf's own colours: nothing outside is darker than all of the leaf.
+// Reduced pictures must mix the leaf's own colours: no pixel outside is darker than the whole leaf.
 TEST_F(LeafPaint, GoesOnInItsColorsOutside)
 {
     auto const picture = paint({ .side = 128 });
@@ -286,7 +286,7 @@ TEST_F(LeafPaint, GrowsOldFromItsTip)
     EXPECT_LT(before, 0.5f);
 }
 
-// The leaf has the third colour everywhere at the end, whatever the first two are.
+// At the end, the leaf has the third colour everywhere, whatever the first two are.
 TEST_F(LeafPaint, DiesAtLast)
 {
     auto const one
@@ -297,7 +297,7 @@ TEST_F(LeafPaint, DiesAtLast)
     EXPECT_NE(one.color, paint({ .side = 64, .age = 1 }).color);
 }
 
-// Slopes of the relief, and the same from below: what stands out there is a groove here.
+// Compares normals with the slopes of the relief, also from below, where ridges become grooves.
 TEST_F(LeafPaint, HasTheNormalsOfItsRelief)
 {
     constexpr std::size_t kSide = 128;
@@ -333,7 +333,7 @@ TEST_F(LeafPaint, IsMinedBesideItsVeins)
     EXPECT_EQ(whole.alpha, mined.alpha);
 }
 
-// A field without veins: each larva of one bite takes a disc, those that overlap their union.
+// Without veins, each larva eats a disc with one bite, and overlapping discs give their union.
 TEST(LeafLarvae, EatTheUnionOfTheirDiscs)
 {
     constexpr int kSide = 200;

@@ -65,7 +65,7 @@ std::vector<Vec3> circle_of(double radius_mm, Vec2 const& middle_mm = { 0, 0 })
     return places;
 }
 
-// The lines of a hand that did not know that they would be recognised, one after the other.
+// Lines by a simulated hand that does not depend on the recognition, added one after the other.
 TEST(LeafSketch, IsTheLeafOfItsLinesAtTheLastAndAPlantAtEveryStage)
 {
     for (auto const& species : botanical_species()) {
@@ -91,7 +91,7 @@ TEST(LeafSketch, IsTheLeafOfItsLinesAtTheLastAndAPlantAtEveryStage)
     }
 }
 
-// The plant's frame to the paper's.
+// Converts from the plant's frame to the sheet's.
 Vec2 on_paper(Vec3 const& at, Vec2 const& foot)
 {
     return Vec2(at.x(), at.z()) + foot;
@@ -220,7 +220,7 @@ TEST(LeafSketch, IsChangedByNumbers)
     EXPECT_EQ(refused.error().message, "a leaf's number of teeth cannot be 61: give 0 to 60");
 }
 
-// Another leaf of the kind has other veins and the same outline's size; the drawn one is exact.
+// Another individual has other veins and an outline of the same size; the drawn one is exact.
 TEST(LeafSketch, VariesAsLeavesOfATreeDo)
 {
     auto const sketch = sketch_of(hand("beech", 5).drawn.drawing);

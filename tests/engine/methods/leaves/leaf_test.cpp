@@ -36,7 +36,7 @@ std::string const kPinnate = "#define A(4,1,0,0,90,2,0.2)\n"
                              "a A -> A[T]E\n"
                              "t T -> T[K[R(,,,,,3,)]C1[L(,,,,,3,)]C2[T]E]E\n";
 
-// Every quad that grows on another adds eight darts and two vertices, and three edges.
+// Each quad that grows on another one adds eight darts, two vertices and three edges.
 TEST(Leaf, ATreeOfQuadsHasTheCellsOfOne)
 {
     auto const grammar = grammar_of(kPinnate);
@@ -110,8 +110,7 @@ std::string labels_of(Leaf const& leaf, FaceId face)
         if (leaf.map().face(d) == face) {
             auto cycle = leaf.map().cycle(d);
             std::string text;
-            // Labels from the edge O on, as people read them; of a part without one, from its first
-            // dart.
+            // Lists labels beginning with the edge O; for a part without one, with its first dart.
             for (std::size_t i = 0; i < cycle.size(); ++i)
                 if (leaf.map().label(cycle[i]) == EdgeLabel::Origin) {
                     std::rotate(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(i),

@@ -48,7 +48,8 @@ TEST(LeafTriangles, AreTwoLessThanAFacesEdges)
         }
 }
 
-// Each side of a triangle is another's, the other way round, or lies on the leaf's border.
+// Each side of a triangle must also belong to another triangle in reverse, or lie on the leaf's
+// border.
 TEST(LeafTriangles, LeaveNoGaps)
 {
     for (auto const* const name : kGrammars) {
@@ -62,7 +63,7 @@ TEST(LeafTriangles, LeaveNoGaps)
                 ++sides[{ b, c }];
                 ++sides[{ c, a }];
             }
-        // Two faces of a leaf that overlaps itself may be cut between two corners that both have.
+        // Two faces of a leaf that overlaps itself may be split between the same two corners.
         std::size_t on_border = 0;
         for (auto const& [side, count] : sides) {
             auto const back = sides.find({ side.second, side.first });
@@ -88,8 +89,8 @@ TEST(LeafTriangles, FaceUpInTheFlatLeaf)
     }
 }
 
-// Leaves that neither bend nor twist lie where the flat leaf has them; the others keep their
-// lengths there.
+// Leaves without bend and twist must equal the flat leaf; the others keep their lengths in the flat
+// leaf.
 TEST(LeafTriangles, TheFlatLeafIsTheOneThatDoesNotBend)
 {
     std::string const bent = "#define A(4,1,5,30,90,2,0.4)\n#define B(4,1,-10,20,40,1,0.2)\n"

@@ -20,7 +20,7 @@ std::string error_of(std::string const& text)
     return grammar ? "understood" : grammar.error().message;
 }
 
-// The value of a name that the text defines; no number if it defines none.
+// Returns the value of a defined name; NaN if the text does not define it.
 double defined(std::string const& definitions, std::string_view name)
 {
     auto grammar = parse_grammar(kFaces + definitions, "my.leaf");
@@ -93,7 +93,7 @@ TEST(ParseLeafGrammar, OptionsAreRead)
 TEST(ParseLeafGrammar, WhatIsWrongIsSaidWithItsPlace)
 {
     struct Case {
-        char const* text; // Behind kFaces, from line 5 on.
+        char const* text; // Text behind kFaces, from line 5 on.
         char const* message;
     };
     for (auto const& [text, message] : {
@@ -122,7 +122,8 @@ TEST(ParseLeafGrammar, WhatIsWrongIsSaidWithItsPlace)
     EXPECT_EQ(error_of("").substr(0, 26), "my.leaf:1:1: there is no a");
 }
 
-// No text may hang, crash or be believed: cut anywhere, and with any one of its letters changed.
+// No text may cause a hang, a crash or an accepted error: it is truncated anywhere, or any one of
+// its letters is changed.
 TEST(ParseLeafGrammar, AnyTextIsSafe)
 {
     std::string const text = kFaces

@@ -33,7 +33,7 @@ scene::Scene folded(std::vector<scene::Edit> const& edits)
     return scene ? *std::move(scene) : scene::Scene {};
 }
 
-// A trunk with two limbs.
+// Returns a plant of a trunk with two limbs.
 scene::Edit measured_plant()
 {
     return scene::LoadModel { .source = { .text = "#define STEPS 1\n"
@@ -43,7 +43,7 @@ scene::Edit measured_plant()
                                                   "endlsystem\n" } };
 }
 
-// How far a point is from the plant's nearest node.
+// Returns the distance of a point from the plant's nearest node.
 double distance_to(Plant const& plant, Vec3 const& point)
 {
     double least = 1e300;
@@ -77,7 +77,7 @@ TEST(GrowFrom, KeepsAtLeastTheWidthOfTheWood)
               before.base->node_radius_mm[before.base->axes[0].first_node] * 0.999F);
 }
 
-// Half a circle to the side for the trunk.
+// Returns half a circle to the side, for the trunk.
 Stroke bow()
 {
     std::vector<TipSample> tips;

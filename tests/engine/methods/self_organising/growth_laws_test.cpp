@@ -1,4 +1,4 @@
-// What holds for any laws and any markers.
+// Laws that hold for any parameters and any markers.
 
 #include "engine/methods/self_organising/grow.h"
 #include "engine/methods/self_organising/light.h"
@@ -85,7 +85,7 @@ TEST(GrowthLaws, NoMarkerNearABudSurvives)
             for (auto const& bud : buds)
                 EXPECT_GE((marker - tree.places[bud.node].position).norm(),
                           random.laws.occupancy_radius);
-        // The others stay, in their order.
+        // The other markers stay, in their order.
         auto at = random.markers.begin();
         for (auto const& marker : markers) {
             at = std::find(at, random.markers.end(), marker);
@@ -94,7 +94,7 @@ TEST(GrowthLaws, NoMarkerNearABudSurvives)
     }
 }
 
-// By hand, marker by marker against all buds, as the law says it.
+// Compares with the law applied directly, with each marker against all buds.
 TEST(GrowthLaws, MarkersGoToTheNearestBudThatPerceivesThem)
 {
     for (std::uint64_t seed = 0; seed < kCases; ++seed) {
@@ -174,7 +174,7 @@ TEST(GrowthLaws, TurningEverythingTurnsTheTree)
         for (auto& marker : turned_case.markers)
             marker = rotation * marker;
         turned_case.laws.tropism_direction = rotation * random.laws.tropism_direction;
-        // A trunk that is not vertical: the reference normal of a vertical one is x, and stays.
+        // A trunk that is not vertical, because the reference normal of a vertical one is always x.
         auto const grow = [](RandomCase const& of, Vec3 const& base, Vec3 const& direction) {
             auto tree = plant_seed(base, direction);
             Surroundings surroundings { .markers = of.markers };

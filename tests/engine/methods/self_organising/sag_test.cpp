@@ -7,7 +7,7 @@
 namespace tractus::self_organising {
 namespace {
 
-// A branch without laterals, straight out along x, of so many internodes.
+// Returns a horizontal branch along x without laterals, with a given number of internodes.
 GrowingTree straight_branch(int internodes, double length_mm)
 {
     auto tree = plant_seed(Vec3::Zero(), Vec3::UnitX());
@@ -68,7 +68,7 @@ TEST(Sag, SetWoodBendsOnlyByWhatComesUponIt)
     set_wood(tree, diameters, laws);
     sag(tree, diameters, laws);
     EXPECT_NEAR(tree.places.back().position.z(), 0, 1e-9);
-    tree.step = 1; // Its leaves are back.
+    tree.step = 1; // The leaves are added again.
     sag(tree, diameters, laws);
     EXPECT_LT(tree.places.back().position.z(), -1);
 }

@@ -21,11 +21,12 @@ double apart(Place const& a, Place const& b)
 }
 
 struct Spacing {
-    double clark_evans = 0; // 1 for random points, 2.15 at most.
+    double clark_evans = 0; // Clark-Evans index: 1 for random points, 2.15 at most.
     double variation = 0;
 };
 
-// Spacing by the distances to the nearest neighbour on the unrolled parent (Clark and Evans, 1954).
+// Returns the spacing computed from nearest-neighbour distances on the unrolled parent (Clark and
+// Evans, 1954).
 Spacing spacing_of(std::vector<Place> const& places)
 {
     double sum = 0;
@@ -56,7 +57,7 @@ Spacing mean_spacing(ArrangementOptions const& options, std::vector<DrawnPlace> 
     return mean;
 }
 
-// The figures of the reference, which are means over 24 seeds of another generator.
+// Values of the reference implementation, which are means over 24 seeds of another generator.
 TEST(SilhouetteArrangement, SpreadsAsFarAsTheReference)
 {
     auto const spacing = [](std::size_t count, std::optional<double> alpha) {
@@ -68,7 +69,7 @@ TEST(SilhouetteArrangement, SpreadsAsFarAsTheReference)
     EXPECT_NEAR(spacing(60, {}).clark_evans, 1.53, 0.08);
     EXPECT_NEAR(spacing(30, {}).variation, 0.13, 0.05);
     EXPECT_GT(spacing(30, {}).clark_evans, 1.3);
-    // Without a search the places are random.
+    // Without a search the positions are random.
     EXPECT_NEAR(mean_spacing({ .count = 30, .proposals = 0 }).clark_evans, 1, 0.06);
 }
 
@@ -142,7 +143,7 @@ TEST(SilhouetteArrangement, PatternsComeOut)
                 for (std::size_t j = 0; j < i; ++j, ++pairs)
                     sum += misfit(pattern, node_distance(pattern, 24), places[i], places[j]);
         }
-        EXPECT_LT(sum / pairs, 0.06) << name_of(pattern); // 1/4 for random places.
+        EXPECT_LT(sum / pairs, 0.06) << name_of(pattern); // It would be 1/4 for random positions.
         auto const snapped = arrange({}, { .pattern = pattern, .count = 24 }, { .seed = 1 }).places;
         for (auto const& place : snapped) {
             double const nodes = place.u / node_distance(pattern, 24) - 0.5;
@@ -151,7 +152,8 @@ TEST(SilhouetteArrangement, PatternsComeOut)
     }
 }
 
-// Whorls of five, as far as a search comes: neighbours at a node are a fifth of a turn apart.
+// Whorls of five as well as the search finds them: neighbours at a node are a fifth of a turn
+// apart.
 TEST(SilhouetteArrangement, WhorlsHaveTheirBranches)
 {
     constexpr int kWhorl = 5;
@@ -162,7 +164,7 @@ TEST(SilhouetteArrangement, WhorlsHaveTheirBranches)
         thetas_at[static_cast<int>(place.u / node_distance(pattern, 25))].push_back(
             place.theta_deg);
     EXPECT_EQ(thetas_at.size(), 5u);
-    double of_gap = 0; // Sum of how far angles between branches are from whole gaps.
+    double of_gap = 0; // Sum of the deviations of angles between branches from whole intervals.
     double pairs = 0;
     for (auto& [node, thetas] : thetas_at)
         for (std::size_t i = 0; i < thetas.size(); ++i)
@@ -170,12 +172,12 @@ TEST(SilhouetteArrangement, WhorlsHaveTheirBranches)
                 double const gaps = (thetas[i] - thetas[j]) / (360.0 / kWhorl);
                 of_gap += std::fabs(gaps - std::round(gaps));
             }
-    EXPECT_LT(of_gap / pairs, 0.06); // 1/4 for random angles.
+    EXPECT_LT(of_gap / pairs, 0.06); // It would be 1/4 for random angles.
 }
 
 using Nodes = ArrangementOptions::Nodes;
 
-// How many places are at each u, from below.
+// Returns the number of branches at each u, from below.
 std::vector<std::size_t> sizes_of_nodes(std::vector<Place> const& places)
 {
     std::map<double, std::size_t> at;
@@ -187,7 +189,8 @@ std::vector<std::size_t> sizes_of_nodes(std::vector<Place> const& places)
     return sizes;
 }
 
-// As many as the pattern has at each node, and what is left over at the last one.
+// Returns the expected numbers: as many at each node as the pattern has, and the remainder at the
+// last one.
 std::vector<std::size_t> whole_nodes(std::size_t whorl, std::size_t count)
 {
     std::vector<std::size_t> sizes(count / whorl, whorl);
@@ -221,13 +224,13 @@ TEST(SilhouetteArrangement, NoNodeIsTorn)
                 EXPECT_LE(result.cost_after, result.cost_before);
                 EXPECT_LT(mean_misfit(pattern, node_distance(pattern, count), result.places), 0.06);
             }
-    // Where they snap, as in trees from before, they are.
+    // In older trees, where branches snap, whorls may be incomplete.
     auto const torn = arrange({}, { .pattern = Pattern::Whorls, .count = 24, .nodes = Nodes::Snap },
                               { .seed = 1 });
     EXPECT_NE(sizes_of_nodes(torn.places), whole_nodes(3, 24));
 }
 
-// Of a node that is not full they go all around.
+// Branches at an incomplete node must be spread all around.
 TEST(SilhouetteArrangement, ALastWhorlIsSpread)
 {
     auto const places
@@ -243,7 +246,7 @@ TEST(SilhouetteArrangement, ALastWhorlIsSpread)
     }
 }
 
-// Branches of a drawing that move to nodes, and those of a hand, at which nodes are.
+// Branches of a drawing that snap to nodes, and hand-drawn ones that define nodes.
 TEST(SilhouetteArrangement, WholeWhorlsHaveTheDrawnBranches)
 {
     std::vector<DrawnPlace> drawn;
@@ -271,7 +274,7 @@ TEST(SilhouetteArrangement, WholeWhorlsHaveTheDrawnBranches)
         }
 }
 
-// A tree from before stays: what the version before there were whole nodes prints.
+// Older trees must not change: the values are those of the version before complete whorls.
 TEST(SilhouetteArrangement, SnapsAsItDidAtFirst)
 {
     auto const places
@@ -309,7 +312,7 @@ TEST(SilhouetteArrangement, PatternsHaveWords)
     EXPECT_EQ(describe(Pattern::Even), "even");
 }
 
-// Published radii of a crown that reaches 40 to the right and 20 to the left.
+// Published radii of a crown that extends 40 to the right and 20 to the left.
 TEST(SilhouetteSurface, TurnsFromOneHalfToTheOther)
 {
     std::vector<Vec2> const outline { Vec2(0, 0),   Vec2(40, 0),    Vec2(40, 100),

@@ -16,7 +16,7 @@ TEST(SilhouetteBranch, ACurveThatArrivesAsItSetsOutIsStraight)
     EXPECT_NEAR(length_of_cubic(curve, 200), 60, 1e-9);
 }
 
-// Published numbers of a curve with a right angle.
+// Published numbers for a curve with a right angle.
 TEST(SilhouetteBranch, TheMiddleAndTheLengthOfACurveAreKnown)
 {
     Cubic const curve { Vec2(0, 0), Vec2(60, 0), Vec2(0, 30), 30 * direction_of(Vec2(1, 1)) };
@@ -54,7 +54,7 @@ TEST(SilhouetteBranch, AtRightAnglesTheBaseIsAsHighAsTheEnd)
     EXPECT_EQ(branch.side, Side::Right);
 }
 
-// The shortest of all bases, tried one by one.
+// Compares with the shortest branch over all bases, tried one by one.
 TEST(SilhouetteBranch, NoBaseGivesAShorterBranch)
 {
     auto const trunk = upright_trunk();

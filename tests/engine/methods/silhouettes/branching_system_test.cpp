@@ -35,12 +35,12 @@ TEST(SilhouetteCoverage, CountsCellsOfAPolygon)
     EXPECT_NEAR(gap.radius, 2.5, 0.3);
 }
 
-// How much of a new crown may be covered when it comes: the law that filling obeys.
+// Checks how much of a new crown may be covered when it is added, as the filling law requires.
 void expect_filled_lawfully(BranchingSystem const& system, std::string const& name)
 {
     double const diagonal = box_of(system.outline).diagonal();
     CoverageGrid grid(system.outline);
-    EXPECT_LE(system.branches.size(), 61U) << name; // The apex besides.
+    EXPECT_LE(system.branches.size(), 61U) << name; // In addition to the apex.
     std::set<std::string> names;
     for (auto const& branch : system.branches) {
         EXPECT_TRUE(is_inside(system.outline, branch.path.curve.base)) << name;
@@ -152,7 +152,7 @@ TEST(SilhouetteSystem, ScribblesDoNotStopIt)
     EXPECT_GT(made, 300);
 }
 
-// The nearest branch of the same origin, by its end.
+// Returns the branch of the same origin with the nearest end.
 Branch const* nearest_to(BranchingSystem const& system, Vec2 const& end)
 {
     Branch const* nearest = nullptr;
@@ -174,7 +174,7 @@ TEST(SilhouetteSystemCorpus, BranchesAreThoseOfThePublishedOutlines)
         EXPECT_EQ(system.inside.last, expected["trunk_samples_inside"][1]) << name;
         for (auto const& wanted : expected["branch"]) {
             if (name == "circle")
-                continue; // Where a circle is longest is the samples' choice.
+                continue; // On a circle, the farthest point depends on the samples.
             auto const* const branch = nearest_to(system, point_in(wanted["end"]));
             ASSERT_TRUE(branch) << name;
             EXPECT_LT((branch->path.curve.end - point_in(wanted["end"])).norm(), close) << name;

@@ -10,8 +10,8 @@
 namespace tractus::silhouette {
 namespace {
 
-// Where a branch ends, in each bump that has one, that branch's part of the crown is the leaf; and
-// drawn, that is this branch's outline.
+// A leaf drawn where a branch ends is that branch's part of the crown and, if drawn, becomes this
+// branch's outline.
 TEST(BumpLeaf, IsTheBranchsPartOfTheCrown)
 {
     for (auto const& drawing : { lobed_crown(5), lobed_crown(7), star(8, 40, 80) }) {
@@ -41,7 +41,7 @@ TEST(BumpLeaf, IsNowhereElse)
         if (bump.role != Role::Lateral) {
             EXPECT_FALSE(leaf_on_bump(skeleton, bump.end, Search::AnyLevel)) << "the trunk's end";
         }
-    // A leaf's outline has two bumps, in which its stalk begins and ends.
+    // A leaf's outline has two bumps, in which its midrib begins and ends.
     EXPECT_FALSE(leaf_on_bump(skeleton_of_lines(ellipse(20, 50)), { 3, 4 }, Search::AnyLevel));
 }
 

@@ -13,7 +13,7 @@ namespace {
 using Kind = BumpTouch::Kind;
 using Part = DrawTree::Part;
 
-// The middle of a lobe of lobed_crown(5), from the right one on, and the notch after it.
+// Direction of the first lobe of lobed_crown(5), on the right, and the angle between lobes.
 constexpr double kFirst_deg = -25;
 constexpr double kStep_deg = 57.5;
 Vec2 lobe(int number)
@@ -36,7 +36,7 @@ BranchingSystem system_of(Drawing const& drawing)
     return system.value_or(BranchingSystem {});
 }
 
-// Branches of bumps that end within a lobe's disc.
+// Returns the number of bump branches that end within a lobe's disc.
 std::size_t ends_in(BranchingSystem const& system, Vec2 const& middle, double radius = 30)
 {
     return static_cast<std::size_t>(
@@ -70,14 +70,14 @@ TEST(BumpTouch, SplitsABumpWhereTheRayThroughItLeaves)
             halves.push_back(bump);
     ASSERT_EQ(halves.size(), 2u);
     EXPECT_EQ(halves[0].arc.last, halves[1].arc.first);
-    // The lobe is alike on both sides of the ray from the origin through its middle.
+    // The lobe is symmetric about the ray from the origin through its middle.
     Vec2 const ray = direction_of(lobe(1));
     EXPECT_LT(std::fabs(cross(ray, after.outline[halves[0].arc.last])), 3) << "a sample's step";
     EXPECT_LT(cross(ray, halves[0].end) * cross(ray, halves[1].end), 0);
     EXPECT_NEAR(halves[0].end.dot(ray), halves[1].end.dot(ray), 3);
     for (auto const& half : halves)
         EXPECT_TRUE(is_inside(after.outline, half.end));
-    // Each half is a quarter of the lobe's circle or so: its ends' circle is the lobe's.
+    // Each half is about a quarter of the lobe's circle, so the circle of its ends is the lobe's.
     double const radius = 1.12 * 62 * std::sin(radians(kStep_deg) / 2);
     EXPECT_NEAR(halves[0].radius, radius, 0.15 * radius);
 }
@@ -113,7 +113,7 @@ TEST(BumpTouch, JoinsTwoBumpsByTheNotchBetweenThem)
         }
 }
 
-// As it was, to the last bit.
+// The result must be equal to the last bit.
 TEST(BumpTouch, IsTakenBackByItsOpposite)
 {
     auto const before = system_of(lobed_crown(5));
@@ -186,7 +186,7 @@ TEST(BumpTouch, IsRefusedWhereNoBumpIs)
     EXPECT_NE(added.error().message.find("is a leaf"), std::string::npos);
 }
 
-// Like a hand that draws the crown once more: waves of up to `most` of the diagonal.
+// Returns a redrawn crown, with waves of up to `most` of the diagonal.
 std::vector<Vec2> redrawn(std::vector<Vec2> outline, double most, std::uint32_t number)
 {
     Random random({ 77, 1, number });
@@ -232,7 +232,7 @@ protected:
     }
 };
 
-// 100 crowns drawn anew, each within 3 % of the first one: splits, joins and names stay.
+// For 100 redrawn crowns, each within 3 % of the first one, splits, joins and names must stay.
 TEST_F(BumpTouchEdits, OutlastACrownThatIsDrawnAnew)
 {
     auto const both = touch(touch(lobed_tree(), Part::Split, lobe(1)), Part::Join, notch_after(3));
@@ -284,7 +284,7 @@ TEST_F(BumpTouchEdits, AreErasedOrTakenBack)
     EXPECT_EQ(again.base->axes.size(), before.base->axes.size());
 }
 
-// The tree is the one that follows from the same touches without a document, but for names.
+// The tree must be the one that follows from the same touches without a document, except for names.
 TEST_F(BumpTouchEdits, MakeTheTreeOfTheirLines)
 {
     auto const scene = touch(lobed_tree(), Part::Split, lobe(1));
@@ -293,7 +293,7 @@ TEST_F(BumpTouchEdits, MakeTheTreeOfTheirLines)
     EXPECT_EQ(scene.base->axes.size(), made.plant.axes.size());
 }
 
-// An outline and a stroke on a half of a bump go with the half's name.
+// An outline and a stroke on one half of a bump follow the half's name.
 TEST_F(BumpTouchEdits, CarryWhatIsDrawnOnHalves)
 {
     auto scene = touch(lobed_tree(), Part::Split, lobe(1));

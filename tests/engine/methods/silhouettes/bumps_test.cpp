@@ -3,7 +3,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// Outlines whose bumps are halves of circles.
+// True for outlines whose bumps are half circles.
 bool is_circular(std::string const& name)
 {
     return name == "circle" || name == "pear";
@@ -22,7 +22,7 @@ TEST(SilhouetteBumps, AStarHasOneForEachSpike)
         ASSERT_EQ(bumps.size(), static_cast<std::size_t>(spikes));
         int apexes = 0;
         for (auto const& bump : bumps) {
-            // A spike's end is nearly its tip, and a branch arrives there along the spike.
+            // The end of a spike is near its tip, and a branch arrives there along the spike.
             Vec2 const tip = clean.to_sheet.point(bump.tip);
             EXPECT_NEAR(tip.norm(), 99, 2);
             EXPECT_GT(direction_of(clean.to_sheet.vector(bump.tangent)).dot(direction_of(tip)),
@@ -80,7 +80,8 @@ TEST(SilhouetteBumps, TheLongestRunInsideCounts)
     EXPECT_EQ(run->last, 3U);
 }
 
-// Moved, turned and scaled with their trunk, drawings have the same bumps at the moved places.
+// Drawings that are moved, rotated and scaled with their trunk must have the same bumps at the
+// transformed positions.
 TEST(SilhouetteBumps, FollowTheDrawing)
 {
     for (auto const& drawing : { star(8, 45, 100), lobed_crown(9), ellipse(45, 90) }) {
@@ -103,7 +104,8 @@ TEST(SilhouetteBumps, FollowTheDrawing)
     }
 }
 
-// Every bump has one in the mirrored drawing, within half a percent of the diagonal.
+// Expects each bump to have a counterpart in the mirrored drawing, within half a percent of the
+// diagonal.
 void expect_mirrored(Drawing const& drawing, std::string const& name)
 {
     auto const clean = cleaned(drawing);
@@ -151,7 +153,7 @@ TEST(SilhouetteBumpsCorpus, CountsAndRolesAreThoseOfThePublishedOutlines)
                           < (clean.to_sheet.point(b.end) - end).norm();
                   });
             if (is_circular(name))
-                continue; // Where on a circle its end is is the samples' choice.
+                continue; // On a circle, the position of the end depends on the samples.
             EXPECT_LT((clean.to_sheet.point(nearest->end) - end).norm(), close) << name << bump;
             EXPECT_LT((clean.to_sheet.point(nearest->tip) - point_in(bump["tip"])).norm(), close)
                 << name << bump;

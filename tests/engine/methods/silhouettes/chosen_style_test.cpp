@@ -13,7 +13,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// A crown whose limb at the right has an outline of its own.
+// Returns a crown whose right limb has an outline of its own.
 Drawing with_limb()
 {
     auto drawing = lobed_crown(7);
@@ -31,7 +31,7 @@ BranchingSystem const* system_of(Skeleton const& skeleton, std::string const& pa
     return below == kNoSystem ? nullptr : &skeleton.systems[below];
 }
 
-// A branch of the trunk that fits, the later the better.
+// Returns the last branch of the trunk that fits.
 template<typename Fits> std::string find_branch(Skeleton const& skeleton, Fits const& fits)
 {
     auto const& branches = skeleton.systems[0].branches;
@@ -50,7 +50,8 @@ bool has_copies(Skeleton const& skeleton, Branch const& branch)
     });
 }
 
-// What branches bear, seen from the plane: copies where they stand.
+// Returns the ends of what branches bear, seen in the drawing's plane, with copies in their own
+// positions.
 std::vector<Vec2> ends_on(Skeleton const& skeleton, std::string const& path)
 {
     auto const& branch = skeleton.systems[0].branches[skeleton.at(path)->branch];
@@ -67,7 +68,7 @@ TEST(ChosenStyle, IsTheSourcesOnTheTargetAlone)
     auto drawing = with_limb();
     auto const plain = skeleton_of_lines(drawing);
     auto const source = drawing.own_outlines[0].branch;
-    // One with copies: these keep what they have.
+    // A target with copies, which must keep their own style.
     auto const target = find_branch(plain, [&](Branch const& branch) {
         return !branch.is_refined() && has_copies(plain, branch);
     });
@@ -88,7 +89,7 @@ TEST(ChosenStyle, IsTheSourcesOnTheTargetAlone)
     check_plant(make_tree(styled).plant);
 }
 
-// Sources that nobody drew on have a style, too; copies are sources and targets as others.
+// Sources without drawn branches also have a style; copies can be sources and targets.
 TEST(ChosenStyle, GoesFromAndToAnyBranch)
 {
     auto drawing = lobed_crown(7);
@@ -110,12 +111,12 @@ TEST(ChosenStyle, GoesFromAndToAnyBranch)
     }
 }
 
-// Where all siblings follow one branch, a chosen one follows another.
+// If all siblings follow one branch, a chosen one can follow another.
 TEST(ChosenStyle, GoesBeforeThatOfSiblings)
 {
     auto drawing = with_limb();
     Similarity const mirror { .turn = Vec2(-1, 0), .mirrors = true };
-    std::vector<Vec2> smooth; // Without lobes: few branches.
+    std::vector<Vec2> smooth; // An outline without lobes, which has few branches.
     for (int i = 0; i < 60; ++i)
         smooth.push_back(mirror.point(
             Vec2(52, -18) + 28 * Vec2(std::cos(i * kPi / 30), 0.8 * std::sin(i * kPi / 30))));
@@ -131,7 +132,7 @@ TEST(ChosenStyle, GoesBeforeThatOfSiblings)
     }
 }
 
-// Distances and places do not depend on where others are: sources keep their branches.
+// Distances and positions do not depend on other branches: sources keep their branches.
 TEST(ChosenStyle, IsThereWhereBranchesBearNoOthers)
 {
     auto drawing = with_limb();
@@ -161,7 +162,7 @@ TEST(ChosenStyle, IsCarriedByALine)
         std::vector const line { from, branch.path.curve.at(0.9) };
         auto const carried = carried_by(skeleton, line).value();
         EXPECT_EQ(carried.at(target), source) << target;
-        // It runs over those that it crosses, and no others.
+        // The branch must cross exactly the branches that it reports.
         for (auto const& other : branches) {
             auto const way = other.path.curve.points(17);
             bool crosses = false;
@@ -261,7 +262,7 @@ TEST_F(ChosenStyleEdits, MakeTheTreeOfTheirChoice)
     EXPECT_FALSE(scene::apply_edit(before, back)) << "it has none";
 }
 
-// A crown that changes a little keeps them; one without the branch lets them wait.
+// A slightly changed crown keeps the chosen styles; one without the branch makes them wait.
 TEST_F(ChosenStyleEdits, StayWithTheirBranches)
 {
     auto const lines = lobed_crown(7);

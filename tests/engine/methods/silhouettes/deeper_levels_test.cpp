@@ -11,7 +11,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// A twig from a branch's outer half, on its left.
+// Returns a twig from the outer half of a branch, on its left.
 std::vector<Vec2> twig_on(Branch const& branch)
 {
     auto const line = resampled_line(branch.line(17), 21);
@@ -19,7 +19,8 @@ std::vector<Vec2> twig_on(Branch const& branch)
     return { line[12], line[12] + 0.5 * turned(way, 0.6), line[12] + turned(way, 0.9) };
 }
 
-// Adds twigs, each on the one before, from one of the trunk's branches on; the last one's path.
+// Adds twigs, each on the previous one, beginning at one of the trunk's branches; returns the last
+// one's path.
 std::string draw_down(Drawing& drawing, std::string const& from, int levels,
                       StyleTo style_to = StyleTo::None)
 {
@@ -77,7 +78,7 @@ TEST(DeeperLevels, BranchesAreDrawnOnBranchesToAnyLevel)
     }
 }
 
-// In space they stay in the plane that they were drawn in, and end where their strokes end.
+// In space, twigs must stay in the plane of the drawing, and end where their strokes end.
 TEST(DeeperLevels, StrokesEndWhereTheyWereDrawn)
 {
     auto drawing = lobed_crown(5);
@@ -101,7 +102,7 @@ TEST(DeeperLevels, StrokesEndWhereTheyWereDrawn)
     EXPECT_EQ(found, 1u);
 }
 
-// Around a branch that ends in a lobe of another one's own outline.
+// An outline around a branch that ends in a lobe of another branch's own outline.
 TEST(DeeperLevels, OutlinesAreDrawnAroundBranchesOfBranches)
 {
     auto drawing = lobed_crown(7);
@@ -115,7 +116,7 @@ TEST(DeeperLevels, OutlinesAreDrawnAroundBranchesOfBranches)
         if (branch.origin != Branch::Origin::Bump)
             continue;
         auto deeper = drawing;
-        std::vector<Vec2> around; // Its crown, with lobes.
+        std::vector<Vec2> around; // The branch's crown, with lobes.
         auto const middle = box_of(branch.crown).middle();
         for (std::size_t i = 0; i < branch.crown.size(); ++i) {
             double const turn
@@ -131,7 +132,7 @@ TEST(DeeperLevels, OutlinesAreDrawnAroundBranchesOfBranches)
         EXPECT_GE(after.branches_on(child), 3u);
         check_plant(make_tree(after).plant);
         ++taken;
-        // The trunk's branches alone are asked for as in old logs.
+        // In old logs, only the trunk's branches are considered.
         auto old = drawing;
         auto const on_trunk_alone = add_own_outline(old, around);
         EXPECT_TRUE(!on_trunk_alone
@@ -167,7 +168,7 @@ TEST(DeeperLevels, AStyleGoesToSiblingsThere)
     check_plant(make_tree(styled).plant);
 }
 
-// Below all of them, what stands on the branches follows the example, too.
+// Below all of them, the branches on these branches must follow the example, too.
 TEST(DeeperLevels, AStyleGoesDown)
 {
     auto drawing = lobed_crown(7);
@@ -190,7 +191,8 @@ TEST(DeeperLevels, AStyleGoesDown)
     auto const skeleton = skeleton_of_lines(drawing, options);
     auto const source = skeleton.at(drawing.own_outlines[0].branch).value();
     auto const own = seen_on(skeleton.systems[skeleton.system_of[source.system][source.branch]]);
-    // On the third level, first branches stand at its share of their parents' lengths.
+    // On the third level, the first branches must be at the source's share of their parents'
+    // lengths.
     double first = 0;
     double angle_deg = 0;
     double count = 0;
@@ -253,7 +255,7 @@ protected:
         return *outlined_tree(*scene.drawn);
     }
 
-    // A limb with an outline, a twig on one of its branches, and one on that.
+    // Returns a limb with an outline, a twig on one of its branches, and a twig on that.
     static scene::Scene three_levels()
     {
         auto const lines = lobed_crown(7);
@@ -297,8 +299,8 @@ TEST_F(DeeperEdits, StayWithTheirParents)
               before.base->node_position_mm);
 }
 
-// Without the limb they wait, and without the twig what stands on it; a crown with the limb again
-// gives all of them back.
+// Without the limb the twigs wait, and without the first twig the second one does; a crown with the
+// limb restores all of them.
 TEST_F(DeeperEdits, WaitForTheirParents)
 {
     auto const lines = lobed_crown(7);

@@ -34,7 +34,7 @@ double reach(CrownSurface const& surface, double theta_deg, double height)
     return reach.value_or(-1);
 }
 
-// Distance from the middle of an ellipse.
+// Returns the distance from the centre of an ellipse to its edge.
 double radius_of_ellipse(double a, double b, double theta_deg)
 {
     return a * b / std::hypot(b * std::cos(radians(theta_deg)), a * std::sin(radians(theta_deg)));
@@ -59,7 +59,7 @@ TEST(CrownLine, IsKnownByItsShape)
     EXPECT_EQ(kind_of(ring(40, 6, 60)).value(), CrownLineKind::Ring);
     EXPECT_EQ(kind_of(ring(40, 40, 60, 0.85)).value(), CrownLineKind::Ring); // Not quite closed,
     EXPECT_EQ(kind_of(ring(40, 40, 60, 1.2)).value(),
-              CrownLineKind::Ring); // or past its beginning.
+              CrownLineKind::Ring); // or beyond its beginning.
     EXPECT_EQ(kind_of(cone_climb(4)).value(), CrownLineKind::Climb);
     EXPECT_EQ(kind_of(cone_climb(1.4)).value(), CrownLineKind::Climb);
     for (double const azimuth : { 0.0, 35.0, 90.0, 150.0 }) {
@@ -82,7 +82,7 @@ TEST(CrownLine, TakesThePlaceOfOneThatLiesWhereItDoes)
     EXPECT_FALSE(takes_place_of(side(90, 30, 50, 80), side(75, 30, 50, 80)));
 }
 
-// Closed form: an ellipse at each height between the rings.
+// Closed form: at each height between the rings, the section is an ellipse.
 TEST(DrawnSurface, RingsOfAnEllipseGiveItBack)
 {
     for (auto const& [a, b] : { std::pair(40.0, 25.0), std::pair(20.0, 60.0) }) {
@@ -99,7 +99,7 @@ TEST(DrawnSurface, RingsOfAnEllipseGiveItBack)
     }
 }
 
-// A ball is known from rings alone, and closes above and below them.
+// A ball is determined by rings alone, and closes above and below them.
 TEST(DrawnSurface, RingsOfAnEllipsoidCloseAsItDoes)
 {
     std::vector<CrownLine> rings;
@@ -127,7 +127,7 @@ TEST(DrawnSurface, AClimbOnAConeGivesTheCone)
     EXPECT_NEAR(surface.heights(90).y(), 120, 2);
 }
 
-// Whoever stands elsewhere sees the other half-axis.
+// From another side, the other half-axis is visible.
 TEST(DrawnSurface, TwoOutlinesGiveTheEllipsesBetweenThem)
 {
     auto const surface = surface_of({ side(0, 40, 50, 80), side(90, 25, 50, 80) });
@@ -139,7 +139,7 @@ TEST(DrawnSurface, TwoOutlinesGiveTheEllipsesBetweenThem)
         }
 }
 
-// The sheet's outline counts in the sheet, rings count across it.
+// The sheet's outline determines the surface in the sheet, rings determine it across.
 TEST(DrawnSurface, AnOutlineCountsInItsPlaneWhereRingsDisagree)
 {
     auto drawing = ellipse(40, 50);
@@ -187,11 +187,11 @@ TEST(DrawnSurface, RefusesLinesBesideTheTrunk)
     EXPECT_NE(refused_lines({ outline }, drawing).find("beside the trunk"), std::string::npos);
 }
 
-// Where branches of the trunk and foliage are, as shares of the surface's reach there.
+// Positions of the trunk's branches and of foliage, relative to the surface's reach there.
 struct Reaches {
     double farthest = 0;
-    double on_average = 0; // Of the branches' ends.
-    double outside = 0;    // Share of the twigs whose place is outside.
+    double on_average = 0; // Mean over the branches' ends.
+    double outside = 0;    // Share of the twigs whose positions are outside.
 };
 
 Reaches reaches_of(Drawing const& drawing)
@@ -241,7 +241,7 @@ TEST(DrawnSurface, BranchesAndFoliageFollowIt)
     }
 }
 
-// A crown that is round in any case: its rings say what its outline says.
+// For a round crown, rings say the same as the outline.
 TEST(DrawnSurface, RingsOfACircleGiveTheTreeOfTheRevolution)
 {
     auto const outlined = ellipse(40, 50);
@@ -252,7 +252,7 @@ TEST(DrawnSurface, RingsOfACircleGiveTheTreeOfTheRevolution)
     ASSERT_TRUE(add_surface(ringed, rings, {}));
     auto const one = make_tree(infer_skeleton(outlined).value());
     auto const other = make_tree(infer_skeleton(ringed).value());
-    // Those of the trunk are the same ones, and end where the others do.
+    // The trunk's branches must be the same, with the same ends.
     std::map<std::string, Vec3> ends;
     auto const end_of = [](Tree const& tree, std::size_t axis) {
         auto const& one_axis = tree.plant.axes[axis];

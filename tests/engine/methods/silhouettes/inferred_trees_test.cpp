@@ -29,7 +29,7 @@ void expect_same(BranchingSystem const& one, BranchingSystem const& other)
     }
 }
 
-// What is kept of a tree is what its lines and names give, to the last bit.
+// Expects the stored inference of a tree to equal that from its lines and names, to the last bit.
 void expect_known(scene::Scene const& scene)
 {
     auto const& tree = drawing(scene);
@@ -47,7 +47,7 @@ void expect_known(scene::Scene const& scene)
     }
 }
 
-// Draws the crown anew, a little turned and larger.
+// Redraws the crown, slightly rotated and larger.
 scene::Scene crown_again(scene::Scene const& before, double size, double turn)
 {
     Similarity const way { .turn = size * Vec2(std::cos(turn), std::sin(turn)) };
@@ -90,7 +90,7 @@ TEST(InferredTrees, KnowATreeWithLinesOnItsBranches)
     }
 }
 
-// Lines that go to other branches with the crown are looked at once more.
+// Lines that move to other branches with the crown must be inferred again.
 TEST(InferredTrees, BuildWhatTheLinesSayWhereTheyHaveGoneElsewhere)
 {
     auto const outlined
@@ -101,7 +101,7 @@ TEST(InferredTrees, BuildWhatTheLinesSayWhereTheyHaveGoneElsewhere)
     auto const again = crown_again(narrow, 1, 0);
     EXPECT_NE(drawing(again).own_outlines[0].branch, path);
     EXPECT_EQ(count_waiting(drawing(again)).value(), 0u);
-    expect_known(again); // Since it was built.
+    expect_known(again); // The inference must not have changed since it was built.
 }
 
 TEST(InferredTrees, AreThoseOfTheNewestTwoVersions)
@@ -121,7 +121,7 @@ TEST(InferredTrees, AreThoseOfTheNewestTwoVersions)
     EXPECT_FALSE(inferred.find(other));
 }
 
-// A crown that is a leaf has no branches, but their names for the time when it is none any more.
+// A crown that is a leaf has no branches, but keeps their names for later.
 TEST(InferredTrees, SayNothingOfALeaf)
 {
     auto const before = crown_again(lobed_tree(), 1.02, 0);
@@ -134,7 +134,7 @@ TEST(InferredTrees, SayNothingOfALeaf)
     EXPECT_EQ(again.base->node_position_mm, before.base->node_position_mm);
 }
 
-// Plants of a collection do not crowd out what is known of the one that is drawn.
+// Plants of a collection must not evict the stored inference of the drawn plant.
 TEST(InferredTrees, AreNotOfAnotherChance)
 {
     auto const scene = lobed_tree();

@@ -14,7 +14,8 @@ namespace {
 
 using Part = DrawTree::Part;
 
-// Around the end of the branch in the oak's right lobe, longer than wide, with a point.
+// Returns an outline around the end of the branch in the oak's right lobe, longer than wide, with a
+// point.
 std::vector<Vec2> leaf_outline()
 {
     std::vector<Vec2> outline;
@@ -43,7 +44,7 @@ Tree tree_of(Drawing const& drawing)
     return tree;
 }
 
-// Organs that are drawn leaves.
+// Returns the organs that are drawn leaves.
 std::vector<Organ> leaves_of(Plant const& plant)
 {
     std::vector<Organ> leaves;
@@ -53,7 +54,7 @@ std::vector<Organ> leaves_of(Plant const& plant)
     return leaves;
 }
 
-// A leaf's corners in the plant.
+// Returns a leaf's corners in the plant.
 std::vector<Vec3> corners_of(Plant const& plant, Organ const& organ)
 {
     std::vector<Vec3> corners;
@@ -65,7 +66,7 @@ std::vector<Vec3> corners_of(Plant const& plant, Organ const& organ)
     return corners;
 }
 
-// One organ on a stalk: where the line is, as large as it was drawn, and nothing else.
+// One organ on a petiole: at the line's position and size, and nothing else.
 TEST(LeafBlade, OfACrownIsTheWholeTree)
 {
     auto drawing = ellipse(30, 50);
@@ -78,7 +79,7 @@ TEST(LeafBlade, OfACrownIsTheWholeTree)
     EXPECT_EQ(tree.plant.organs.size(), 1u);
     EXPECT_EQ(tree.leaves, 1u);
     EXPECT_EQ(tree.sprays, 0u);
-    // Drawn 100 mm high on a stem that begins 10 mm below: a metre for a millimetre.
+    // It is drawn 100 mm high on a stem that begins 10 mm below: one millimetre becomes one metre.
     Vec2 const foot = drawing.trunk.front();
     for (auto const& corner : corners_of(tree.plant, tree.plant.organs[0])) {
         EXPECT_NEAR(corner.y(), 0, 1e-3);
@@ -110,7 +111,8 @@ TEST(LeafBlade, OfABranchEndsTheRecursionThere)
     auto const leaves = leaves_of(tree.plant);
     ASSERT_GE(leaves.size(), 1u);
     EXPECT_LT(leaves.size(), tree.plant.axes.size() / 10);
-    // Some one of them is where the line is, but for how far its branch turns about the trunk.
+    // One of the leaves must be where the line is, except for its branch's rotation about the
+    // trunk.
     double nearest = 1e9;
     for (auto const& leaf : leaves) {
         double farthest = 0;
@@ -124,7 +126,7 @@ TEST(LeafBlade, OfABranchEndsTheRecursionThere)
     EXPECT_LT(nearest, 2.5) << "millimetres of the drawing";
 }
 
-// All that nobody drew on end in leaves like it, and there are no twigs.
+// All branches without drawing must end in such leaves, and there are no twigs.
 TEST(LeafBlade, GoesToSiblings)
 {
     auto const drawing = crown_with_leaf(StyleTo::Siblings);
@@ -161,7 +163,8 @@ TEST(LeafBlade, GoesToSiblings)
     EXPECT_EQ(shapes.size(), 1u) << "one organ, many times";
 }
 
-// A leaf on a limb: its siblings there are leaves, and limbs in the limb's style bear leaves, too.
+// A leaf on a limb: its siblings there are leaves, and limbs that follow the limb's style bear
+// leaves, too.
 TEST(LeafBlade, GoesDownWithAStyle)
 {
     auto drawing = lobed_crown(5);
@@ -184,7 +187,7 @@ TEST(LeafBlade, GoesDownWithAStyle)
     EXPECT_GE(bearing, 5u);
     auto const tree = tree_of(drawing);
     EXPECT_GT(leaves_of(tree.plant).size(), 50u);
-    // Twigs are on branches alone whose crowns are too small for any style.
+    // Only branches whose crowns are too small for any style bear twigs.
     std::set<SegmentId> bearing_twigs;
     for (auto const& organ : tree.plant.organs)
         if (!tree.plant.organ_shapes[organ.shape].cut)
@@ -211,7 +214,7 @@ TEST(LeafBlade, IsAStyleThatIsCarried)
     EXPECT_NE(refused.error().message.find("is a leaf as it was drawn"), std::string::npos);
 }
 
-// A species' leaves take its place, as long as it.
+// The leaves of a species replace the drawn leaf, with its length.
 TEST(LeafBlade, WearsGrownLeaves)
 {
     auto const plant = tree_of(crown_with_leaf(StyleTo::Siblings)).plant;
@@ -261,7 +264,7 @@ TEST_F(LeafEdits, DeclareAnOutlineALeafAndTakeItBack)
     EXPECT_NE(none.error().message.find("no such outline"), std::string::npos);
 }
 
-// An outline that is drawn anew stays a leaf, and so it does where the crown is drawn anew.
+// An outline stays a leaf if it, or the crown, is redrawn.
 TEST_F(LeafEdits, OutlastLinesThatAreDrawnAnew)
 {
     auto const leaf = draw_on(
@@ -282,7 +285,7 @@ TEST_F(LeafEdits, OutlastLinesThatAreDrawnAnew)
     EXPECT_EQ(count_waiting(drawing(redrawn)).value(), 0u);
 }
 
-// What was drawn on a branch waits while that is a leaf.
+// Branches drawn on a branch wait while that is a leaf.
 TEST_F(LeafEdits, LetBranchesOnThemWait)
 {
     auto const outlined

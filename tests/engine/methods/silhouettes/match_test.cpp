@@ -5,7 +5,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// Returns the crown with its outline moved by smooth waves, by 3 % of the crown at most.
+// Returns the crown with its outline displaced by smooth waves, by at most 3 % of the crown.
 Drawing redrawn(Drawing drawing, std::uint32_t number)
 {
     Random random({ 20, 3, number });
@@ -22,7 +22,8 @@ Drawing redrawn(Drawing drawing, std::uint32_t number)
     return drawing;
 }
 
-// Ten crowns, twenty strokes on branches of each, ten changes of the outline: who keeps its stroke?
+// Counts strokes that stay on their branches, for ten crowns with twenty strokes each and ten
+// changes of the outline.
 TEST(SilhouetteMatch, StrokesStayOnTheirBranches)
 {
     int strokes = 0;
@@ -41,7 +42,7 @@ TEST(SilhouetteMatch, StrokesStayOnTheirBranches)
                 ++kept;
                 auto const& branch
                     = later.branches[static_cast<std::size_t>(found - partners.begin())];
-                // In the same lobe: half of what its crown measures.
+                // In the same lobe: within half of the crown's diagonal.
                 EXPECT_LT((branch.path.curve.end - earlier.branches[i].path.curve.end).norm(),
                           box_of(earlier.branches[i].crown).diagonal() / 2);
             }

@@ -10,15 +10,15 @@
 namespace tractus::silhouette {
 namespace {
 
-// A branch of a plant that is made by hand.
+// A branch of a manually constructed plant.
 struct Twig {
-    int node = 0; // Of the trunk.
+    int node = 0; // Node of the trunk.
     double angle_deg = 60;
     double azimuth_deg = 0;
     double length_mm = 100;
 };
 
-// A trunk straight up of so many segments of 10 mm, and branches of one segment.
+// Returns a vertical trunk of segments of 10 mm, with branches of one segment.
 Plant plant_of(int segments, std::vector<Twig> const& twigs)
 {
     Plant plant;
@@ -89,7 +89,7 @@ TEST(SilhouetteStyle, HasWhatAPlantHas)
     EXPECT_NEAR(level.lengths[2], 0.15, 1e-9);
 }
 
-// So many nodes of branches that are turned from node to node.
+// Measures nodes with `size` branches each that are rotated from node to node.
 Pattern pattern_of_nodes(int size, double turn_deg)
 {
     std::vector<Twig> twigs;
@@ -151,7 +151,7 @@ Plant tree_of(Drawing const& drawing, TreeForm const& form)
     return make_tree(*skeleton, tree_options(form, 8000)).plant;
 }
 
-// Numbers of children, distances and angles of a level.
+// Expects numbers of children, distances and angles of a level.
 void expect_near(MeasuredLevel const& given, MeasuredLevel const& wanted, std::string const& what)
 {
     constexpr double kNear = 0.1;
@@ -164,7 +164,7 @@ void expect_near(MeasuredLevel const& given, MeasuredLevel const& wanted, std::s
     expect(given.mean_angle_deg, wanted.mean_angle_deg, "angle");
 }
 
-// Builds a tree, measures it, and gives its style to the same outline with other seeds.
+// Builds a tree, measures it, applies its style to the same outline with other seeds, and compares.
 void expect_style_again(Drawing const& drawing, int levels, std::string const& name)
 {
     TreeForm usual;
@@ -215,7 +215,7 @@ TEST(SilhouetteStyle, TheSameSeedGivesTheSameTree)
     EXPECT_NE(one.node_position_mm, tree_of(lobed_crown(7), form).node_position_mm);
 }
 
-// A model of those that come with the program.
+// Grows a model that comes with the program.
 Plant grown(std::string const& name)
 {
     auto const folder = std::filesystem::path(__FILE__).parent_path() / "../../../../app/models";
@@ -229,7 +229,7 @@ Plant grown(std::string const& name)
     return scene ? *scene->base : Plant();
 }
 
-// The crown reaches down to the trunk's foot, so that there is room for a style that branches low.
+// The crown reaches down to the trunk's base, so there is room for a style with low branches.
 TEST(SilhouetteStyle, GoesFromModelsToAnOutline)
 {
     auto drawing = ellipse(40, 80);
@@ -246,7 +246,7 @@ TEST(SilhouetteStyle, GoesFromModelsToAnOutline)
     }
 }
 
-// Where they were drawn, even if the style has fewer.
+// Drawn branches stay in their places, even if the style has fewer.
 TEST(SilhouetteStyle, KeepsWhatWasDrawn)
 {
     auto drawing = lobed_crown(5);

@@ -41,7 +41,7 @@ protected:
         return { from, from + 0.5 * turned(way, 0.6), from + turned(way, 0.9) };
     }
 
-    // The branch that ends in a bump and whose end is nearest.
+    // Returns the bump branch whose end is nearest to a point.
     static std::size_t nearest_bump(BranchingSystem const& system, Vec2 const& end)
     {
         std::size_t nearest = 0;
@@ -57,7 +57,7 @@ protected:
         return nearest;
     }
 
-    // With a line on each branch that ends in a bump.
+    // Returns the scene with a line on each bump branch.
     static scene::Scene twigs_on(scene::Scene scene)
     {
         auto const system = on_trunk(scene);
@@ -87,7 +87,7 @@ TEST_F(OwnBranchEdits, MakeTheTreeOfTheirLines)
     EXPECT_FALSE(scene::apply_edit(before, erase)) << "there is none";
 }
 
-// Of a crown that is drawn anew, by so little: whose they are is told by where those end.
+// After a slightly redrawn crown, the lines' owners are identified by where those end.
 TEST_F(OwnBranchEdits, StayWithTheirParents)
 {
     std::size_t drawn = 0;
@@ -118,7 +118,7 @@ TEST_F(OwnBranchEdits, StayWithTheirParents)
     EXPECT_GE(static_cast<double>(kept), 0.95 * static_cast<double>(drawn));
 }
 
-// A crown without the parent leaves it waiting; one that has it again gives it back.
+// Without the parent, its branches wait; a crown that has the parent again restores them.
 TEST_F(OwnBranchEdits, WaitForTheirParents)
 {
     auto const before = twigs_on(tree(lobed_crown(5)));

@@ -17,7 +17,8 @@ Skeleton refined(Drawing const& drawing, SkeletonOptions const& options = {})
     return result ? *std::move(result) : Skeleton();
 }
 
-// A curved line from a place on a branch to its left, of a share of the branch's length.
+// Returns a curved line from a position on a branch to its left, with a share of the branch's
+// length.
 std::vector<Vec2> twig_on(Branch const& branch, double place, double share = 0.35)
 {
     auto const& curve = branch.path.curve;
@@ -73,7 +74,7 @@ TEST(OwnBranch, IsOfTheBranchThatItBeginsOn)
     EXPECT_NE(answer.error().message.find("begins on none"), std::string::npos);
 }
 
-// In the skeleton and in the plant every node of it lies on the stroke, in the drawing's plane.
+// In the skeleton and in the plant, every node must lie on the stroke, in the drawing's plane.
 TEST(OwnBranch, RunsAsItWasDrawn)
 {
     auto const drawing = lobed_crown(5);
@@ -108,11 +109,12 @@ TEST(OwnBranch, RunsAsItWasDrawn)
     EXPECT_EQ(found, 1);
 }
 
-// All others of the tree stay; of the parent's, one that ended in the same bump gives way.
+// All other branches of the tree must stay; of the parent's, one that ended in the same bump is
+// replaced.
 TEST(OwnBranch, TakesThePlaceOfTheOneThatEndsThere)
 {
     auto drawing = lobed_crown(7);
-    std::vector<Vec2> limb; // With bumps of its own.
+    std::vector<Vec2> limb; // An outline with bumps of its own.
     for (int i = 0; i < 160; ++i) {
         double const angle = i * kPi / 80;
         double const r = 30 * (1 + 0.25 * std::fabs(std::sin(3.5 * angle)));
@@ -141,7 +143,7 @@ TEST(OwnBranch, TakesThePlaceOfTheOneThatEndsThere)
         EXPECT_EQ(after.systems[0].branches[i].crown, before.systems[0].branches[i].crown);
 }
 
-// Where branches bear no others, a parent has what was drawn on it, and no more.
+// If branches bear no others, a parent bears only what was drawn on it.
 TEST(OwnBranch, StandsWhereNoOthersDo)
 {
     auto const drawing = lobed_crown(5);
@@ -157,7 +159,7 @@ TEST(OwnBranch, StandsWhereNoOthersDo)
     EXPECT_EQ(refined(waiting).branch_count(), refined(drawing).branch_count());
 }
 
-// Mirrored, or moved and turned, a drawing has the mirrored or the moved one.
+// A mirrored, moved or rotated drawing must give the transformed branch.
 TEST(OwnBranch, GoesWithItsDrawing)
 {
     auto const drawing = lobed_crown(7);

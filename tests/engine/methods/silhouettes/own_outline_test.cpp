@@ -10,7 +10,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// An ellipse around the outer part of a branch, with so many lobes of its own.
+// Returns an ellipse around the outer part of a branch, with a number of lobes.
 std::vector<Vec2> lobe_around(Branch const& branch, int lobes, double size = 1)
 {
     auto const& curve = branch.path.curve;
@@ -82,7 +82,7 @@ TEST(OwnOutline, IsNotOneOfTheWholeCrown)
     EXPECT_FALSE(branch_in(system, {}));
 }
 
-// What is drawn says where its branches are, by the same inference; all other branches stay.
+// The drawn outline determines its branches, by the same inference; all other branches stay.
 TEST(OwnOutline, TakesTheInferredOnesPlace)
 {
     auto const drawing = lobed_crown(5);
@@ -128,7 +128,8 @@ TEST(OwnOutline, AnotherOneReplacesIt)
     EXPECT_EQ(with_part(second, lobe_around(other, 3)).own_outlines.size(), 2U);
 }
 
-// The share of an outline in which a branch's leaves are seen from the drawing's side.
+// Returns the share of an outline that is covered by a branch's leaves, seen from the drawing's
+// side.
 double filled(Skeleton const& skeleton, std::string const& branch, std::vector<Vec2> const& outline)
 {
     auto const tree = make_tree(skeleton);
@@ -170,7 +171,7 @@ TEST(OwnOutline, IsFilledWithLeaves)
     }
 }
 
-// Copies have its shape, no larger than they were and within the crown.
+// Copies have its shape, are not larger than they were, and lie within the crown.
 TEST(OwnOutline, ItsCopiesFollow)
 {
     auto const drawing = lobed_crown(7);
@@ -199,7 +200,7 @@ TEST(OwnOutline, ItsCopiesFollow)
     EXPECT_GE(copies, 1);
 }
 
-// One that fills what was empty has an outline of its own then, and is nobody's copy.
+// A branch that fills an empty space then has an outline of its own, and is no longer a copy.
 TEST(OwnOutline, MakesACopyABranchOfItsOwn)
 {
     auto const drawing = lobed_crown(7);
@@ -251,8 +252,8 @@ TEST(OwnOutline, AMovedAndTurnedDrawingHasTheMovedOne)
     }
 }
 
-// What is lost of the crown's coverage: what an outline leaves out of its branch's inferred crown,
-// of which it holds a third, and what its copies lose that follow.
+// Returns an upper bound of the lost coverage of the crown: the part of a branch's inferred crown
+// outside its outline, and the loss of its copies that follow.
 double most_lost(BranchingSystem const& before, std::vector<OwnOutline> const& outlines)
 {
     double lost = 0;
@@ -285,7 +286,7 @@ TEST(OwnOutline, RandomOnesMakePlants)
         }
         auto const skeleton = grown(drawing);
         check_plant(make_tree(skeleton).plant);
-        constexpr double kCells = 0.02; // What counting in cells may differ by.
+        constexpr double kCells = 0.02; // Tolerance for counting in cells.
         EXPECT_GE(skeleton.systems[0].coverage_after,
                   before.coverage_after - most_lost(before, drawing.own_outlines) - kCells)
             << number;
@@ -293,7 +294,7 @@ TEST(OwnOutline, RandomOnesMakePlants)
     EXPECT_GE(taken, 60);
 }
 
-// Lines that mean nothing there are refused, and change nothing.
+// Lines without a meaning there must be refused, and change nothing.
 TEST(OwnOutline, SaysWhatIsWrong)
 {
     auto const drawing = lobed_crown(5);

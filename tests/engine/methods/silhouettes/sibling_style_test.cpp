@@ -63,8 +63,8 @@ TEST(SiblingStyle, IsTheSourcesOnAllSiblings)
     EXPECT_NEAR(angle_deg / count, own.angle_deg, 0.1 * own.angle_deg);
 }
 
-// A child of a sibling has the shape of one of the source's: how straight it is, and how its crown
-// is to its length, say so whatever its size.
+// A sibling's child must have the shape of one of the source's, which is recognised by its
+// straightness and by the ratio of crown to length, whatever its size.
 TEST(SiblingStyle, GivesSiblingsTheSourcesShapes)
 {
     auto const skeleton = styled(StyleTo::Siblings);
@@ -113,7 +113,7 @@ TEST(SiblingStyle, GoesNowhereUnlessSomebodySaysSo)
         EXPECT_FALSE(branch.model);
 }
 
-// Between two sources a sibling has what is between theirs.
+// Between two sources, a sibling's style must be interpolated.
 TEST(SiblingStyle, IsMixedBetweenTwoSources)
 {
     auto drawing = lobed_crown(7);

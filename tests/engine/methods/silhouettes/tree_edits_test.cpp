@@ -15,7 +15,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// A crown of five lobes, its trunk's foot at (0, -90).
+// Returns a crown of five lobes with its trunk's base at (0, -90).
 Drawing crown()
 {
     return lobed_crown(5);
@@ -61,7 +61,7 @@ std::string refusal(scene::Edit const& edit, scene::Scene const& before = {})
     return scene ? std::string() : scene.error().message;
 }
 
-// The tree is the one that the command makes from the same lines.
+// The tree must be the one that the command makes from the same lines.
 TEST(DrawTree, IsTheTreeOfItsLines)
 {
     auto const scene = drawn_tree();
@@ -98,8 +98,8 @@ TEST(DrawTree, StandsUnderItsInk)
     EXPECT_NEAR(seen_mm.max_mm.x() - 30, box.high.x(), 12);
 }
 
-// A trunk that is drawn anew 12 mm to the right moves the plant there, and a tree whose plant was
-// moved stays where it is.
+// A trunk redrawn 12 mm to the right moves the plant there, but a tree whose plant was moved stays
+// where it is.
 TEST(DrawTree, MovesThePlantWithItsFoot)
 {
     auto scene = drawn_tree();
@@ -138,7 +138,7 @@ TEST(DrawTree, LetsADrawnBranchTakeTheBumpsPlace)
     EXPECT_EQ(drawn_ones, 1);
 }
 
-// Points of the drawn branch lie on the plant's, as seen from the drawing's side.
+// Points of the drawn branch must lie on the plant's, seen from the drawing's side.
 TEST(DrawTree, FollowsADrawnBranch)
 {
     auto const stroke = branch(0).stroke;
@@ -173,7 +173,7 @@ TEST(DrawTree, AddsTreesBesideEachOther)
     EXPECT_EQ(both.placement.scale, first.placement.scale);
 }
 
-// What the hand draws a second time is never quite the same: waves of at most 3 % of the diagonal.
+// Returns an outline as a hand redraws it, with waves of at most 3 % of the diagonal.
 std::vector<Vec2> wavered(std::vector<Vec2> const& outline, std::uint32_t number)
 {
     Random random({ 31, 7, number });
@@ -193,7 +193,7 @@ std::vector<Vec2> wavered(std::vector<Vec2> const& outline, std::uint32_t number
     return result;
 }
 
-// The tips of the branches that strokes shape, by the strokes' ids.
+// Returns the tips of branches shaped by strokes, by the strokes' ids.
 std::map<scene::ItemId, Vec3> shaped_tips_mm(scene::Scene const& scene)
 {
     std::map<scene::ItemId, Vec3> tips_mm;
@@ -204,7 +204,8 @@ std::map<scene::ItemId, Vec3> shaped_tips_mm(scene::Scene const& scene)
     return tips_mm;
 }
 
-// Twenty strokes on branches of the tree: on those that end in bumps of the outline, or on any.
+// Draws twenty strokes on branches of the tree: on those that end in bumps of the outline, or on
+// any.
 enum class On { Bumps, All };
 scene::Scene with_strokes(scene::Scene scene, On on, std::uint32_t number)
 {
@@ -232,10 +233,10 @@ scene::Scene with_strokes(scene::Scene scene, On on, std::uint32_t number)
 struct Kept {
     int strokes = 0;
     int of = 0;
-    int moved = 0; // To another branch: its tip is where that one's was.
+    int moved = 0; // Strokes that moved to another branch: the tip is where that branch's was.
 };
 
-// Heights and distances from the trunk are compared: around it all branches are arranged anew.
+// Compares heights and distances from the trunk only, since all branches are rearranged around it.
 bool is_nearer_to_another(Vec3 const& now_mm, Vec3 const& own_mm,
                           std::map<scene::ItemId, Vec3> const& before)
 {
@@ -249,7 +250,7 @@ bool is_nearer_to_another(Vec3 const& now_mm, Vec3 const& own_mm,
     });
 }
 
-// Ten outlines of a tree that are drawn anew, each from the first.
+// Counts strokes kept in ten redrawn outlines of a tree, each redrawn from the first.
 Kept kept_on(On on, std::uint32_t number)
 {
     auto const drawing = lobed_crown(3 + static_cast<int>(number));
@@ -286,7 +287,7 @@ Kept kept_on_ten_trees(On on)
     return all;
 }
 
-// A hundred outlines that are drawn anew, on ten trees with twenty strokes each.
+// A hundred redrawn outlines, on ten trees with twenty strokes each.
 TEST(DrawTree, KeepsStrokesOnBranchesOfBumps)
 {
     auto const kept = kept_on_ten_trees(On::Bumps);
@@ -294,8 +295,8 @@ TEST(DrawTree, KeepsStrokesOnBranchesOfBumps)
     EXPECT_LE(kept.moved, 0.04 * kept.of) << "of " << kept.of;
 }
 
-// Branches that nobody drew, which are most, are arranged anew: strokes on those that are gone
-// wait, and hardly one finds another branch.
+// Most branches are not drawn and are rearranged: strokes on branches that no longer exist wait,
+// and hardly any is assigned to another branch.
 TEST(DrawTree, LetsStrokesOnAddedBranchesWait)
 {
     auto const kept = kept_on_ten_trees(On::All);
@@ -367,7 +368,7 @@ TEST(DrawTree, SaysWhatIsWrong)
     EXPECT_NE(refusal(FormTree { plant, form }, tree).find("levels"), std::string::npos);
 }
 
-// What was seen stays: the trunk, and how far the crown reaches.
+// Visible properties must stay: the trunk, and the extent of the crown.
 TEST(DrawTree, LeavesToChanceWhatWasNotDrawn)
 {
     auto const first = drawn(trunk());

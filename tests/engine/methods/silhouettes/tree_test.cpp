@@ -42,7 +42,7 @@ TEST(SilhouetteTree, IsAsTallAsAsked)
     EXPECT_NEAR(box.min_mm.z(), 0, 50);
 }
 
-// Every axis begins on its parent.
+// Every axis must begin on its parent.
 TEST(SilhouetteTree, BranchesStandOnTheirParents)
 {
     auto const tree = make_tree(skeleton_of(star(7, 40, 100)));
@@ -69,10 +69,10 @@ TEST(SilhouetteTree, TheSameSeedGivesTheSameTree)
         EXPECT_EQ(one.plant.organs[i].position_mm, again.plant.organs[i].position_mm);
 }
 
-// Cells of 3 % of the diagonal that foliage is seen in from the drawing's side.
+// Cells of 3 % of the diagonal that show foliage, seen from the drawing's side.
 struct Fit {
     double filled = 0;  // Share of the outline's cells.
-    double outside = 0; // Share of the foliage, farther out than 2 %.
+    double outside = 0; // Share of the foliage that is outside by more than 2 %.
 };
 
 Fit fit_of(Drawing const& drawing, Pattern pattern = Pattern::Even)
@@ -118,7 +118,7 @@ TEST(SilhouetteTree, FillsItsOutline)
     }
 }
 
-// Branches of the drawing move to nodes, and still end in the outline.
+// Branches of the drawing snap to nodes, and must still end in the outline.
 TEST(SilhouetteTree, FillsItsOutlineWithWholeNodes)
 {
     for (Pattern const pattern : { Pattern::Spiral, Pattern::TwoRows, Pattern::Decussate,
@@ -133,7 +133,8 @@ TEST(SilhouetteTree, FillsItsOutlineWithWholeNodes)
         }
 }
 
-// Each node of the trunk but the last has a whole whorl; the trunk's own end is no branch.
+// Each node of the trunk except the last must have a complete whorl; the trunk's own end does not
+// count as a branch.
 TEST(SilhouetteTree, ItsWhorlsAreWhole)
 {
     auto const skeleton = skeleton_of(lobed_crown(9));
@@ -164,7 +165,8 @@ TEST(SilhouetteTreeCorpus, FillsThePublishedOutlines)
     }
 }
 
-// A branch at the very end of its parent stands on its last segment, and not on another axis.
+// A branch at the very end of its parent must be attached to its last segment, and not to another
+// axis.
 TEST(SilhouetteTreeCorpus, IsAPlantInEveryReadyForm)
 {
     REQUIRE_CORPUS();

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-// Laws that a constrained Delaunay triangulation without further points obeys, whoever made it.
+// Laws of a constrained Delaunay triangulation without additional points.
 
 namespace tractus::silhouette {
 namespace {
@@ -17,7 +17,7 @@ double area_of(ChordalAxis const& axis, Triangle const& triangle)
     return cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]) / 2;
 }
 
-// Returns by how much the worst chord is not Delaunay's; the determinant of in_circle().
+// Returns the worst violation of the Delaunay condition: the determinant of in_circle().
 double worst_circle(ChordalAxis const& axis)
 {
     double worst = -std::numeric_limits<double>::infinity();
@@ -105,11 +105,11 @@ TEST(SilhouetteTriangulation, IdentitiesHoldForTenThousandScribbles)
 {
     int taken = 0;
     for (std::uint32_t i = 0; i < 10'000; ++i) {
-        // Few samples for most of them: an outline of 256 takes a thousand times as long as one
-        // of 32.
+        // Most cases have few samples: an outline of 256 takes a thousand times as long as one of
+        // 32.
         std::size_t const samples = i % 100 == 0 ? 256 : 24 + i % 72;
         auto const clean = clean_drawing(scribble(i), { .samples = samples });
-        if (!clean) // Too small a loop.
+        if (!clean) // A loop that is too small.
             continue;
         ++taken;
         ASSERT_FALSE(crosses_itself(clean->outline)) << i;

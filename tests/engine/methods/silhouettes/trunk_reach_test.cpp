@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kCrownRadius = 30;
 
-// A round crown whose lowest point is the origin.
+// Returns a round crown whose lowest point is the origin.
 std::vector<Vec2> round_crown()
 {
     auto outline = ellipse(kCrownRadius, kCrownRadius).outline[0];
@@ -48,22 +48,24 @@ TEST(TrunkReach, IsOfNearTrunksAlone)
 
 TEST(TrunkReach, IsOfTrunksThatPointIntoTheCrown)
 {
-    // Beside it, upwards; away from it; and so far to the side that it cuts off a corner.
+    // Trunks beside the crown and parallel to it, pointing away from it, and so far to the side
+    // that they cut off a corner.
     Vec2 const side(kCrownRadius + 2, kCrownRadius);
     EXPECT_FALSE(reach_into_crown(std::vector { Vec2(side - Vec2(0, 60)), side }, round_crown()));
     EXPECT_FALSE(reach_into_crown(std::vector { Vec2(0, -2), Vec2(0, -60) }, round_crown()));
     EXPECT_FALSE(reach_into_crown(std::vector { Vec2(28, -50), Vec2(28, 18) }, round_crown()));
-    // From below at a slant, as leaning trunks do.
+    // From below at an angle, as for leaning trunks.
     EXPECT_TRUE(reach_into_crown(std::vector { Vec2(-25, -50), Vec2(-1, -2) }, round_crown()));
 }
 
-// An outline that begins and ends above the trunk's end, as most do, need not quite close there.
+// An outline that begins and ends above the trunk's end, as most do, need not be quite closed
+// there.
 TEST(TrunkReach, LooksAtTheOutlineAsItIsRead)
 {
     auto open = round_crown();
-    std::rotate(open.begin(), open.begin() + 150, open.end()); // From its lowest point on,
+    std::rotate(open.begin(), open.begin() + 150, open.end()); // Beginning at its lowest point,
     ASSERT_LT(open.front().y(), 0.1);
-    open.resize(open.size() - 6); // and 5 mm short of that.
+    open.resize(open.size() - 6); // and ending 5 mm before it.
     EXPECT_TRUE(reach_into_crown(trunk_below(-3), open));
 }
 

@@ -102,7 +102,7 @@ TEST(AxisContract, SaysWhatLacks)
                   "m.l: no rule ends the drawn axis by a condition i < SEGMENTS" }));
 }
 
-// A text that has all its parts may still not follow a stroke.
+// A text that has all parts of the contract may still not follow a stroke.
 TEST(AxisContract, IsTriedWithAStroke)
 {
     auto const leaves_at = [](std::string const& text) {
@@ -119,7 +119,7 @@ TEST(AxisContract, IsTriedWithAStroke)
     EXPECT_NE(leaves_at(replaced(kKept, "F(2)", "F(2")).find("m.l:8:"), std::string::npos);
 }
 
-// Whatever becomes of a text, what is found in it can be replaced, and is found again.
+// In any text, parts of the contract that are found can be replaced, and are found again.
 TEST(AxisContract, IsFoundAgainInAnyTextThatKeepsIt)
 {
     EXPECT_TRUE(rc::check([] {

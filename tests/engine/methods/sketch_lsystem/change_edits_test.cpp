@@ -23,7 +23,7 @@ GrowAlongStroke drawn(Rule const& rule)
 Rule const kFirst { .angle_deg = 52, .shortest_mm = 4 };
 Rule const kOther { .first_length_mm = 25, .laterals = 3, .angle_deg = 70, .shortest_mm = 4 };
 
-// Changed afterwards equals drawn again.
+// A changed plant must equal one drawn with the other rule.
 TEST(ChangeSketch, IsThePlantOfTheOtherRule)
 {
     auto const scene = scene::after({ drawn(kFirst) });
@@ -64,7 +64,7 @@ TEST(ChangeSketch, RefusesRulesThatGrowNothing)
         << "no internode";
 }
 
-// The prefix law: a shorter stroke's plant is the one that stood there when the pen was there.
+// The prefix law: a shorter stroke's plant is the one that existed when the pen was there.
 TEST(ShortenSketch, IsThePlantOfTheShorterStroke)
 {
     auto const scene = scene::after({ drawn(kFirst) });
@@ -82,7 +82,7 @@ TEST(ShortenSketch, IsThePlantOfTheShorterStroke)
     EXPECT_EQ(count_tips(*whole->sketch, 1000).value(), std::nullopt);
 }
 
-// A plant whose stroke is drawn again is the one that the stroke alone would have made.
+// A plant whose stroke is redrawn must be the one that the new stroke alone would have made.
 TEST(RedrawSketch, IsThePlantOfTheOtherStroke)
 {
     auto const scene = scene::after({ drawn(kFirst) });
@@ -135,7 +135,7 @@ TEST(ChangeSketch, ReachesWhatWasPutOnAnotherPlant)
     EXPECT_EQ(redrawn.plants[0]->placement.origin_mm, scene.plants[0]->placement.origin_mm);
 }
 
-// Laterals differ, the drawn axis does not, and what was drawn on branches stays.
+// Laterals differ, the drawn axis does not, and strokes on branches stay.
 TEST(GrowAlongStroke, VariesItsLaterals)
 {
     auto scene = scene::after({ drawn(kFirst) });

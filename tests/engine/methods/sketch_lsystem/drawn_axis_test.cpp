@@ -28,7 +28,7 @@ std::string string_of(Rule const& rule, DrawnAxis const& axis)
     return lsystem::to_string(*model, *lsystem::derive(*model));
 }
 
-// The string that the other program has derived.
+// Returns the string derived by the other program.
 std::string expected_string(std::string const& name)
 {
     std::ifstream file(std::string(TRACTUS_EXPECTED_STRINGS) + "/" + name + ".txt");
@@ -60,7 +60,7 @@ Parsed parse(std::string const& string)
     return parsed;
 }
 
-// Modules exactly; parameters as far as single precision goes.
+// Expects equal modules, and parameters equal in single precision.
 void expect_derives_to(std::string const& name, Rule const& rule, std::vector<Vec3> const& tips)
 {
     auto const ours = parse(string_of(rule, axis_of(rule, tips)));
@@ -109,7 +109,7 @@ TEST(DrawnAxis, TurnsByTheLeastRotation)
     EXPECT_NEAR(axis.turns[2].bend_deg, 90, 1e-4);
 }
 
-// Upwards from a half circle's end: asin(l / 2R) first, then twice that.
+// From the end of a half circle upwards: asin(l / 2R) first, then twice that.
 TEST(DrawnAxis, BendsEvenlyOnACircle)
 {
     auto const axis = axis_of({ .length_ratio = 1 }, half_circle(50));
@@ -129,8 +129,7 @@ TEST(DrawnAxis, ComesBackToTheStroke)
         EXPECT_LT((back_mm[i] - nodes_mm[i]).norm(), 1e-3);
 }
 
-// The plant's turtle, which is not ours, draws the axis where the pen was: 1 mm on the desk is 1
-// cm.
+// The model's turtle must draw the axis where the pen was; 1 mm on the desk is 1 cm.
 TEST(DrawnAxis, IsDrawnByTheModelWhereThePenWas)
 {
     auto const nodes_mm = resample_stroke(kBowRule, bow());

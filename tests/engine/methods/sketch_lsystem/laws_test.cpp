@@ -18,7 +18,7 @@ double between(double least, double most)
     return least + (most - least) * *rc::gen::inRange(0, 10'001) / 10'000.0;
 }
 
-// Small enough to be derived a hundred times.
+// Returns a random rule, small enough to be derived a hundred times.
 Rule random_rule()
 {
     Rule rule;
@@ -49,7 +49,7 @@ Rule random_rule()
     return as_written(rule);
 }
 
-// A hand that wanders in space.
+// Returns a random stroke in space.
 std::vector<Vec3> random_stroke()
 {
     std::vector<Vec3> tips { Vec3(between(-100, 100), between(-80, 80), between(0, 300)) };
@@ -71,7 +71,7 @@ std::string string_after(Rule const& rule, DrawnAxis const& axis, int steps)
     return lsystem::to_string(*model, *string);
 }
 
-// The plant of a stroke's beginning is what the whole stroke's model has derived by then.
+// The plant of a stroke's beginning must be what the whole stroke's model has derived by then.
 RC_GTEST_PROP(SketchLaws, FewerStepsAreTheStrokesBeginning, ())
 {
     auto const rule = random_rule();
@@ -110,7 +110,7 @@ RC_GTEST_PROP(SketchLaws, AStrokeDrawnAgainWithMoreTipsIsTheSame, ())
         RC_ASSERT((sparse_nodes[i] - dense_nodes[i]).norm() < 1e-6);
 }
 
-// Every segment is as long as the rule says, whatever the hand did.
+// Every segment must have the rule's length, whatever the stroke.
 RC_GTEST_PROP(SketchLaws, SegmentsAreAsLongAsTheRuleSays, ())
 {
     auto const rule = random_rule();
@@ -122,7 +122,7 @@ RC_GTEST_PROP(SketchLaws, SegmentsAreAsLongAsTheRuleSays, ())
     }
 }
 
-// Twice as large a stroke with twice as large a rule is the same plant, twice as large.
+// A stroke and a rule scaled by two must give the plant scaled by two.
 RC_GTEST_PROP(SketchLaws, ScalingStrokeAndRuleScalesThePlant, ())
 {
     auto rule = random_rule();

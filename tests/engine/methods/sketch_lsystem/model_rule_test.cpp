@@ -22,7 +22,7 @@
 namespace tractus::sketch {
 namespace {
 
-// One of ours, its leaves as plain blades.
+// Returns a model that comes with the program, with plain blades as leaves.
 ModelRule model_named(std::string const& name)
 {
     auto const path = std::string(TRACTUS_OUR_MODELS "/") + name;
@@ -71,7 +71,7 @@ TEST_P(OurModel, KeepsTheContract)
     EXPECT_EQ(lacks_for_stroke(model_, {}), std::vector<std::string> {});
 }
 
-// Within 1e-4 of a segment, on any stroke.
+// For any stroke, the axis must be within 1e-4 of a segment's length.
 TEST_P(OurModel, HasItsAxisWhereAnyStrokeWas)
 {
     EXPECT_TRUE(rc::check([&] {
@@ -106,7 +106,8 @@ TEST_P(OurModel, HasOtherLateralsAndTheSameAxisForAnotherSeed)
     EXPECT_EQ(first, second);
 }
 
-// As far as a model's laws go: the axis of a stroke's beginning is the beginning of its axis.
+// As far as a model's laws allow, the axis of a stroke's beginning must be the beginning of its
+// axis.
 TEST_P(OurModel, HasTheAxisOfAStrokesBeginning)
 {
     auto places_mm = bow();
@@ -140,7 +141,7 @@ struct Before {
     std::uint64_t string;
 };
 
-// Hashes (FNV-1a) of the strings that the models gave before they could be grown along a stroke.
+// Hashes (FNV-1a) of the models' strings from before they could be grown along a stroke.
 TEST(OurModels, GiveTheSameStringsWithoutAStroke)
 {
     constexpr std::array kBefore {
@@ -176,7 +177,7 @@ TEST(ModelRule, ChangesOnlyTheContractInTheText)
     EXPECT_EQ(along.view_text, model.source.view_text);
 }
 
-// Beyond the numbers of a text each length is the one before by the last two's ratio.
+// Beyond the numbers in a text, each length is the previous one times the ratio of the last two.
 TEST(ModelRule, GoesOnByTheLastRatio)
 {
     AxisContract contract { .lengths = { 10, 5, 4 } };

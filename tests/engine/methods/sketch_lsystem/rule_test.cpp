@@ -43,8 +43,9 @@ TEST(SketchRule, CountsInternodesAsTheClosedFormsDo)
     EXPECT_EQ(counts(3), (std::vector<double> { 1, 5, 18, 58, 179, 543 }));
 }
 
-// Laterals that go on without laterals of their own: node j's have n - 1 - j internodes each. With
-// k' of their own that fork without an end, each of those begins a tree of L_m internodes.
+// Laterals that continue without laterals of their own: those of node j have n - 1 - j internodes
+// each. If they have k' laterals that fork without end, each of those begins a tree of L_m
+// internodes.
 TEST(SketchRule, CountsLateralsThatGoOn)
 {
     Rule rule { .laterals = 3, .shortest_mm = 1e-3 };
@@ -52,8 +53,9 @@ TEST(SketchRule, CountsLateralsThatGoOn)
     for (int n = 1; n <= 9; ++n)
         EXPECT_EQ(count_internodes(rule, n, kUncutDepth), n + 3 * n * (n - 1) / 2);
     rule.lateral_rules = { { .length_ratio = 1, .laterals = 2, .shortest_mm = 1e-3 } };
-    // n = 4: three laterals each of 3, 2, 1 and 0 internodes; of one with m, node i bears two that
-    // are complete trees of m - 1 - i generations: 2 (2^g - 1)/(2 - 1) internodes for both.
+    // For n = 4, there are three laterals each of 3, 2, 1 and 0 internodes. On one with m
+    // internodes, node i bears two complete trees of m - 1 - i generations: 2 (2^g - 1)/(2 - 1)
+    // internodes for both.
     auto const of_lateral = [](int m) {
         double sum = m;
         for (int i = 0; i < m; ++i)
@@ -70,8 +72,8 @@ TEST(SketchRule, CountsLateralsThatGoOn)
               "laterals.a, the laterals' angle in degrees, is 151: give 0 to 150");
 }
 
-// A rule whose k laterals have it themselves: C(m) = m + k (C(0) + ... + C(m - 1)), which is
-// ((k + 1)^m - 1) / k internodes for each lateral with m steps to come.
+// A rule whose k laterals use it recursively: C(m) = m + k (C(0) + ... + C(m - 1)), which is ((k +
+// 1)^m - 1) / k internodes for each lateral with m remaining steps.
 TEST(SketchRule, CountsRulesThatCallThemselves)
 {
     Rule rule { .laterals = 1, .shortest_mm = 1e-3 };
@@ -88,7 +90,7 @@ TEST(SketchRule, CountsRulesThatCallThemselves)
     }
 }
 
-// Two rules that take turns without laterals at every second one.
+// Two alternating rules, the second of which has no laterals.
 TEST(SketchRule, CountsRulesThatCallEachOther)
 {
     Rule rule { .laterals = 2, .shortest_mm = 1e-3 };

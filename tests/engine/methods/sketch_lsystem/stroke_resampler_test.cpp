@@ -46,7 +46,7 @@ TEST(StrokeResampler, MakesNoMoreSegmentsThanTheRuleAllows)
     EXPECT_EQ(segments_of(straight_stroke(1000, 2), rule), 7);
 }
 
-// floor(pi / (2 asin(l / 2R))): chords count, not the length along the arc.
+// Expected floor(pi / (2 asin(l / 2R))): chords count, not the length along the arc.
 TEST(StrokeResampler, CountsChordsOnAHalfCircle)
 {
     EXPECT_EQ(segments_of(half_circle(50), rule_of(30, 1)), 5);
