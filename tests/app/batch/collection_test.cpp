@@ -80,7 +80,7 @@ TEST(Collection, ItsSheetShowsPlantsFromTheFirstToTheLast)
 {
     EXPECT_EQ(sheet_plant(0, 1), 0u);
     for (std::size_t i = 0; i < kMostSheetPlants; ++i)
-        EXPECT_EQ(sheet_plant(i, kMostSheetPlants), i); // All of them.
+        EXPECT_EQ(sheet_plant(i, kMostSheetPlants), i); // All plants are shown.
     EXPECT_EQ(sheet_plant(0, 1'000'000), 0u);
     EXPECT_EQ(sheet_plant(kMostSheetPlants - 1, 1'000'000), 999'999u);
     for (std::size_t i = 1; i < kMostSheetPlants; ++i) {

@@ -14,7 +14,8 @@
 namespace tractus::batch {
 namespace {
 
-// Each of our plants has a demo: a script of what the hand does, and the recording made from it.
+// Fixture for the demos: for each plant, a script of what the hand does, and the recording made
+// from it.
 class Demo : public ::testing::TestWithParam<char const*> {
 protected:
     scene::Scene scene() const { return our_plant(GetParam()); }
@@ -35,7 +36,7 @@ TEST_P(Demo, IsRecordedFromItsScriptByteForByte)
     auto const written
         = play::write_simulated_recording(out, script(), scene(), methods::all_methods().tools);
     ASSERT_TRUE(written) << written.error().message;
-    // Not EXPECT_EQ, which would print half a megabyte.
+    // EXPECT_TRUE, because EXPECT_EQ would print half a megabyte.
     EXPECT_TRUE(out.str() == read_file(file("tractus-log")).value())
         << "record it again: tractus record --simulate app/demo/" << GetParam() << ".hand.toml";
 }
@@ -56,7 +57,8 @@ TEST_P(Demo, SelectsTheBranchesThatItsScriptTraces)
         auto const& path = scene.associations[association++].what.path;
         EXPECT_EQ(axis_of(*scene.base, path.front()), traced);
         EXPECT_EQ(axis_of(*scene.base, path.back()), traced);
-        EXPECT_GE(path.size() + 2, scene.base->axes[traced].segment_count); // All but its ends.
+        // All segments except at its ends.
+        EXPECT_GE(path.size() + 2, scene.base->axes[traced].segment_count);
     }
     EXPECT_EQ(association, scene.associations.size());
     EXPECT_EQ(scene.indicators.size(), 1u);

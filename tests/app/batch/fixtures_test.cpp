@@ -16,9 +16,9 @@
 #include <unistd.h>
 #include <vector>
 
-// Recordings and sessions that earlier versions of the program have written, and what they amount
-// to. tests/fixtures/README.md says how they were made. They are never made again: what this
-// program makes of them is what it must go on making of them.
+// Recordings and sessions written by earlier versions of the program, and digests of their
+// contents. tests/fixtures/README.md says how they were made. They are never made again, because
+// later versions must give the same results.
 namespace tractus::batch {
 namespace {
 
@@ -29,7 +29,7 @@ fs::path fixture(std::string const& name)
     return fs::path(TRACTUS_FIXTURES) / name;
 }
 
-// Takes part in a sum with a weight of its own, so that nothing may change its place.
+// A weighted sum, so that changes of the order are detected.
 class Sum {
 public:
     void add(double value) { value_ += value * (1 + static_cast<double>(count_++ % 97) / 97); }
@@ -40,7 +40,7 @@ private:
     double value_ = 0;
 };
 
-// Digest of a plant: how many parts it has, and sums over where and how thick they are.
+// Returns a digest of a plant: numbers of parts, and sums over positions and thicknesses.
 std::vector<double> digest(Plant const& plant)
 {
     Sum places;
@@ -65,7 +65,7 @@ std::vector<double> digest(Plant const& plant)
              organs.value() };
 }
 
-// Digest of what was drawn, and of the plant at two seeds and young.
+// Returns a digest of the drawing, and of its plant with two seeds and when young.
 std::vector<double> digest(scene::Scene scene)
 {
     std::vector<double> numbers { static_cast<double>(scene.associations.size()),
@@ -84,7 +84,7 @@ std::vector<double> digest(scene::Scene scene)
     return numbers;
 }
 
-// A line for each fixture: its name, and its digest.
+// Reads the expected digests: a line for each fixture with its name and its digest.
 std::map<std::string, std::vector<double>> expected_digests()
 {
     std::map<std::string, std::vector<double>> digests;
@@ -99,7 +99,7 @@ std::map<std::string, std::vector<double>> expected_digests()
     return digests;
 }
 
-// Another compiler and another C library may differ in the last digits.
+// Compares with a tolerance, since compilers and C libraries may differ in the last digits.
 void expect_digest(std::string const& name, scene::Scene const& scene)
 {
     auto const found = digest(scene);
@@ -140,7 +140,7 @@ TEST_P(FixtureOfDemo, GivesItsPlant)
 INSTANTIATE_TEST_SUITE_P(Fixtures, FixtureOfDemo,
                          testing::Values("broadleaf", "shrub", "conifer", "daisy"));
 
-// Sessions that are read may get files beside them.
+// Copies a session, because reading it may create files beside it.
 fs::path copy_of(std::string const& name)
 {
     auto const path

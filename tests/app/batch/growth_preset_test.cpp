@@ -1,4 +1,4 @@
-// Whether presets do what their names say, measured by where the tips of plants point.
+// Tests that presets do what their names say, measured by the directions of plants' tips.
 #include "engine/variation/growth_preset.h"
 
 #include "app/files/resources.h"
@@ -14,11 +14,11 @@
 namespace tractus::batch {
 namespace {
 
-// How a plant stands. World frame.
+// Posture of a plant. World frame.
 struct Posture {
     Vec3 tips = Vec3::Zero(); // Mean direction of the last tenth of all axes.
-    double height = 0;        // Height as a share of that as drawn.
-    double sway = 0;          // Mean angle of axes with what they were as drawn, in radians.
+    double height = 0;        // Height relative to that of the drawn plant.
+    double sway = 0;          // Mean angle between axes and their drawn directions, in radians.
 };
 
 Vec3 end_direction(Plant const& plant, Axis const& axis)
@@ -41,7 +41,7 @@ Posture posture(Plant const& plant, Plant const& drawn)
     return posture;
 }
 
-// One model, grown by any preset.
+// Fixture with one model that is grown with any preset.
 class Presets : public testing::TestWithParam<std::string> {
 protected:
     static Plant base()
@@ -102,7 +102,8 @@ TEST_P(Presets, GoFromTheTamestToTheWildest)
     EXPECT_LT(usual.sway, radians(15));
     EXPECT_GT(winding.sway, 1.5 * usual.sway);
     EXPECT_GT(wild.sway, 1.5 * winding.sway);
-    for (auto const& plant : { calm, usual, winding }) { // They lean to no side.
+    // These presets have no preferred direction.
+    for (auto const& plant : { calm, usual, winding }) {
         EXPECT_LT((plant.tips - drawn_.tips).norm(), 0.1);
         EXPECT_GT(plant.height, 0.9);
     }

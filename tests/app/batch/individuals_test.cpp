@@ -12,15 +12,15 @@
 #include <numeric>
 #include <string_view>
 
-// A dozen of our plants, with a trunk and a limb that were drawn: individuals that keep what was
-// drawn.
+// A dozen variations of each model with a drawn trunk and limb: individuals that keep the drawn
+// shape.
 
 namespace tractus::batch {
 namespace {
 
 constexpr std::uint32_t kDozen = 12;
 
-// The longest branch that the trunk bears.
+// Returns the longest branch on the trunk.
 AxisId longest_limb(Plant const& plant)
 {
     AxisId longest = 0;
@@ -52,7 +52,8 @@ scene::Scene drawn_plant(char const* name)
     return scene::apply_edit(scene, growth).value();
 }
 
-// Of two ways through space from their means, over all coordinates: 1 for the same shape.
+// Returns the correlation of two paths' deviations from their means, over all coordinates: 1 for
+// equal shapes.
 double correlation(std::span<Vec3 const> one, std::span<Vec3 const> other)
 {
     auto const mean = [](std::span<Vec3 const> points) {
@@ -95,7 +96,7 @@ TEST_P(Individuals, DifferByAFifthOfTheirHeightAndKeepWhatWasDrawn)
                       0.9)
                 << i << " axis " << id;
     }
-    // A poplar is a column, a fifth as wide as it is high: turns move little of it.
+    // A poplar is a column, a fifth as wide as it is high, so rotations move little of it.
     bool const is_column = std::string_view(GetParam()) == "poplar";
     EXPECT_GE(diversity.between_plants().mean_mm, (is_column ? 0.15 : 0.2) * height_mm);
 }

@@ -7,12 +7,13 @@
 
 #include <gtest/gtest.h>
 
-// What strokes that are laid by heading and pitch keep, whatever was drawn: on our models.
+// Properties kept by strokes laid by heading and pitch, for random strokes on the models that come
+// with the program.
 
 namespace tractus::variation {
 namespace {
 
-constexpr int kStrokes = 20; // For each of five models: a hundred.
+constexpr int kStrokes = 20; // For each of five models, which makes a hundred.
 
 class LaidStrokes : public ::testing::TestWithParam<char const*> {
 protected:
@@ -42,7 +43,7 @@ protected:
                        .fit = fit });
     }
 
-    // Axes that the undrawn trunk bears, whose own heading counts.
+    // Returns the axes on the undrawn trunk whose own heading counts.
     std::vector<AxisId> branches(StrokeFit fit) const
     {
         std::vector<AxisId> found;
@@ -66,7 +67,7 @@ protected:
         return branch_direction(frames, lengths(id), fit, start_share(lengths(id), {}));
     }
 
-    // From the base of the axis to its tip.
+    // Returns the vector from the base of an axis to its tip.
     Vec3 chord(std::vector<Vec3> const& nodes, AxisId id) const
     {
         auto const& axis = plant().axes[id];
@@ -78,7 +79,7 @@ private:
     RestShape rest_;
 };
 
-// A smooth way of 40 steps that bends to any side, wherever it begins.
+// Returns a smooth random path of 40 steps that bends to any side.
 std::vector<Vec3> random_stroke(Random& random)
 {
     auto const number = [&] { return 2 * random.uniform() - 1; };
@@ -112,7 +113,7 @@ TEST_P(LaidStrokes, TurningTheDrawingChangesNothing)
             point = turn * point;
         for (auto const fit : { StrokeFit::Start, StrokeFit::Chord })
             EXPECT_LT(farthest(propagated(drawn, fit), propagated(turned, fit)), 1e-6) << i;
-        // As in the world, each branch turns with it.
+        // With the fit World, each branch turns with the stroke.
         auto const world = propagated(drawn, StrokeFit::World);
         auto const turned_world = propagated(turned, StrokeFit::World);
         for (AxisId const id : branches(StrokeFit::Start))
@@ -133,8 +134,8 @@ TEST_P(LaidStrokes, AMirroredDrawingMirrorsEachBranch)
             auto const other = propagated(mirrored, fit);
             for (AxisId const id : branches(fit)) {
                 auto const& axis = plant().axes[id];
-                Vec3 const side
-                    = Vec3::UnitZ().cross(direction(id, fit)).normalized(); // Of its plane.
+                // Normal of the branch's vertical plane.
+                Vec3 const side = Vec3::UnitZ().cross(direction(id, fit)).normalized();
                 for (auto n = axis.first_node; n <= axis.first_node + axis.segment_count; ++n) {
                     Vec3 const way = one[n] - one[axis.first_node];
                     Vec3 const reflected = way - 2 * way.dot(side) * side;
@@ -154,7 +155,7 @@ TEST_P(LaidStrokes, StartsAndChordsAreThoseOfTheBranches)
         auto const by_chord = propagated(drawn, StrokeFit::Chord);
         for (AxisId const id : branches(StrokeFit::Start)) {
             auto const& axis = plant().axes[id];
-            // The first segment shows the start where it is not a small part of the branch.
+            // The first segment shows the stroke's start if it is not a small part of the branch.
             double const shown = rest().length_mm[axis.first_segment] / rest().axis_length_mm[id];
             Vec3 const first = by_start[axis.first_node + 1] - by_start[axis.first_node];
             if (shown >= 0.05 && shown <= 1.0 / 3)
@@ -185,8 +186,8 @@ TEST_P(LaidStrokes, ABranchsOwnCurveGivesItBack)
     }
 }
 
-// Hanging: below the line of its start, all the way. Branches that bend themselves are compared
-// with their straight continuation, as the law does not know their own curve.
+// Hanging means below the line of its start all the way. Branches with a curve of their own are
+// compared with their straight continuation, since the law does not include that curve.
 TEST_P(LaidStrokes, WhatHangsRaisesNoTipAndWhatRisesLowersNone)
 {
     Random random({ .seed = 4 });
@@ -203,7 +204,7 @@ TEST_P(LaidStrokes, WhatHangsRaisesNoTipAndWhatRisesLowersNone)
             auto const drawn = propagated(points, StrokeFit::Start);
             for (AxisId const id : branches(StrokeFit::Start)) {
                 Vec3 const start = direction(id, StrokeFit::Start);
-                // Past the plumb line a branch that bends on comes up on the other side.
+                // Beyond the vertical, a branch that continues to bend rises on the other side.
                 if (std::abs(start.z()) > 0.6)
                     continue;
                 double const straight = rest().axis_length_mm[id] * start.z();

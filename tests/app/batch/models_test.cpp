@@ -11,17 +11,19 @@
 namespace tractus::batch {
 namespace {
 
-// Promises of a model at its full age.
+// Properties required of a fully grown model.
 struct Expected {
     std::string name;
-    int steps; // Its derivation length.
+    int steps; // Derivation length.
     std::size_t min_segments;
     std::size_t min_organs;
-    std::uint32_t min_axis_segments; // Segments of its longest axis, so that a stroke can bend it.
+    // Least number of segments of the longest axis, so that a stroke can bend it.
+    std::uint32_t min_axis_segments;
     double min_height_mm;
     double max_height_mm;
-    double tuft_mm = 0;       // How far from the origin its axes may leave the ground.
-    bool has_support = false; // Something stands there that does not grow.
+    // Greatest distance from the origin at which axes may leave the ground.
+    double tuft_mm = 0;
+    bool has_support = false; // True if the model includes a support, which does not grow.
 };
 
 void PrintTo(Expected const& expected, std::ostream* out)
@@ -65,7 +67,7 @@ double height_mm(Plant const& plant)
     return bounds(plant).max_mm.z();
 }
 
-// Area of the organs' outlines, laid flat.
+// Returns the area of the organs' outlines, laid flat.
 double organ_area_mm2(Plant const& plant)
 {
     double sum = 0;
@@ -165,7 +167,7 @@ TEST_P(BaseModel, GivesAnotherPlantOfItsKindForAnotherSeed)
     }
 }
 
-// Ten of them are drawn at once on computers without a graphics card.
+// Ten plants are drawn at once on computers without a graphics card.
 TEST_P(BaseModel, IsNotTooHeavyToDraw)
 {
     for (std::uint64_t const seed : { 1u, 2u, 3u, 4u, 5u })

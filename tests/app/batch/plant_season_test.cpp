@@ -30,7 +30,7 @@ std::string glb_of(Plant const& plant)
     return out.str();
 }
 
-// The materials that a plant's leaves have.
+// Returns the materials of a plant's leaves.
 std::set<MaterialId> leaf_materials(Plant const& plant)
 {
     std::set<MaterialId> materials;
@@ -56,7 +56,7 @@ TEST(PlantSeason, GrowsLeavesOfTheSeasonOnOnePage)
     auto const green = summer.base->materials[*leaf_materials(*summer.base).begin()].base_color;
     EXPECT_GT(green.y(), green.x());
     EXPECT_GT(leaves.x(), leaves.y()) << "yellow";
-    // Once there, they are not grown again.
+    // Existing leaves must not be grown again.
     EXPECT_EQ(season_edits(autumn, scene::Season { .month = 10.2, .fallen = 0 }).value().size(),
               1u);
 }

@@ -17,7 +17,7 @@
 namespace tractus::batch {
 namespace {
 
-// A session may come from anybody.
+// A session may come from anyone.
 TEST(SessionExport, WritesNothingOutsideOfItsFolder)
 {
     auto const folder = std::filesystem::temp_directory_path()
@@ -40,7 +40,7 @@ TEST(SessionExport, WritesNothingOutsideOfItsFolder)
     std::filesystem::remove_all(folder);
 }
 
-// The models of methods and of parts derive to the plants that they are.
+// The models of methods and of parts must derive to their plants.
 TEST(SessionExport, GivesEachPlantAndPartItsFiles)
 {
     auto const folder = std::filesystem::temp_directory_path()

@@ -16,7 +16,7 @@
 namespace tractus::batch {
 namespace {
 
-// The recording in which every method draws in one document.
+// Returns the recording in which every method is used in one document.
 drivers::Log recording()
 {
     return drivers::read_log(files::find_resource("demo/station.tractus-log").value()).value();

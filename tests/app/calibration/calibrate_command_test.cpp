@@ -26,7 +26,7 @@ protected:
         return commands::run(arguments);
     }
 
-    // What a rig holds of its track's bend.
+    // Returns the text of a rig file's bend.
     std::string bend_in(std::string const& name) const
     {
         auto const rig = text(name);
@@ -79,7 +79,7 @@ TEST_F(CalibrateCommand, DoesAllProceduresOneAfterAnother)
     EXPECT_TRUE(fs::exists(path("my.rig.toml.bak")));
 }
 
-// The bend goes through all procedures, and through the file, like the rest of the rig.
+// The bend must be kept by all procedures and by the file, like the rest of the rig.
 TEST_F(CalibrateCommand, KeepsATrackThatIsBent)
 {
     auto const outcome
@@ -126,7 +126,7 @@ TEST_F(CalibrateCommand, RefusesFewerCapturesThanParameters)
     EXPECT_FALSE(fs::exists(path("my.rig.toml")));
 }
 
-// Tilt needs no heights, but adds to a rig.
+// Tilt needs no heights, but an existing rig.
 TEST_F(CalibrateCommand, WantsTheHeightsFirst)
 {
     for (auto const& [what, why] : { std::pair { "check", "needs the heights in it" },
@@ -161,7 +161,7 @@ TEST_F(CalibrateCommand, RefusesHeightsThatTheSimulatedRigDoesNotHave)
         << outcome.err;
 }
 
-// The pen of a log that is played at its pace rests on the tablet at each height.
+// The pen of a log that is played at its own pace rests on the tablet at each height.
 TEST_F(CalibrateCommand, CalibratesLiveDevicesByTheirPen)
 {
     ASSERT_EQ(calibrate({ "height", "--rig", path("a.rig.toml"), "--simulate", "--heights",

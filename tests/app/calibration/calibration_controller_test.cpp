@@ -47,7 +47,7 @@ std::string refusal_of(std::string const& text,
     return outcome ? "no error" : outcome.error().message;
 }
 
-// A rig that the simulated person has calibrated.
+// Returns a rig calibrated by the simulated person.
 calib::Rig calibrated_rig()
 {
     return outcome_of(simulated_text({}), CalibrationProcedure::Height).value().rig;
@@ -99,7 +99,7 @@ TEST(CalibrationController, FindsTravelAndLatency)
     EXPECT_NEAR(1000 * to_seconds(latency.rig.tablet_latency - latency.rig.height_latency), 5, 0.5);
 }
 
-// The simulated pen's coil is nine millimetres above its nib.
+// The simulated pen's coil is 9 mm above its nib.
 TEST(CalibrationController, FindsWhereTheTabletSeesThePen)
 {
     auto const text = simulated_text({ .procedure = CalibrationProcedure::Tilt });
@@ -141,7 +141,7 @@ TEST(CalibrationController, FindsATiltWithoutAHeightSensor)
 
 TEST(CalibrationController, RefusesATiltOfATabletThatTellsNone)
 {
-    auto upright = drivers::simple_pen(); // Its tilts, usages 3d and 3e, are something else's.
+    auto upright = drivers::simple_pen(); // The usages 3d and 3e of the tilts are replaced.
     for (auto& byte : upright.report_descriptor)
         if (byte == std::byte { 0x3d } || byte == std::byte { 0x3e })
             byte = std::byte { 0x00 };
@@ -163,7 +163,7 @@ TEST(CalibrationController, QuotesHowExactARigIs)
     EXPECT_LE(outcome.rig.calibration.check->within_mm, 2);
 }
 
-// At 100 mm the person says 0.
+// Returns a log in which the person states 0 at a height of 100 mm.
 std::string zeroed_too_low()
 {
     auto text = simulated_text({ .procedure = CalibrationProcedure::Zero, .heights_mm = { 100 } });
@@ -226,7 +226,7 @@ TEST(CalibrationController, NamesASlippedCaptureOfManyInItsReport)
         << outcome.report;
 }
 
-// The log with one of its lines changed.
+// Returns the log with one of its lines changed.
 std::string with_line(std::string text, std::string_view from, std::string_view to)
 {
     auto const place = text.find(from);
@@ -261,7 +261,7 @@ TEST(CalibrationController, DropsACapture)
 
 TEST(CalibrationController, RefusesACaptureWhileTheSurfaceMoves)
 {
-    // The last capture's command comes when the surface is on its way to that height.
+    // The last capture is commanded while the surface is moving to that height.
     auto const text = simulated_text({ .heights_mm = { 0, 300 } });
     auto const last = text.rfind("calibrate capture 300");
     auto const line = text.rfind('\n', last) + 1;
@@ -271,7 +271,7 @@ TEST(CalibrationController, RefusesACaptureWhileTheSurfaceMoves)
     auto const first = text.find("calibrate capture 0\n");
     auto const seconds = std::stod(text.substr(text.rfind("T: ", first) + 3));
     auto const time = seconds + 2.0;
-    // Into the file's order: before the first report after that time.
+    // Restores the file's order: the command is put before the first report after its time.
     std::size_t at = early.find("\nE: ") + 1;
     while (std::stod(early.substr(early.find("E: ", at) + 3)) < time)
         at = early.find("\nE: ", at) + 1;
@@ -282,7 +282,7 @@ TEST(CalibrationController, RefusesACaptureWhileTheSurfaceMoves)
               std::string::npos)
         << refusal_of(early);
 
-    // Made again, it is told all the same.
+    // A repeated capture is reported, too.
     auto const again = std::string(early).insert(line + too_early.size(), moved);
     auto const report = outcome_of(again, CalibrationProcedure::Height).value().report;
     EXPECT_NE(report.find("  not used: the capture at 300 mm: the surface moved during the "
@@ -367,7 +367,7 @@ TEST(CalibrationController, NeedsASensor)
               "there is no height sensor to calibrate: connect it, or name it with --device");
 }
 
-// A person without hands: the pen that rests on the tablet says when.
+// Without keyboard and mouse, the capture is triggered by resting the pen on the tablet.
 TEST(LiveCalibration, CapturesWhenThePenRestsAndRecordsWhatGivesTheSameRig)
 {
     std::ostringstream text;
@@ -375,7 +375,7 @@ TEST(LiveCalibration, CapturesWhenThePenRestsAndRecordsWhatGivesTheSameRig)
     ASSERT_TRUE(write_simulated_calibration(text, simulated));
     auto const played = drivers::parse_log(text.str(), "played").value();
 
-    // The log as live devices, at once; the clock is that of the newest report.
+    // The log is played as live devices, at once; the clock is the time of the newest report.
     auto controller = CalibrationController::create(played.devices, {}).value();
     Timestamp now {};
     std::size_t next = 0;
@@ -401,7 +401,7 @@ TEST(LiveCalibration, CapturesWhenThePenRestsAndRecordsWhatGivesTheSameRig)
         calib::print_rig(live.rig));
 }
 
-// Touches the tablet every 10 ms, or hovers over it.
+// Holds the pen on the tablet, or above it, with a report every 10 ms.
 void hold_pen(CalibrationController& controller, int from_ms, int to_ms, bool touching)
 {
     for (int time_ms = from_ms; time_ms < to_ms; time_ms += 10)
@@ -439,7 +439,7 @@ TEST(CalibrationController, TakesATouchThatPressesForNoRest)
     EXPECT_TRUE(controller.take_pen_rest());
 }
 
-// No report comes between the capture at 60 mm and the next one.
+// There is no report between the capture at 60 mm and the next one.
 TEST(CalibrationController, SaysThatTheSensorFellSilentDuringACapture)
 {
     std::istringstream lines(simulated_text({}));
@@ -456,8 +456,8 @@ TEST(CalibrationController, SaysThatTheSensorFellSilentDuringACapture)
         << refusal_of(text);
 }
 
-// Five captures of a string that hangs plumb, whose readings once gave a string that ended at the
-// lowest of them.
+// Five captures of a vertical string, whose readings once gave a string that ended at the lowest of
+// them.
 TEST(PlumbStringLog, GivesARigThatIsReadAndHasAllHeights)
 {
     REQUIRE_CORPUS();

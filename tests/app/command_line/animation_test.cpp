@@ -15,7 +15,8 @@ nlohmann::json json_of(std::string const& glb)
     return nlohmann::json::parse(glb.substr(20, json_bytes));
 }
 
-// The highest of a .glb file's vertices, in metres: accessors say how far positions reach.
+// Returns the greatest height of a .glb file's vertices, in metres, from the bounds of its
+// accessors.
 double height_m(std::string const& glb)
 {
     double height = 0;
@@ -110,7 +111,7 @@ TEST_F(Animation, OfASessionIsOfWhatItShows)
     };
     auto const own = grow("");
     EXPECT_EQ(grow("--growth weeping"), own);
-    EXPECT_NE(grow("--growth usual"), own); // Not what a session does without being told.
+    EXPECT_NE(grow("--growth usual"), own); // The growth differs from the session's own.
     EXPECT_NE(grow("--seed 7"), own);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 class BadInput : public Workshop {
 protected:
-    // A copy of the recorded log with each line changed.
+    // Writes a copy of the recorded log with each line changed.
     template<typename Change>
     void write_changed_log(std::string const& name, Change const& change) const
     {
@@ -20,7 +20,7 @@ protected:
         write(name, text);
     }
 
-    // The rig of the recorded log as a file of its own, with one line changed.
+    // Writes the rig of the recorded log to a file, with one line changed.
     void write_rig(std::string const& name, std::string const& key, std::string const& line) const
     {
         std::istringstream log(read("hand.tractus-log"));

@@ -57,7 +57,8 @@ TEST_F(ConvertCommand, ReadsWhatLibinputRecordWrites)
     EXPECT_EQ(read("pen.hid"), "R: 1 c0\nN: pen\nP: \nI: 3 0001 0002\nE: 000000.000000 1 01\n");
 }
 
-// Two strokes of a pen as input events, each printed by `event`: time in us, type, code, value.
+// Returns two strokes of a pen as input events, each printed by `event`: time in us, type, code,
+// value.
 template<typename Event> std::string two_strokes(Event event)
 {
     std::string text;
@@ -105,7 +106,7 @@ std::string libinput_record_of_two_strokes()
            });
 }
 
-// The same as usbhid-dump would print it, were it a HID device.
+// Returns the log as usbhid-dump would print it for a HID device.
 std::string usbhid_dump_of(drivers::Log const& log)
 {
     auto const block = [](char const* kind, double time_s, std::span<std::byte const> bytes) {

@@ -53,7 +53,7 @@ TEST_F(DiagnosisCommands, DoctorPrintsJson)
     EXPECT_EQ(run("tractus doctor --json pen.hid").out, "[]\n");
 }
 
-// A tablet that tells the counts of its surface, and no millimetres.
+// A tablet that reports the counts of its surface, but no millimetres.
 constexpr char const* kUnmeasuredTablet
     = "R: 67 05 0d 09 02 a1 01 85 07 09 20 a1 00 09 42 09 44 09 45 09 3c 09 32 15 00 25 01 75 01 "
       "95 "
@@ -114,12 +114,12 @@ TEST_F(DiagnosisCommands, WatchPrintsALogsDevices)
     EXPECT_NE(outcome.out.find("height sensor, 0 to 4095"), std::string::npos);
 }
 
-// Runs in a terminal of its own: script gives it one, and passes keys on.
+// Runs in a pseudo-terminal made by "script", which also passes on keys.
 TEST_F(DiagnosisCommands, WatchFillsATerminalAndRecordsWithAKey)
 {
     if (run("command -v script").exit_code != 0)
         GTEST_SKIP() << "there is no script (Debian's bsdutils) to make a terminal";
-    // A key is pressed when what it needs can be seen, or the program has ended without that.
+    // A key is pressed when the text that it needs is visible, or when the program has ended.
     auto const outcome = run(
         "touch screen; wait_for() { until \"$@\" || [ -e ended ]; do sleep 0.02; done; }\n"
         "{ wait_for grep -q 'q quit' screen; wait_for grep -q touching screen; printf r;"

@@ -33,7 +33,7 @@ TEST_F(Examples, BelongToCommandsThatThereAreAndEndTheirHelp)
         }
 }
 
-// The options of the examples that nothing runs here are options of their commands, too.
+// Options in examples that no test runs must nevertheless exist.
 TEST_F(Examples, NameOptionsThatThereAre)
 {
     for (auto const& example : options::examples()) {

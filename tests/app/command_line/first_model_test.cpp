@@ -11,7 +11,7 @@ namespace {
 
 using FirstModel = Workshop;
 
-// The page's blocks that are no commands, in order.
+// Returns the blocks of the page that are not commands, in order.
 std::vector<std::string> blocks_of_page()
 {
     std::ifstream page(TRACTUS_MANUAL "/first-model.md");
@@ -33,7 +33,7 @@ std::vector<std::string> blocks_of_page()
 
 TEST_F(FirstModel, GrowsAtEachStepOfThePage)
 {
-    // Of each step: the page says what the rules make.
+    // The plant that the page states for each step.
     std::vector<std::string> const drawn { "8 segments, 0 organs",     "36 segments, 0 organs",
                                            "152 segments, 0 organs",   "152 segments, 152 organs",
                                            "187 segments, 187 organs", "270 segments, 762 organs" };

@@ -7,7 +7,7 @@
 namespace tractus {
 namespace {
 
-// Where the program runs: what the system may refuse it, and how it may be ended.
+// Tests of what the system may refuse to the program, and of ways to end it.
 using HostilePlace = Workshop;
 
 TEST_F(HostilePlace, AFullDiskLeavesTheOldFile)
@@ -22,7 +22,7 @@ TEST_F(HostilePlace, AFullDiskLeavesTheOldFile)
 TEST_F(HostilePlace, AFullDiskLeavesWholeFilesOfAJob)
 {
     record();
-    // Blocks of 512 bytes: the first picture fits, or none does, but the job does not.
+    // In blocks of 512 bytes: at most the first picture fits, and not the whole job.
     expect_error(run("ulimit -f 64; tractus replay hand.tractus-log --plant small.l -o out"), 1,
                  "File too large");
     EXPECT_EQ(run("ls out | grep -c part").out, "0\n");
@@ -79,7 +79,7 @@ TEST_F(HostilePlace, AFolderThatCannotBe)
 TEST_F(HostilePlace, AFolderThatMayNotBeWritten)
 {
     run("mkdir locked; chmod 0555 locked; chmod 0755 .");
-    // Root, who may write everywhere, becomes nobody.
+    // Root, who may write everywhere, becomes user nobody.
     std::string const as_user = ::geteuid() == 0
         ? "HOME=/ setpriv --reuid=65534 --regid=65534 --clear-groups '" TRACTUS_PROGRAM "'"
         : "tractus";
@@ -140,7 +140,7 @@ TEST_F(HostilePlace, NumbersDoNotDependOnTheLocale)
     }
 }
 
-// Command lines of each command that writes, with its file or folder in place of {}.
+// Command lines of all commands that write, with {} in place of the file or folder.
 constexpr std::array kWriting {
     "grow small.l -o {}/a.glb",
     "grow small.l --sequence 2 -o {}/a.obj",
@@ -173,7 +173,8 @@ TEST_F(HostilePlace, FoldersThatAreNotThereAreMade)
     }
 }
 
-// Where nothing can be written is found out before anything is read or done: here nothing is there.
+// A place that cannot be written must be detected before anything is read; here the inputs do not
+// exist.
 TEST_F(HostilePlace, APlaceThatCannotBeWrittenIsFoundOutBeforeTheWork)
 {
     run("mv small.l place; rm hand.toml");
@@ -193,8 +194,8 @@ TEST_F(HostilePlace, AWindowWithoutADisplaySaysWhatElseThereIs)
                  1, TRACTUS_HAS_WINDOW ? "display" : "this build of tractus has no window");
 }
 
-// Ended at any moment, a file is there whole or not at all. What a signal that can be caught ends
-// leaves no temporary file, either.
+// Ended at any moment, a file must be either complete or absent. After a signal that can be caught,
+// there must be no temporary file, either.
 TEST_F(HostilePlace, EndedInTheMiddleItLeavesNothingHalfWritten)
 {
     run("tractus grow broadleaf -o whole.glb");

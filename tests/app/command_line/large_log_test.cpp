@@ -14,11 +14,11 @@ namespace {
 
 constexpr long kMostPeak_kB = 100'000;
 
-// How much memory a recording takes follows neither from its size nor from what it claims.
+// The memory needed for a recording must not depend on its size, or on sizes that it claims.
 class LargeLog : public Workshop {
 protected:
-    // The most memory that one of the command's programs has had at a time. In a process of its
-    // own, since a process counts all that it has ever started together.
+    // Returns the peak memory of the command's programs. It runs in a process of its own, since a
+    // process accumulates the peak of all its children.
     long peak_kB(std::string const& command, int exit_code = 0)
     {
         int ends[2] {};
@@ -40,7 +40,7 @@ protected:
         return peak;
     }
 
-    // Writes so many copies of what the pen of hand.tractus-log sent.
+    // Writes a given number of copies of the pen reports in hand.tractus-log.
     void write_large(std::string const& name, int copies) const
     {
         std::string head;
@@ -67,8 +67,8 @@ TEST_F(LargeLog, TakesNoMoreMemoryThanASmallOne)
     write_large("large.tractus-log", static_cast<int>(60'000'000 / size + 1));
     for (std::string const command :
          { "decode {}", "decode {} --csv -o out.csv", "convert {} -o out.hid", "doctor {}" }) {
-        // The program's own pages are mapped around each that is touched, as far as the disk's
-        // cache has them: so the first run after a build has fewer.
+        // The first run is discarded: the program's own pages are mapped in groups if they are in
+        // the disk cache, so the first run after a build maps fewer.
         peak_kB("tractus " + fmt::format(fmt::runtime(command), "small.tractus-log"));
         auto const of_small
             = peak_kB("tractus " + fmt::format(fmt::runtime(command), "small.tractus-log"));

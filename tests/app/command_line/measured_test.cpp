@@ -12,13 +12,13 @@
 namespace tractus {
 namespace {
 
-// A tree of 4 m in each of the formats: a trunk of three pieces, a branch of two on the first.
+// A tree of 4 m in each of the formats: a trunk of three pieces, with a branch of two on the first.
 constexpr char const* kNamedCylinders
     = "ID, parentID, startX, startY, startZ, endX, endY, endZ, radius\n"
       "0, -1, 7, 3, 100, 7, 3, 101, 0.2\n1, 0, 7, 3, 101, 7, 3, 102.5, 0.15\n"
       "2, 1, 7, 3, 102.5, 7, 3, 104, 0.1\n3, 0, 7, 3, 101, 8, 3, 101.5, 0.05\n"
       "4, 3, 8, 3, 101.5, 9, 3, 102, 0.04\n";
-// As TreeQSM 2.3 writes it.
+// The tree in the format of TreeQSM 2.3.
 constexpr char const* kCylinders = "0.2\t1\t7\t3\t100\t0\t0\t1\t0\t2\t0\t0.2\t1\t0\t1\n"
                                    "0.15\t1.5\t7\t3\t101\t0\t0\t1\t1\t3\t0\t0.15\t1\t0\t2\n"
                                    "0.1\t1.5\t7\t3\t102.5\t0\t0\t1\t2\t0\t0\t0.1\t1\t0\t3\n"
@@ -41,7 +41,7 @@ void append(std::string& bytes, auto value)
     bytes.append(raw.data(), raw.size());
 }
 
-// Little-endian, as all machines that we build for are.
+// Returns a little-endian file, as on all supported machines.
 std::string skeleton()
 {
     std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 6\n"
@@ -86,7 +86,7 @@ protected:
         return outcome.out;
     }
 
-    // The positions of a graph's entities, millimetres, in the order of the file.
+    // Returns the positions of a graph's entities in millimetres, in the order of the file.
     std::vector<std::array<double, 3>> positions(std::string const& graph) const
     {
         std::vector<std::array<double, 3>> result;
@@ -118,8 +118,8 @@ protected:
         });
     }
 
-    // The hand of arc.toml bends the trunk into a quarter of a circle: by geometry its tip is then
-    // at length times 2 / pi to the side and up.
+    // Checks the trunk after the hand of arc.toml has bent it into a quarter of a circle: its tip
+    // is then at length times 2 / pi to the side and up.
     void expect_bent(std::string const& graph) const
     {
         double const wanted_mm = 4000 * 2 / 3.14159;
@@ -286,7 +286,7 @@ TEST_F(Measured, OptionsOfModelsAreRefused)
     EXPECT_FALSE(exists("x.glb"));
 }
 
-// The page's own tree and commands, as a reader would copy them.
+// The page's own tree and commands are used as a reader would copy them.
 TEST_F(Measured, TheManualsCommandsWork)
 {
     std::string const page = file_bytes(TRACTUS_MANUAL "/models.md");
@@ -300,7 +300,7 @@ TEST_F(Measured, TheManualsCommandsWork)
     std::istringstream commands(block("\n```sh\n", section));
     std::size_t count = 0;
     for (std::string command; std::getline(commands, command); ++count)
-        if (!command.starts_with("tractus window")) // It needs a display.
+        if (!command.starts_with("tractus window")) // The window needs a display.
             out(command);
     EXPECT_GE(count, 3u);
     EXPECT_EQ(read("ash.png").substr(1, 3), "PNG");

@@ -8,7 +8,7 @@ namespace {
 
 class Organs : public Workshop {
 protected:
-    // Returns a file's JSON, without the counts of bytes.
+    // Returns a file's JSON without byte counts.
     nlohmann::json json_of(std::string const& name) const
     {
         auto const glb = read(name);
@@ -92,7 +92,7 @@ TEST_F(Organs, OldSpellingMeansTheSame)
 
 TEST_F(Organs, AFileThatManyProgramsOpenSlowlySaysSoBeforeItIsWritten)
 {
-    // No file may be so large: the note stands before that is found out.
+    // Limits the size of files, to show that the note is printed before writing fails.
     auto const outcome
         = run("ulimit -f 64; tractus vary daisy --count 5000 --sides 64 -o large.glb");
     EXPECT_EQ(outcome.exit_code, 1);

@@ -6,7 +6,7 @@
 namespace tractus {
 namespace {
 
-// Other people's tablets, as hid-recorder saw them.
+// Fixture with recordings of other people's tablets by hid-recorder.
 class RealRecording : public Workshop {
 protected:
     static std::string recording(char const* name)
@@ -16,7 +16,7 @@ protected:
         return quoted += "'";
     }
 
-    // A number of the report.
+    // Returns a number in the report.
     static int figure(std::string const& report, std::string const& name)
     {
         std::smatch match;

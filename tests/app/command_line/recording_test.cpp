@@ -10,8 +10,9 @@ class RecordCommand : public Workshop { };
 
 constexpr char const* kProgram = "'" TRACTUS_PROGRAM "'";
 
-// Waits until the file holds so many reports, however long a busy machine takes for them, or until
-// the program that should write them is gone. A file that is not there yet holds none.
+// Returns a shell command that waits until the file contains a number of reports, however long a
+// busy machine takes, or until the program that writes them has ended. A missing file contains
+// none.
 std::string wait_for_reports(std::string const& file, int count)
 {
     return "until [ \"$(grep -cs '^E' " + file + ")\" -ge " + std::to_string(count)
@@ -29,7 +30,7 @@ TEST_F(RecordCommand, LosesNothingThatHasComeWhenItIsKilled)
     EXPECT_GE(log->records.size(), 200u);
     EXPECT_EQ(log->devices.size(), 2u);
     EXPECT_FALSE(log->rig_text.empty());
-    EXPECT_LE(log->warning_count, 1u); // A line may have been cut off.
+    EXPECT_LE(log->warning_count, 1u); // A line may have been truncated.
     EXPECT_EQ(run("tractus decode live.tractus-log").exit_code, 0);
 }
 

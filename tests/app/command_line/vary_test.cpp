@@ -15,7 +15,7 @@ protected:
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     }
 
-    // Returns the plants of a manifest.
+    // Returns the plants in a manifest.
     nlohmann::json plants(std::string const& name) const
     {
         return nlohmann::json::parse(read(name), nullptr, false)["plants"];
@@ -120,7 +120,7 @@ TEST_F(Vary, PlantsAreAsOldAsTheManifestSays)
     EXPECT_LT(read("young/small-1.glb").size(), read("old/small-1.glb").size());
 }
 
-// Returns the size of a PNG, which is in its first chunk (ISO/IEC 15948 section 11.2.2).
+// Returns the size of a PNG, which is in its first chunk (ISO/IEC 15948, section 11.2.2).
 std::pair<int, int> picture_size(std::string const& png)
 {
     auto const number = [&](std::size_t at) {
@@ -137,7 +137,7 @@ TEST_F(Vary, ASheetShowsAtMostFortyEightPlants)
     vary("small.l --count 60 --ages 0.3..1 -o out --sheet pictures/sheet.png");
     auto const sheet = read("pictures/sheet.png");
     EXPECT_EQ(sheet.substr(1, 3), "PNG");
-    // Eight columns, six rows: 240 pixels each, 12 between them, and room for captions.
+    // Eight columns and six rows of 240 pixels each, with gaps of 12, and captions.
     auto const [width, height] = picture_size(sheet);
     EXPECT_EQ(width, 8 * 252 + 12);
     EXPECT_GT(height, 6 * 252 + 12);
@@ -159,12 +159,12 @@ TEST_F(Vary, PlantsHaveCoarserLevelsBesideThem)
         EXPECT_EQ(plant["extensions"]["MSFT_lod"]["ids"].size(), 3u);
         EXPECT_EQ(plant["extras"]["MSFT_screencoverage"].size(), 4u);
     }
-    // A picture of its own for each billboard, and bark's colour, relief and occlusion.
+    // One picture for each billboard; and colour, relief and occlusion of the bark.
     EXPECT_EQ(json["images"].size(), 3u + 3);
 
     vary("small.l --count 3 --lods 3 -o again.glb", "taskset -c 0");
     EXPECT_EQ(read("again.glb"), far);
-    vary("small.l --count 3 --lods 1 -o folder"); // Drawn on the same thread all the time.
+    vary("small.l --count 3 --lods 1 -o folder"); // Drawn by a single thread.
     EXPECT_EQ(count_files("folder"), 4u);
     EXPECT_EQ(run("tractus vary small.l --lods 7 -o x").exit_code, 2);
 }
@@ -209,7 +209,7 @@ TEST_F(Vary, AFullDiskLeavesWhatWasWrittenBefore)
 {
     vary("small.l --count 3 -o out");
     auto const first = read("out/small-1.glb");
-    // Longer branches cut into more pieces: too much for the limit.
+    // Longer branches need more pieces, which exceed the limit.
     auto const outcome = run(
         "ulimit -f 2; tractus vary small.l --growth wild --seed 2 --sides 64 --count 3 -o out");
     EXPECT_EQ(outcome.exit_code, 1);
@@ -222,8 +222,9 @@ TEST_F(Vary, ADiskThatFillsUpInTheMiddleLeavesWholeFiles)
 {
     std::string const what = "small.l --count 24 --ages 0.05..1 --sides 64 -o ";
     vary(what + "whole");
-    // The first plant that is larger, by a block, than all before it: that one does not fit.
-    constexpr std::size_t kBlock = 512; // Unit of dash's ulimit.
+    // Finds the first plant that is larger, by a block, than all plants before it, so that only it
+    // exceeds the limit.
+    constexpr std::size_t kBlock = 512; // Unit of ulimit in dash.
     auto const files = plants("whole/manifest.json");
     std::size_t too_large = 0;
     std::size_t blocks = 0;
@@ -250,7 +251,8 @@ TEST_F(Vary, ADiskThatFillsUpInTheMiddleLeavesWholeFiles)
 
 TEST_F(Vary, CtrlCLeavesWholeFiles)
 {
-    // More plants than anybody waits for; the shell's background would ignore the signal.
+    // There are too many plants to finish; a background process of the shell would ignore the
+    // signal.
     auto const outcome = run(
         "env --default-signal=INT '" TRACTUS_PROGRAM "' vary small.l --count 400000 -o out &\n"
         "while [ ! -e out/small-000004.glb ]; do sleep 0.01; kill -0 $! || exit 3; done\n"
@@ -259,12 +261,12 @@ TEST_F(Vary, CtrlCLeavesWholeFiles)
     auto const files = count_files("out");
     EXPECT_GE(files, 4u);
     EXPECT_LT(files, 400000u);
-    for (std::size_t i = 1; i <= files; ++i) { // All there is are plants, without a gap.
+    for (std::size_t i = 1; i <= files; ++i) { // All files are plants, numbered without a gap.
         auto const number = std::to_string(i);
         auto const plant
             = read("out/small-" + std::string(6 - number.size(), '0') + number + ".glb");
         ASSERT_GE(plant.size(), 12u) << i;
-        std::uint32_t length = 0; // Length of the whole file (glTF 2.0 section 4.4.2).
+        std::uint32_t length = 0; // Length of the whole file (glTF 2.0, section 4.4.2).
         std::memcpy(&length, &plant[8], 4);
         EXPECT_EQ(length, plant.size()) << i;
     }

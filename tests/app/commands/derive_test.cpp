@@ -69,16 +69,16 @@ TEST_F(DeriveCommand, ReadsIncludesFromTheModelsFolderOnly)
     EXPECT_NE(outcome.err.find("outside the model's folder"), std::string::npos) << outcome.err;
 }
 
-// cpfg is given such files on its command line.
+// Such files are arguments of cpfg's command line.
 TEST_F(DeriveCommand, FindsColorsBesideTheModel)
 {
     auto const path = write("m.l", kRules);
     write("m.v", "material: 1 wood kind=bark color=0.4,0.3,0.2\n");
-    write("m.map", std::string(9, 'x')); // Three colours, of which one is a material already.
+    write("m.map", std::string(9, 'x')); // Three colours, one of which is already a material.
     auto const outcome = run({ "lsystem", "check", path });
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("3 materials"), std::string::npos) << outcome.out;
-    write("other.mat", std::string("\x07") + std::string(14, 'x')); // The only one of its kind.
+    write("other.mat", std::string("\x07") + std::string(14, 'x')); // The only file of its kind.
     EXPECT_NE(run({ "lsystem", "check", path }).out.find("4 materials"), std::string::npos);
     write("m.mat", "");
     EXPECT_NE(run({ "lsystem", "check", path }).err.find("expected materials"), std::string::npos);
@@ -226,7 +226,8 @@ TEST_F(DeriveCommand, AsksAnEnvironment)
     auto const model = write("m.l", "Lsystem: 1\nAxiom: ?E(0,1)?E(0,1)\nendlsystem\n");
     EXPECT_EQ(run({ "derive", model, "--string" }).out, "?E(0,1)?E(0,1)\n");
     EXPECT_EQ(run({ "derive", model, "--string", "--environment", "space" }).out,
-              "?E(1,1)?E(1,1)\n"); // At one place, as one organ that asks again.
+              // Both are at one place, so they count as one organ that asks again.
+              "?E(1,1)?E(1,1)\n");
     EXPECT_EQ(run({ "derive", model, "--string", "--environment", "light:shade=0.25" }).out,
               "?E(0.75,1)?E(0.75,1)\n");
     auto const wrong = run({ "derive", model, "--string", "--environment", "sun" });
@@ -235,7 +236,7 @@ TEST_F(DeriveCommand, AsksAnEnvironment)
               "error: there is no environment 'sun'; there are light, space, terrain and water\n");
 }
 
-// A panel's file is no model, so the folder is the model's alone.
+// A panel's file is not a model, so the folder belongs to only one model.
 TEST_F(DeriveCommand, WarnsOfColoursThatItDoesNotUse)
 {
     auto const model = write("m.l", kRules);
@@ -252,7 +253,7 @@ TEST_F(DeriveCommand, WarnsOfColoursThatItDoesNotUse)
     EXPECT_EQ(run({ "derive", model, "--string", "--colors", model }).exit_code, 1);
 }
 
-// Views and colours of other models are theirs.
+// Views and colours of other models belong to those.
 TEST_F(DeriveCommand, WarnsOfWhatLiesBesideWhatItUses)
 {
     auto const model = write("m.l", kRules);

@@ -42,7 +42,7 @@ TEST_F(WindowLookTest, KeepsHowFarStrokesHaveToGet)
     ASSERT_TRUE(write_file(path_, "hand = \"left\"\nleast = \"draw=2.5 sketch=0\"\n"));
     tools::LeastExtents const kept { { "draw", 2.5 }, { "sketch", 0 } };
     EXPECT_EQ(load_least_extents(path_).value(), kept);
-    ASSERT_TRUE(save_look(path_, { .is_light = true })); // The person turns the light on.
+    ASSERT_TRUE(save_look(path_, { .is_light = true })); // The user chooses the light look.
     EXPECT_EQ(load_least_extents(path_).value(), kept);
     EXPECT_TRUE(load_look(path_).value().is_light);
     ASSERT_TRUE(write_file(path_, "least = \"draw\"\n"));
@@ -64,7 +64,7 @@ TEST_F(WindowLookTest, SaysWhereAFileIsWrong)
     EXPECT_NE(error_of("colors = \"light\"\nhand = \"both\"\n").find("window.toml:2: hand"),
               std::string::npos);
     EXPECT_NE(error_of("hands = \"left\"\n").find("hands"), std::string::npos);
-    ASSERT_TRUE(write_file(path_, "hand = \"left\"\n")); // What is not said is as usual.
+    ASSERT_TRUE(write_file(path_, "hand = \"left\"\n")); // Missing settings have their defaults.
     EXPECT_EQ(load_look(path_).value(), (window::WindowLook { .is_left_handed = true }));
 }
 

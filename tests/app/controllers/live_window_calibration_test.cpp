@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Plays what a simulated person did who calibrated the simulated rig, pen and all.
+// Fixture that plays the actions of a simulated person who calibrates the simulated rig, including
+// the pen.
 class CalibratesInTheWindow : public testing::Test {
 protected:
     void SetUp() override

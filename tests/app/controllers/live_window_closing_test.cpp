@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A window that keeps what is drawn in a session of its own, and devices that stop sending in the
-// middle of a stroke, with the pen down.
+// Fixture of a window that keeps its drawing in a new session, with devices that stop sending
+// during a stroke, with the pen down.
 class LiveWindowClosing : public testing::Test {
 protected:
     LiveWindowClosing() { fs::remove(path_); }
@@ -100,7 +100,7 @@ TEST_F(LiveWindowClosing, SaysWhichStepCannotBeKept)
 TEST_F(LiveWindowClosing, SaysWhichFileCannotBeWritten)
 {
     auto window = drawing();
-    ASSERT_TRUE(window.may_close()); // The stroke is kept.
+    ASSERT_TRUE(window.may_close()); // The stroke is saved.
     FullDisk const disk(1);
     window.perform(view::SavePicture { render::Image(2, 2) });
     auto const closed = window.close();

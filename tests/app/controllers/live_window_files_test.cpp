@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A window that writes its files into a new folder, which goes away with it.
+// Fixture of a window that writes its files into a temporary folder.
 class LiveWindowWithFolder : public testing::Test {
 protected:
     LiveWindowWithFolder() { fs::create_directory(folder_); }
@@ -34,7 +34,7 @@ protected:
         return LiveWindow::create(drawing_devices(goes_away), std::move(options)).value();
     }
 
-    // The files that are there with this ending.
+    // Returns the files with the given extension.
     std::vector<fs::path> files(std::string const& ending) const
     {
         std::vector<fs::path> found;
@@ -63,7 +63,7 @@ TEST_F(LiveWindowWithFolder, RecordsWhenItIsAskedTo)
     window.perform(view::SetRecording { false });
     EXPECT_FALSE(window.state().recording.is_on);
     EXPECT_EQ(window.state().status.substr(0, 15), "Recorded small-");
-    window.perform(view::SetRecording { false }); // Not twice.
+    window.perform(view::SetRecording { false }); // The second request has no effect.
 
     auto const logs = files(".tractus-log");
     ASSERT_EQ(logs.size(), 1u);

@@ -55,7 +55,7 @@ TEST_F(LiveWindowFollow, ShowsWhatAHandleWouldDoAndDoesItWhenItIsLetGo)
     EXPECT_EQ(laterals(), 2) << "nothing is done yet";
     EXPECT_EQ(window_->state().hand, tools::Tool(drawn_));
 
-    window_->perform(view::AdjustTool { drawn_, Slider::Moving }); // Back to where it was.
+    window_->perform(view::AdjustTool { drawn_, Slider::Moving }); // Back to its initial value.
     settle();
     EXPECT_EQ(triangles(), before);
     EXPECT_EQ(window_->state().skeleton.size(), skeleton);
@@ -68,7 +68,7 @@ TEST_F(LiveWindowFollow, ShowsWhatAHandleWouldDoAndDoesItWhenItIsLetGo)
     EXPECT_EQ(window_->state().status, "What was drawn so follows");
 }
 
-// So that the next drag changes the plant again.
+// The next drag must change the plant again.
 TEST_F(LiveWindowFollow, UndoGivesTheHandItsRuleBack)
 {
     sketch::SketchTool more = drawn_;

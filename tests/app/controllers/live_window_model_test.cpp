@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A window on a model in a folder of its own, which somebody edits meanwhile.
+// Fixture of a window on a model file that is edited while it is open.
 class FollowedModelWindow : public testing::Test {
 protected:
     FollowedModelWindow()
@@ -47,7 +47,7 @@ protected:
         return window;
     }
 
-    // Time for it to see that the file has changed, and that it changes no more.
+    // Passes enough time to detect that the file has changed, and that it no longer changes.
     void pass_time(LiveWindow& window)
     {
         for (int i = 0; i < 3; ++i) {

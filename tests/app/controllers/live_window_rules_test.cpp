@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A window on a plant of construction lines whose rules somebody writes meanwhile.
+// Fixture of a window on a plant of construction lines whose rules are edited while it is open.
 class WrittenRules : public testing::Test {
 protected:
     WrittenRules() { fs::create_directories(folder_); }
     ~WrittenRules() override { fs::remove_all(folder_); }
 
-    // A stem and a boundary on its left.
+    // Returns a scene with a stem and a boundary on its left.
     static scene::Scene drawn_plant()
     {
         auto const stem = stroke_through({ { 0, -60, 50 }, { 0, 60, 50 } });
@@ -44,7 +44,7 @@ protected:
         return LiveWindow::create(drawing_devices(false), std::move(options)).value();
     }
 
-    // Time for it to see that the file has changed, and that it changes no more.
+    // Passes enough time to detect that the file has changed, and that it no longer changes.
     void pass_time(LiveWindow& window)
     {
         for (int i = 0; i < 3; ++i) {
@@ -54,7 +54,7 @@ protected:
         window.settle();
     }
 
-    // The file of the rules that the window has written.
+    // Returns the file of rules that the window has written.
     fs::path rules_file() const
     {
         for (auto const& entry : fs::recursive_directory_iterator(folder_))

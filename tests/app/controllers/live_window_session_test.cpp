@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A session, gone on with if it is there.
+// Returns options for a session, which is continued if it exists.
 LiveWindowOptions options_with_session(fs::path const& path)
 {
     auto options = live_options();
@@ -62,11 +62,11 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
     EXPECT_EQ(again.scene().associations.size(), 2u);
     EXPECT_EQ(session::read_session(path, methods::all_methods().edits).value().step, 2u);
     EXPECT_EQ(session::read_session(path, methods::all_methods().edits).value().last_step(),
-              2u); // Undone steps are gone.
+              2u); // Undone steps are removed.
     fs::remove(path);
 }
 
-// A window that keeps a session in a new file, which goes away with it.
+// Fixture of a window that keeps a session in a temporary file.
 class LiveWindowWithSession : public testing::Test {
 protected:
     LiveWindowWithSession() { fs::remove(path_); }
@@ -76,7 +76,7 @@ protected:
         = fs::temp_directory_path() / fmt::format("tractus_growth_{}.tractus", ::getpid());
 };
 
-// The copy has the stroke and the name, lies among the drawings, and drawing goes on in the
+// The copy has the stroke and the name, and is among the drawings; drawing continues in the
 // original.
 TEST_F(LiveWindowWithSession, NamesTheDrawingAndSavesCopies)
 {
@@ -110,7 +110,7 @@ TEST_F(LiveWindowWithSession, NamesTheDrawingAndSavesCopies)
     fs::remove_all(home);
 }
 
-// Without a file there is nothing to be named, and the window offers it not.
+// Without a file there is nothing to name, and the window does not offer it.
 TEST(LiveWindow, HasNoNameWithoutAFile)
 {
     auto window = LiveWindow::create(drawing_devices(false), live_options()).value();
@@ -151,7 +151,8 @@ TEST_F(LiveWindowWithSession, ShowsWhatASliderWouldGiveAndKeepsItWhenItIsRelease
     auto const triangles = window.state().plant->triangle_count();
     window.perform(view::ChangeGrowth { { "", 1, 0.3 }, Slider::Moving });
     EXPECT_TRUE(window.state().is_growing);
-    EXPECT_EQ(window.state().plant->triangle_count(), triangles); // It stays until the new one.
+    // The old plant is shown until the new one is finished.
+    EXPECT_EQ(window.state().plant->triangle_count(), triangles);
     window.settle();
     EXPECT_FALSE(window.state().is_growing);
     EXPECT_LT(window.state().plant->triangle_count(), triangles);
@@ -218,7 +219,7 @@ TEST_F(LiveWindowWithSession, RefusesGrowthThatThereIsNot)
     window.perform(view::ChangeGrowth { { "", 1, -1 } });
     window.settle();
     EXPECT_NE(window.state().status.find("full-grown"), std::string::npos);
-    EXPECT_EQ(window.state().growth.age, 1); // What holds is shown.
+    EXPECT_EQ(window.state().growth.age, 1); // The value in effect is shown.
     EXPECT_EQ(session::read_session(path_, methods::all_methods().edits).value().last_step(), 0u);
 }
 

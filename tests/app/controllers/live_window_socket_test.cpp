@@ -27,7 +27,7 @@ std::vector<nlohmann::json> lines_of(std::string const& text)
     return lines;
 }
 
-// Another program gets what the document gets.
+// Another program must receive what the document receives.
 TEST_F(LiveWindowSocket, TellsWhatIsDrawn)
 {
     auto drawing = window();
@@ -47,7 +47,7 @@ TEST_F(LiveWindowSocket, TellsWhatIsDrawn)
     EXPECT_EQ(count("stroke"), 1);
 }
 
-// What was told before a person asked to close is not told again.
+// What was sent before a request to close must not be sent again.
 TEST_F(LiveWindowSocket, TellsItOnceHoweverOftenItIsAskedToClose)
 {
     auto drawing = window();

@@ -44,7 +44,7 @@ TEST(LiveWindow, KeepsTheStrokeOfATabletThatIsUnplugged)
     window.settle();
     EXPECT_EQ(window.station().counts().strokes, 1u);
     EXPECT_TRUE(window.state().live_ink.empty());
-    EXPECT_FALSE(window.state().pen.in_range); // The mouse counts again.
+    EXPECT_FALSE(window.state().pen.in_range); // The mouse is used again.
 }
 
 TEST(LiveWindow, RecordsWhatReplaysToTheSame)
@@ -75,7 +75,7 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     fs::remove(path);
 }
 
-// Else what is drawn live would not be, bit for bit, what its recording replays to.
+// Otherwise a live drawing would differ, in some bits, from the replay of its recording.
 TEST(LiveDevices, CutTimesToMicrosecondsAsLogsHaveThem)
 {
     auto report = arrived(0, pen_report(50, 50, true));
@@ -93,7 +93,7 @@ TEST(LiveDevices, CutTimesToMicrosecondsAsLogsHaveThem)
     EXPECT_EQ(reports[0].report.received, Timestamp(std::chrono::microseconds(1'234)));
 }
 
-// Undo, growth and all else that no stroke does.
+// Undo, growth, and everything else that is not a stroke.
 TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
 {
     auto const path
@@ -101,7 +101,7 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     fs::remove(path);
     auto options = live_options();
     options.recording = path;
-    options.now = [] { return at_ms(0); }; // No report is older.
+    options.now = [] { return at_ms(0); }; // All reports are later.
     scene::Scene drawn;
     {
         auto window = LiveWindow::create(drawing_devices(true), std::move(options)).value();
@@ -110,8 +110,8 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
         advance_to_end(window);
         window.perform(view::NextVariation {});
         window.perform(view::Undo {});
-        window.perform(view::Undo {}); // The stroke,
-        window.perform(view::Redo {}); // which comes back.
+        window.perform(view::Undo {}); // Removes the stroke,
+        window.perform(view::Redo {}); // and restores it.
         window.perform(view::PickVariation { 42 });
         window.settle();
         drawn = window.scene();
@@ -119,7 +119,7 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     EXPECT_EQ(drawn.growth.seed, 42u);
     ASSERT_EQ(drawn.associations.size(), 1u);
     auto const log = drivers::read_log(path).value();
-    ASSERT_EQ(log.tools.size(), 9u); // Two say what was in force before.
+    ASSERT_EQ(log.tools.size(), 9u); // Two lines record the initial settings.
     EXPECT_EQ(log.tools[2].tool, "step");
     EXPECT_EQ(log.tools[5].tool, "undo");
     EXPECT_EQ(log.tools[5].arguments, "1");
@@ -135,7 +135,7 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     fs::remove(path);
 }
 
-// A pen that slips for 3 mm, and another time; then it draws.
+// Returns devices of a pen that slips by 3 mm twice, and then draws.
 devices::LiveDevices slipping_devices()
 {
     std::vector<drivers::RawReport> reports;
@@ -158,7 +158,7 @@ TEST(LiveWindow, ASlipOfTheHandDoesNothingAndIsToldOnce)
     fs::remove(path);
     auto options = live_options();
     options.recording = path;
-    options.now = [] { return at_ms(0); }; // No report is older.
+    options.now = [] { return at_ms(0); }; // All reports are later.
     std::size_t drawn = 0;
     std::size_t told = 0;
     {
@@ -183,7 +183,7 @@ TEST(LiveWindow, ASlipOfTheHandDoesNothingAndIsToldOnce)
     replay_options.height = calib::parse_height_scenario("0").value();
     EXPECT_EQ(replayed(log, replay_options).counts.strokes, 1u);
     EXPECT_EQ(replayed(log, replay_options).scene.associations.size(), 1u);
-    log.tools.erase(log.tools.begin()); // As a log of an older program.
+    log.tools.erase(log.tools.begin()); // Imitates the log of an older program.
     EXPECT_EQ(replayed(log, replay_options).counts.strokes, 3u);
     fs::remove(path);
 }
@@ -211,7 +211,7 @@ TEST(LiveWindow, BeginsAgainWithTheSameTool)
     EXPECT_EQ(window.state().tool, "Motion indicator");
 }
 
-// Returns what the window says is wrong after the height sensor has sent `counts` for 100 ms, at
+// Returns the problem shown by the window after the height sensor has sent `counts` for 100 ms, at
 // `now_ms`.
 std::string trouble_after(int counts, std::int64_t now_ms)
 {
@@ -246,7 +246,7 @@ TEST(LiveWindow, SaysWhatIsWrongWithTheHeightSensor)
     EXPECT_EQ(trouble_after(2000, 3100), "height sensor silent for 3 s: is it plugged in?");
 }
 
-// Says after each report that one more was too long.
+// Claims after each report that another one was too long.
 class Chatterbox final : public ScriptedSource {
 public:
     using ScriptedSource::ScriptedSource;
@@ -271,7 +271,7 @@ TEST(LiveWindow, SaysThatATabletsSizeIsAGuess)
 {
     auto tablet = drivers::simple_pen();
     auto& descriptor = tablet.report_descriptor;
-    // The physical size is taken away: the maxima of both axes and the unit.
+    // Removes the physical size: the maxima of both axes and the unit.
     std::vector<std::byte> plain;
     for (std::size_t i = 0; i < descriptor.size(); ++i)
         if (descriptor[i] == std::byte { 0x46 })

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A hand that has drawn for hours, and a session that keeps it.
+// Fixture with a hand that has drawn for hours, and a session that keeps it.
 class LongDrawing : public testing::Test {
 protected:
     LongDrawing()
@@ -28,8 +28,8 @@ protected:
     }
     ~LongDrawing() override { fs::remove(path_); }
 
-    // Draws so many strokes, each for the next branch; every one is seen, and most of them end
-    // within a frame of another's beginning.
+    // Draws strokes, each for the next branch; all of them are shown, and most end within a frame
+    // of the beginning of the next.
     void draw(std::size_t strokes)
     {
         for (std::size_t i = 0; i < strokes; ++i, now_ms_ += 1000) {
@@ -39,7 +39,7 @@ protected:
         }
     }
 
-    // The scene that is seen.
+    // Returns the scene that is shown.
     scene::Scene const& scene() const { return *controller_.view().grown_scene(); }
 
     fs::path const path_ = fs::temp_directory_path()
@@ -89,7 +89,7 @@ TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
 {
     draw(1);
     Stroke const first { scene().associations[0].what.stroke.tips.vector() };
-    draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
+    draw(6); // There are three branches, so strokes 3 and 6 belong to the trunk, too.
     EXPECT_FALSE(scene().associations[0].what.stroke.tips.is_in_memory());
     controller_.document().make(
         document::step_of({ scene::DeleteStroke { scene::numbered({ 3, 6 }) } }));
@@ -113,7 +113,7 @@ TEST_F(LongDrawing, ReadsAStrokeBackThatWasErasedInPart)
     make(scene::EraseTips { scene::numbered({ 0 }), { { 0, 0 } } });
     Stroke const rest { scene().associations[0].what.stroke.tips.vector() };
     EXPECT_EQ(rest.tips.size(), count - 4);
-    draw(6); // Three branches: numbers 3 and 6 are the trunk's, too.
+    draw(6); // There are three branches, so strokes 3 and 6 belong to the trunk, too.
     EXPECT_FALSE(scene().associations[0].what.stroke.tips.is_in_memory());
     make(scene::DeleteStroke { scene::numbered({ 3, 6 }) });
     ASSERT_EQ(controller_.view().state().strokes.size(), 3u);
@@ -127,7 +127,7 @@ TEST_F(LongDrawing, ShowsInkUntilTheStrokeIsInThePlant)
     controller_.show(station_, at_ms(now_ms_));
     auto const& state = controller_.view().state();
     EXPECT_GE(state.live_ink.size() + state.strokes.size(), 1u) << "it is seen all the time";
-    draw_across(station_, now_ms_ + 1000); // It may end before the first one is kept.
+    draw_across(station_, now_ms_ + 1000); // It may end before the first stroke is saved.
     controller_.show(station_, at_ms(now_ms_));
     EXPECT_GE(state.live_ink.size() + state.strokes.size(), 2u);
     controller_.settle(station_, at_ms(now_ms_ + 2000));
@@ -145,7 +145,7 @@ TEST_F(LongDrawing, ANewStationLosesNothingThatAFullDiskCouldNotKeep)
         draw(1);
         EXPECT_EQ(controller_.view().state().unkept_steps, 1u);
         EXPECT_NE(controller_.view().state().trouble.find("is not kept"), std::string::npos);
-        station_ = flat_station(); // Another calibration makes one, too.
+        station_ = flat_station(); // A new station is also made by another calibration.
         controller_.show_again(station_, "");
         draw(1);
         EXPECT_FALSE(controller_.finish(station_, at_ms(now_ms_)));
@@ -170,7 +170,7 @@ TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)
 
 TEST_F(LongDrawing, TakesBackEveryStepAndDoesItAgain)
 {
-    constexpr std::size_t kStrokes = 210; // Farther than scenes are kept.
+    constexpr std::size_t kStrokes = 210; // More steps than scenes are kept.
     draw(kStrokes);
     for (std::size_t left = kStrokes; left-- > 0;) {
         controller_.perform(view::Undo {}, station_);

@@ -115,7 +115,7 @@ Timestamp clock_now()
     return Timestamp(std::chrono::steady_clock::now().time_since_epoch());
 }
 
-// Waits until `done`; a loaded machine may take its time.
+// Advances until `done`, however long a loaded machine takes.
 template<typename Done> void advance_until(LiveWindow& window, Done const& done)
 {
     while (!done()) {
@@ -142,7 +142,7 @@ TEST(LiveWindow, LetsAMouseDrawWhereThereIsNothingElse)
     advance_until(window, [&] { return at_surface(150); });
     EXPECT_TRUE(at_surface(150)) << "seen before a pen is there";
     auto const heights = [&] { return window.station().counts().height_samples; };
-    auto const still = heights() + 40; // Five milliseconds each: the last glide is over.
+    auto const still = heights() + 40; // Five milliseconds each, so the last glide has ended.
     advance_until(window, [&] { return heights() >= still; });
 
     window.perform(view::ChooseTool { indicators::IndicateTool {} });

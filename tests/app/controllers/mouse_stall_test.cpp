@@ -1,5 +1,5 @@
-// A mouse that draws while the program stalls: one press is one stroke, and the surface that its
-// wheel moves is never taken for a broken sensor.
+// A mouse that draws while the program stalls: one press must be one stroke, and the surface moved
+// by its wheel must never be reported as a broken sensor.
 
 #include "app/controllers/live_window.h"
 #include "app/methods/all_methods.h"
@@ -24,7 +24,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A window that the mouse draws in, frame by frame, on a clock that the test moves.
+// A window in which the mouse draws, frame by frame, with a clock controlled by the test.
 class Evening {
 public:
     explicit Evening(std::filesystem::path recording = {})
@@ -43,8 +43,8 @@ public:
             frame({});
     }
 
-    // What the mouse did until the frame that shows it; the program stalls before it takes the
-    // devices' reports, or between that and what the window makes of the mouse.
+    // Runs a frame with the mouse's movement since the previous one. The program stalls before it
+    // takes the devices' reports, or between that and the handling of the mouse.
     void frame(std::vector<view::MousePen> path, Duration stall_before = {},
                Duration stall_within = {})
     {
@@ -61,8 +61,8 @@ public:
         return { .place_mm = { x_mm, 20 }, .in_range = true, .touching = touching };
     }
 
-    // Presses, drags, rests, drags and lets go: 39 mm in 60 frames, with a stall in the
-    // `stalled`-th. A mouse at rest says in each frame that it is pressed.
+    // Presses, drags, rests, drags and releases: 39 mm in 60 frames, with a stall in one of them. A
+    // resting mouse reports in each frame that it is pressed.
     void draw(int stalled, Duration before, Duration within)
     {
         for (int i = 0; i <= 60; ++i)
@@ -71,7 +71,7 @@ public:
         rest();
     }
 
-    // Until all that was drawn is settled and shown.
+    // Runs frames until everything drawn has settled and is shown.
     void rest()
     {
         for (int i = 0; i < 30; ++i)
@@ -149,7 +149,7 @@ TEST(MouseStall, ItsRecordingHasTimesInOrderAndReplaysToTheSame)
     std::filesystem::remove(path);
 }
 
-// No wheel makes the surface faster than a hand, and no stall makes its sensor silent.
+// No wheel may move the surface faster than a hand, and no stall may make its sensor silent.
 TEST(MouseStall, NoWheelIsFasterThanAHand)
 {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -161,7 +161,7 @@ TEST(MouseStall, NoWheelIsFasterThanAHand)
         calib::HeightMonitor monitor(MouseRig::rig());
         std::optional<drivers::HeightSample> last;
         for (int i = 0; i < 3000; ++i) {
-            if (random.uniform() < 0.1) // One notch is 5 mm.
+            if (random.uniform() < 0.1) // One notch of the wheel is 5 mm.
                 mouse.move_surface(5 * std::round(40 * (random.uniform() - 0.5)));
             now += random.uniform() < 0.002 ? Duration(5s) : Duration(16ms);
             while (auto const report = surface->read(Duration::zero()).value()) {

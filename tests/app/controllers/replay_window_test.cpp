@@ -25,7 +25,7 @@ protected:
         return window;
     }
 
-    // Plays at a person's pace, until the recording has ended. `seen` looks at each frame.
+    // Plays at normal speed until the recording has ended. `seen` is called for each frame.
     template<typename Seen> static void play(ReplayWindow& window, Seen const& seen)
     {
         for (int frame = 0; frame < 10'000 && window.state().playing; ++frame) {
@@ -122,7 +122,7 @@ TEST_F(ReplayedWindow, PlaysAgainFromTheBeginning)
     EXPECT_EQ(window.state().status, "The hand begins again");
     play(window);
     EXPECT_EQ(window.state().strokes.size(), 1u);
-    window.perform(view::SetPlaying { true }); // At the end this, too, begins again.
+    window.perform(view::SetPlaying { true }); // At the end, this also starts again.
     window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
 }
@@ -151,7 +151,7 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
               .value();
     play(window);
     EXPECT_EQ(session::read_session(path, methods::all_methods().edits)->last_step(),
-              3u); // Includes what selects.
+              3u); // Includes the selecting step.
     EXPECT_EQ(window.state().layers.size(), 1u);
     window.perform(view::Undo {});
     window.settle();

@@ -9,8 +9,8 @@ namespace {
 
 class Completing : public testing::Test, protected SmallProgram {
 protected:
-    // The words offered for what has been typed, which ends in the word that is being typed; what
-    // is offered besides stands last, as in what is printed.
+    // Returns the words offered for the typed words, of which the last one is incomplete; what is
+    // offered besides comes last, as in the printed text.
     std::vector<std::string> after(std::vector<std::string> const& typed)
     {
         std::istringstream lines(print_completion(complete(root, typed, { "birch", "shrub" })));

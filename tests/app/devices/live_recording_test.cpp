@@ -11,7 +11,7 @@
 namespace tractus::devices {
 namespace {
 
-// A pen that touches (21) or hovers (20).
+// Returns a report of a pen that touches (21) or hovers (20).
 drivers::RawReport flagged_report(Timestamp time, char const* flags)
 {
     drivers::RawReport report { .received = time };
@@ -20,7 +20,7 @@ drivers::RawReport flagged_report(Timestamp time, char const* flags)
     return report;
 }
 
-// A stream that counts how often it is told to hand over what it has.
+// A stream that counts its flushes.
 class CountingBuffer final : public std::stringbuf {
 public:
     int flushes = 0;
@@ -79,7 +79,7 @@ TEST(LiveRecorder, NeverWritesOverAFile)
     EXPECT_EQ(recorder.error().fault, Fault::User);
 }
 
-// A clock that goes only when somebody waits.
+// A clock that advances only by waiting.
 struct TestClock {
     Timestamp time = at_ms(5000);
 
@@ -127,7 +127,7 @@ TEST(PacedLog, SaysThatItIsOver)
     EXPECT_EQ(end.error().message, "pen.hid:device 0 is over");
 }
 
-// Plays both devices of a log a million times as fast as they were recorded.
+// Plays both devices of a log, a million times as fast as recorded.
 LiveDevices played(std::string const& text)
 {
     auto const log

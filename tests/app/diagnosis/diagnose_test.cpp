@@ -20,7 +20,7 @@ DeviceFacts facts_of(drivers::DeviceInfo info, std::string location = "/dev/hidr
     return { .info = info, .description = drivers::describe_device(info), .poll_hz = {} };
 }
 
-// A Wacom whose reports are its maker's own, and longer than an Intuos's.
+// Returns a Wacom tablet with vendor-defined reports that are longer than an Intuos's.
 drivers::DeviceInfo secretive_tablet()
 {
     return { .name = "New Tablet",
@@ -69,7 +69,7 @@ TEST(DiagnoseSystem, PrintsTheRuleThatPermitsADevice)
 
 TEST(DiagnoseSystem, AdvisesFirstTheRuleThatWorksWhereOurRulesDoNotNameTheDevice)
 {
-    // A mouse with a tip's pressure, of somebody unknown.
+    // A mouse with tip pressure, of an unknown maker.
     auto device = facts_of(drivers::simple_pen());
     device.open_error = EACCES;
     device.info.vendor_id = 0x2179;
@@ -94,7 +94,7 @@ TEST(DiagnoseSystem, SaysWhatToDoAboutTheKernelsDriverOfAConverter)
     ASSERT_EQ(kinds(findings), Names { "driver-in-the-way" });
     EXPECT_EQ(findings[0].subject, "MCP2221A 0003:04D8:00DD.0001");
     EXPECT_TRUE(mentions(findings[0], "blacklist hid_mcp2221"));
-    chip.product_id = 0x00de; // Another device may keep to itself what it likes.
+    chip.product_id = 0x00de; // Other devices may be left to their drivers.
     EXPECT_EQ(kinds(diagnose_system(facts())), Names {});
 }
 
@@ -203,7 +203,7 @@ TEST(DiagnoseDevice, NamesBrokenReports)
 
 TEST(DiagnoseDevice, AsksForThePenOfATabletWhoseKeysAreAllThatSpoke)
 {
-    // An HS610 in its full mode: a dial of its pad.
+    // An HS610 in its full mode, whose dial is used.
     drivers::DeviceInfo const hs610 { .name = "Huion HS610",
                                       .interface_number = 0,
                                       .vendor_id = 0x256c,
@@ -237,14 +237,16 @@ TEST(DiagnoseDevice, NamesTimesThatGoBackwards)
     EXPECT_EQ(kinds(diagnose_device(monitor.reading(), {})), Names { "clock-jump" });
 }
 
-// Report of simple_pen() that touches, or hovers, at a place in counts with a pressure of 2047.
+// Returns a report of simple_pen() that touches or hovers, at x in counts with y fixed, and with a
+// pressure of up to 2047.
 std::string pen_report(bool touches, int x, int pressure)
 {
     return fmt::format("02 {} {:02x} {:02x} 88 13 {:02x} {:02x} 00 00", touches ? "21" : "20",
                        x & 0xff, x >> 8, pressure & 0xff, pressure >> 8);
 }
 
-// Strokes of 40 reports, ten apart; between them the pen hovers, or presses with `resting`.
+// Returns a reading of ten strokes of 40 reports; between them the pen hovers, or presses with
+// `resting`.
 DeviceReading reading_of_strokes(bool lifts, int resting, int pressing)
 {
     DeviceMonitor monitor(drivers::simple_pen());
@@ -269,7 +271,7 @@ TEST(DiagnoseDevice, NamesAPenThatNeverLifts)
         << "one long stroke";
 }
 
-// simple_pen() with a mouse's report 1 beside the pen's.
+// Returns simple_pen() with an additional mouse report, report 1.
 drivers::DeviceInfo pen_with_mouse()
 {
     auto info = drivers::simple_pen();
@@ -306,7 +308,8 @@ TEST(DiagnoseDevice, NamesAModeThatIsLostInMidRecording)
 
 TEST(DiagnoseDevice, NamesTheDriverThatSwitchesATabletOfGenius)
 {
-    // What they are until hid_kye has switched them: a mouse with absolute places and a pressure.
+    // The state before hid_kye has switched the tablet: a mouse with absolute positions and a
+    // pressure.
     drivers::DeviceInfo info { .name = "EasyPen", .vendor_id = 0x0458, .product_id = 0x5013 };
     info.report_descriptor
         = drivers::bytes("05 01 09 02 a1 01 85 11 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 "
@@ -317,11 +320,11 @@ TEST(DiagnoseDevice, NamesTheDriverThatSwitchesATabletOfGenius)
     auto const findings = diagnose_device(reading, {});
     ASSERT_EQ(kinds(findings), Names { "mouse-mode" });
     EXPECT_TRUE(mentions(findings[0], "modprobe hid_kye"));
-    info.vendor_id = 0x256c; // Others draw well so.
+    info.vendor_id = 0x256c; // Tablets of other makers work in this state.
     EXPECT_EQ(kinds(diagnose_device(reading_after(info, "11 01 10 10 10 10 00 02", 50), {})),
               Names {});
     info.vendor_id = 0x0458;
-    info.product_id = 0x0185; // A mouse of theirs.
+    info.product_id = 0x0185; // A mouse by the same maker.
     info.report_descriptor.resize(info.report_descriptor.size() - 12);
     info.report_descriptor.insert(info.report_descriptor.end(), 2, std::byte { 0xc0 });
     EXPECT_EQ(kinds(diagnose_device(reading_after(info, "11 01 10 10 10 10", 50), {})), Names {});
@@ -342,8 +345,8 @@ TEST(DiagnoseDevice, SaysHowADeskFindsItsPlaceAgainInMidRecording)
     EXPECT_FALSE(mentions(findings[0], "shorter cable"));
 }
 
-// Readings of two nodes; the second sends what the first does, `later_ms` after it and moved by
-// some counts.
+// Returns the readings of two nodes; the second one sends the reports of the first, `later_ms`
+// later and displaced by some counts.
 std::vector<DeviceReading> readings_of_two_nodes(drivers::DeviceInfo second, int later_ms,
                                                  int moved)
 {
@@ -376,7 +379,7 @@ TEST(DiagnoseTogether, NamesATabletThatSendsEachReportTwice)
 
 TEST(DiagnoseTogether, NamesAModeThatIsLostWhereAnotherNodeTakesOver)
 {
-    // A Huion in its full mode: reports of its maker's own on interface 0, a mouse on interface 1.
+    // A Huion in its full mode: vendor-defined reports on interface 0, a mouse on interface 1.
     drivers::DeviceInfo const full { .name = "Huion HS610",
                                      .physical_path = "usb-1/input0",
                                      .interface_number = 0,

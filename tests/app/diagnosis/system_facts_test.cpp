@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A machine's files: a Wacom on USB port 1-2 with its hidraw node and a second interface that has
-// no driver.
+// Fixture with the files of a machine: a Wacom on USB port 1-2 with its hidraw node, and a second
+// interface without a driver.
 class SystemFactsTest : public testing::Test {
 protected:
     void SetUp() override

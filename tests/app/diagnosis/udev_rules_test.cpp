@@ -53,11 +53,11 @@ TEST(UdevRules, PermitPensByUsageAndTabletsByMaker)
     EXPECT_FALSE(permits(0x03, 0x2179, 0x0053, "05 0d 09 04 a1 01 c0")); // A touch screen.
     EXPECT_TRUE(permits(0x03, 0x256c, 0x006d, "06 00 ff 09 01 a1 01 c0"));
     EXPECT_TRUE(permits(0x05, 0x256c, 0x006d, "06 00 ff 09 01 a1 01 c0"));
-    EXPECT_TRUE(permits(0x03, 0x0483, 0xa640, kMouse)); // A maker of chips.
+    EXPECT_TRUE(permits(0x03, 0x0483, 0xa640, kMouse)); // A tablet with the id of a chip maker.
     EXPECT_FALSE(permits(0x03, 0x0483, 0x5740, kMouse));
     constexpr auto kKeyboard = "05 01 09 06 a1 01 c0";
     EXPECT_TRUE(permits(0x03, 0x0458, 0x501a, "06 00 ff 09 01 a1 01 c0"));
-    EXPECT_FALSE(permits(0x03, 0x0458, 0x0708, kKeyboard)); // The same maker's keyboard.
+    EXPECT_FALSE(permits(0x03, 0x0458, 0x0708, kKeyboard)); // A keyboard by a maker of tablets.
 }
 
 } // namespace

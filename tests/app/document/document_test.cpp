@@ -13,7 +13,7 @@ namespace {
 constexpr auto kOnItsThread = Document::Working::OnItsThread;
 constexpr auto kAtOnce = Document::Working::AtOnce;
 
-// A stroke for the trunk, which is selected, towards a place of its own.
+// Returns a stroke for the selected trunk, towards a position that depends on the number.
 tools::ToolStroke stroke_number(int number)
 {
     return { stroke_through({ { 0, 0, 0 }, { 10.0 * number, 5, 100 } }),
@@ -24,7 +24,7 @@ WantedStep seeded(std::uint64_t seed)
 {
     auto const change = [=](scene::Scene const& scene) -> Result<WantedStep::Change> {
         auto growth = scene.growth;
-        growth.seed = 10 * growth.seed + seed; // Shows in which order they were made.
+        growth.seed = 10 * growth.seed + seed; // The seed shows the order of the steps.
         return WantedStep::Change { { growth }, "seeded" };
     };
     return { change, WantedStep::Of::Growth };
@@ -63,7 +63,7 @@ TEST_F(DocumentTest, DrawsShowsAndKeepsInOrder)
     EXPECT_EQ(session::read_session(path(), scene::core_edit_kinds()).value().last_step(), 5u);
 }
 
-// Strokes each go to the next branch: two quick ones are not both given the same.
+// Each stroke is for the next branch: two quick ones must not be given the same branch.
 TEST_F(DocumentTest, GivesAStrokeItsMeaningAfterAllEarlierOnes)
 {
     auto document = new_document();
@@ -114,7 +114,7 @@ TEST_F(DocumentTest, DoesWhatIsWantedInItsOrder)
     document.make(seeded(3));
     document.undo();
     document.make(seeded(4));
-    document.redo(); // There is nothing any more.
+    document.redo(); // There is nothing to redo.
     document.settle();
     EXPECT_EQ(document.newest()->scene.growth.seed, 124u);
     EXPECT_EQ(document.newest()->scene.associations.size(), 1u);
@@ -175,7 +175,7 @@ TEST_F(DocumentTest, DrawsOnWhileTheDiskIsFullAndKeepsAllAfterwards)
     }
     auto const seen = document.newest();
     document.pass_time(
-        timestamp_ns(1000'000'000)); // It is tried again a second after it was seen to fail.
+        timestamp_ns(1000'000'000)); // It is tried again one second after the failure.
     document.pass_time(timestamp_ns(1900'000'000));
     document.settle();
     EXPECT_EQ(document.newest()->unkept, 3u);
@@ -231,7 +231,7 @@ TEST_F(DocumentTest, WithoutAFileStepsCanBeTakenBack)
     EXPECT_EQ(document.newest()->scene.associations.size(), 5u) << "a step like another";
 }
 
-// Whatever is done in whatever order, with a thread or without: the same document and file.
+// Any operations in any order must give the same document and file, with a thread or without.
 RC_GTEST_FIXTURE_PROP(DocumentTest, WithAThreadIsTheSameAsWithout, ())
 {
     std::filesystem::remove(path("a.tractus"));

@@ -9,10 +9,10 @@
 namespace tractus::play {
 namespace {
 
-// Reports that the devices of a test were sent, in order: "DEVICE:FIRST BYTE".
+// Reports that devices were sent in a test, in order: "DEVICE:FIRST BYTE".
 using Sent = std::vector<std::string>;
 
-// A device whose kernel is the test.
+// A device that records what it would send to the kernel.
 class FakeDevice final : public sim::KernelDevice {
 public:
     FakeDevice(std::string name, Sent& sent)
@@ -51,7 +51,7 @@ private:
     Sent& sent_;
 };
 
-// A report that begins with `byte`, so many milliseconds after the begin.
+// Returns a report that begins with `byte`, at a time in milliseconds.
 drivers::RawReport report(int time_ms, int byte)
 {
     drivers::RawReport result { .received = Timestamp(std::chrono::milliseconds(time_ms)),
@@ -112,7 +112,7 @@ TEST_F(DeviceParts, BeginAnewUntilTheyAreAskedToStop)
     pen.on_send = [&] { stop = sent.size() >= 5; };
     play.then = DevicePlay::Then::Repeat;
     EXPECT_TRUE(play_parts(play, stop));
-    sent.resize(5); // One more may have been due at once.
+    sent.resize(5); // One more may have been due at the same time.
     EXPECT_EQ(sent, (Sent { "pen:10", "pen:12", "pen:10", "pen:12", "pen:10" }));
 }
 

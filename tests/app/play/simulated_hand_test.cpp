@@ -25,7 +25,7 @@ protected:
     SimulatedHand hand_ { log_, [this] { return now_; } };
     std::vector<std::unique_ptr<drivers::ReportSource>> sources_ = hand_.open_sources();
 
-    // What the device sends in so much time, read every 16 ms.
+    // Returns the reports that the device sends within a time, read every 16 ms.
     std::vector<drivers::RawReport> read(std::size_t device, Duration time)
     {
         std::vector<drivers::RawReport> reports;
@@ -84,7 +84,7 @@ TEST_F(HandOnAClock, HasAHeightSensorThatLivesBeforeAndAfter)
         EXPECT_EQ(monitor.total(kind).count, 0u) << static_cast<int>(kind);
 }
 
-// As "tractus draw --device simulated" does.
+// As in "tractus draw --device simulated".
 TEST(SimulatedHand, DrawsOnTheStationsWindow)
 {
     auto const now = std::make_shared<Timestamp>(1000s);

@@ -13,7 +13,7 @@ namespace {
 constexpr Color kBrick { 200, 10, 20, 255 };
 constexpr Color kSlate { 10, 20, 200, 255 };
 
-// Every pixel different, as far as the bytes go.
+// Returns a picture with different pixels, as far as possible with bytes.
 Image gradient(int width, int height, std::uint8_t alpha)
 {
     Image picture(width, height);
@@ -33,7 +33,7 @@ std::string png(Image const& picture)
     return out.str();
 }
 
-// How many pixels of a rectangle are not `paper`.
+// Returns the number of pixels in a rectangle that differ from `paper`.
 int inked(Image const& picture, int left, int top, int width, int height, Color const& paper)
 {
     int count = 0;
@@ -76,7 +76,8 @@ TEST(ReadPicture, RefusesWhatIsNone)
 TEST(ReadPicture, BelievesNoSizeThatAFileClaims)
 {
     auto bytes = png(gradient(37, 21, 128));
-    bytes.replace(16, 8, std::string("\0\x0f\0\0\0\x0f\0\0", 8)); // Of its header: 983,040 squared.
+    // The header then claims a size of 983,040 squared.
+    bytes.replace(16, 8, std::string("\0\x0f\0\0\0\x0f\0\0", 8));
     auto const picture = read_picture(bytes);
     ASSERT_FALSE(picture);
     EXPECT_EQ(picture.error().fault, Fault::User);

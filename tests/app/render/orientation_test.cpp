@@ -12,7 +12,7 @@
 namespace tractus::render {
 namespace {
 
-// A blue JPEG of that size, red where its first row begins and green where that ends.
+// Returns a blue JPEG whose first row begins with red and ends with green.
 std::string jpeg(int width, int height)
 {
     std::vector<std::uint8_t> pixels;
@@ -34,8 +34,8 @@ std::string jpeg(int width, int height)
     return bytes;
 }
 
-// The JPEG with an Exif segment that says how its rows and columns lie (Exif 2.32, section 4.5.4:
-// an APP1 marker, a TIFF header, one entry of type SHORT).
+// Adds an Exif segment with the orientation (Exif 2.32, section 4.5.4: an APP1 marker, a TIFF
+// header, one entry of type SHORT).
 std::string with_orientation(std::string const& jpeg, int orientation)
 {
     std::string tiff("MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\0\0\0\0\0\0\0", 26);
@@ -55,8 +55,8 @@ bool is_green(Color const& color)
     return color.green > 200 && color.red < 60;
 }
 
-// Where the first row begins and where it ends, to the eye, as the standard says it in words:
-// orientation 6, for one, has the 0th row at the right-hand side and the 0th column at the top.
+// Visible positions of the first row's beginning and end, from the standard's words: for
+// orientation 6, for example, the 0th row is at the right-hand side and the 0th column at the top.
 struct Seen {
     int orientation = 1;
     bool begins_right = false;

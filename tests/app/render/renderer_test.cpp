@@ -19,7 +19,7 @@ bool bark_coloured(Color const& color)
     return color.red > color.blue + 8 && color.red >= color.green && brightness(color) < 450;
 }
 
-// A leaf's picture, red on the left and blue on the right, of which only the lower half is there.
+// Returns a leaf's picture, red on the left and blue on the right, whose upper half is transparent.
 TextureSlot half_a_picture()
 {
     Image image(64, 64);
@@ -99,7 +99,8 @@ TEST_F(RendererTest, ColoursAreTheSameInAnyLight)
 TEST_F(RendererTest, CastsTheShadowAwayFromTheSun)
 {
     auto const picture = post_picture();
-    // The left leaf's middle, carried along the sun's rays to the ground, and the mirrored place.
+    // The left leaf's middle projected along the sun's rays to the ground, and the mirrored
+    // position.
     auto const shaded = brightness(at(picture, Vec3(-200 + 250, 100, 0)));
     auto const lit = brightness(at(picture, Vec3(-200 - 250, 100, 0)));
     EXPECT_LT(shaded + 60, lit);
@@ -115,7 +116,7 @@ TEST_F(RendererTest, FadesTheGroundIntoTheBackdrop)
     EXPECT_NE(empty.at(kWidth / 2, kHeight / 2), bare.at(kWidth / 2, kHeight / 2));
 }
 
-// Metal scatters nothing: the sunlit side of a rough block gets darker, in its own colour.
+// Metal does not scatter light: the sunlit side of a rough block gets darker, in its own colour.
 TEST_F(RendererTest, MetalMirrorsInsteadOfScattering)
 {
     auto mesh = post_with_leaves();
@@ -125,7 +126,7 @@ TEST_F(RendererTest, MetalMirrorsInsteadOfScattering)
              .base_color = { 0.9f, 0.6f, 0.2f },
              .roughness = 0.9f };
     Stage stage;
-    stage.sun.direction = Vec3f(0, -1, 0.6f); // On the side that is seen.
+    stage.sun.direction = Vec3f(0, -1, 0.6f); // On the visible side.
     auto const front = [&](float metalness) {
         post.metalness = metalness;
         GpuMesh const pot(mesh);
@@ -138,7 +139,7 @@ TEST_F(RendererTest, MetalMirrorsInsteadOfScattering)
     EXPECT_GT(metal.red, metal.blue + 30);
 }
 
-// A post that goes 100 mm down is a root and 10 mm are a foot in the ground.
+// A post that goes 100 mm down is a root, and one of 10 mm is only a base in the ground.
 TEST_F(RendererTest, LeavesTheGroundOutWhereItWouldHideRoots)
 {
     GpuMesh const mesh(post_with_leaves());
@@ -207,8 +208,7 @@ TEST_F(RendererTest, DrawsCurvesInTheirColourAndWidth)
     EXPECT_NE(at(drawn, Vec3(230, 0, 150)), kRed);
 }
 
-// Edges and the ground's rim are mixed with what is behind them, not with what the picture is laid
-// over.
+// Edges and the ground's rim must be blended with the background, and be opaque.
 TEST_F(RendererTest, DrawsNothingThatOneSeesThrough)
 {
     GpuMesh const mesh(post_with_leaves());
@@ -256,7 +256,7 @@ TEST_F(RendererTest, FadesCurvesWithTheDepth)
     stage.curves.push_back(&curves);
     stage.fade = { .color = { 0, 0, 1 }, .share = 1, .from_mm = 150, .range_mm = 300 };
     auto const drawn = picture(stage);
-    // Between the ends the colour is that of both in parts.
+    // Between the ends, the colour is a mixture of both.
     EXPECT_NEAR(at(drawn, Vec3(0, 0, 290)).blue, 0, 12) << "above nothing fades";
     EXPECT_NEAR(at(drawn, Vec3(0, 0, 10)).blue, 255 / 2, 12);
     EXPECT_NEAR(at(drawn, Vec3(0, 0, 10)).red, 255 / 2, 12);

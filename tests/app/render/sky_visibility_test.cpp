@@ -8,7 +8,7 @@ namespace tractus::render {
 
 namespace {
 
-// A roof of leaves, 1 m on a side, 500 mm above the ground.
+// Returns a roof of leaves, 1 m on a side, 500 mm above the ground.
 mesh::Mesh roof()
 {
     mesh::Mesh mesh;

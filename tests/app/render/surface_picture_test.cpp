@@ -11,7 +11,7 @@ namespace tractus::render {
 
 namespace {
 
-// A picture of one colour, whose right half (u > 0.5) may be another.
+// Returns a picture of one colour, with another colour in its right half (u > 0.5).
 TextureSlot plain_picture(Color const& left, Color const& right)
 {
     Image image(16, 16);
@@ -34,7 +34,7 @@ std::uint8_t byte_of(double value)
     return static_cast<std::uint8_t>(std::lround(127.5 * (value + 1)));
 }
 
-// A picture of normals that all lean as one does.
+// Returns a normal map with one normal everywhere.
 TextureSlot normals_towards(Vec3 const& normal)
 {
     return plain_picture({ byte_of(normal.x()), byte_of(normal.y()), byte_of(normal.z()), 255 });
@@ -42,8 +42,8 @@ TextureSlot normals_towards(Vec3 const& normal)
 
 Vec3 const kMiddle(0, 0, 150);
 
-// An upright plate of 200 mm in the middle of the picture, its front towards the user, u to the
-// right and v upwards, whose normals are given.
+// Returns a vertical plate of 200 mm in the middle of the picture, facing the user, with u to the
+// right, v upwards and a given normal.
 mesh::Mesh plate(Material::Kind kind, Vec3f const& normal = -Vec3f::UnitY())
 {
     mesh::Mesh mesh;
@@ -77,13 +77,14 @@ protected:
 
 TEST_F(SurfacePictureTest, NormalsLeanAsThePictureSays)
 {
-    // glTF 2.0 section 3.9.3: red points along u, green against v where rows are counted along v.
+    // By glTF 2.0, section 3.9.3, red points along u, and green against v if rows are counted along
+    // v.
     for (auto const kind : { Material::Kind::Solid, Material::Kind::Petal, Material::Kind::Bark })
         for (Vec3 const& leaning :
              { Vec3(0.5, 0, 0.866), Vec3(-0.5, 0, 0.866), Vec3(0, 0.6, 0.8), Vec3(0, -0.6, 0.8) }) {
             auto with_picture = plate(kind);
             with_picture.materials[0].textures.normal = normals_towards(leaning);
-            // Bark without its own relief, to compare the picture's alone.
+            // Without the bark's own relief, so that only the picture is compared.
             auto turned = plate(kind, Vec3(leaning.x(), -leaning.z(), -leaning.y()).cast<float>());
             turned.materials[0].textures.normal = normals_towards(Vec3::UnitZ());
             auto flat = plate(kind);
@@ -96,7 +97,7 @@ TEST_F(SurfacePictureTest, NormalsLeanAsThePictureSays)
 TEST_F(SurfacePictureTest, OcclusionTakesTheSkysLightAndLeavesTheSuns)
 {
     auto mesh = plate(Material::Kind::Solid);
-    int const open = brightness_of(mesh, Vec3f(0, 1, 0.2f)); // The sun is behind it.
+    int const open = brightness_of(mesh, Vec3f(0, 1, 0.2f)); // The sun is behind the plate.
     mesh.materials[0].textures.occlusion = plain_picture({ 0, 255, 255, 255 });
     EXPECT_LT(brightness_of(mesh, Vec3f(0, 1, 0.2f)), 20);
     EXPECT_GT(brightness_of(mesh, Vec3f(0, -1, 0.2f)), 250);
@@ -114,7 +115,7 @@ TEST_F(SurfacePictureTest, RoughnessAndTranslucencyAreTheMaterialsTimesThePictur
     pictures.materials[0].translucency = 0.6f;
     pictures.materials[0].textures.roughness = plain_picture({ 0, 128, 255, 255 });
     pictures.materials[0].textures.translucency = plain_picture({ 0, 0, 0, 128 });
-    // From where it shines into the eye, and from behind, where light comes through.
+    // Sun from where it is reflected into the eye, and from behind, where light is transmitted.
     for (auto const& sun : { Vec3f(0, -1, -0.3f), Vec3f(0, 1, 0.2f) }) {
         EXPECT_NEAR(brightness_of(pictures, sun), brightness_of(numbers, sun), 3);
         auto unlike = numbers;

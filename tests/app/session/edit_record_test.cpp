@@ -38,7 +38,7 @@ RC_GTEST_PROP(EditRecord, TakesAnyBytesWithoutHarm, ())
         RC_ASSERT(!read.error().message.empty());
 }
 
-// Engineers find this in the file, and files of today must stay readable by it.
+// The text is legible in the file, and must stay the same so that today's files remain readable.
 TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
 {
     auto const select = record_of(scene::Select { { { 0, 1 }, { 7 } } });
@@ -127,7 +127,7 @@ TEST(EditRecord, RefusesWhatHasAnotherForm)
     EXPECT_EQ(refusal({ "select", "{}", "x" }), "it has numbers, and should have none");
 }
 
-// Whoever is given a session or a recording need not know where its author keeps files.
+// A session or a recording that is passed on must not reveal its author's folders.
 TEST(EditRecord, HasNoFolders)
 {
     auto model = small_model();

@@ -27,12 +27,12 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// Numbers that a child said before its end, the last of which counts.
+// Reports a number to the parent process; the last one counts.
 using Say = std::function<void(int)>;
 
-// Runs `work` in a program of its own, which is killed after so long; answers the last number that
-// it has said, -1 for none. This program itself derives no plant and so has no threads, which a
-// child would miss.
+// Runs `work` in a child process, which is killed after `life`; returns the last number that it has
+// reported, -1 for none. The parent derives no plants and so has no threads, which would be missing
+// in the child.
 int last_said(std::function<void(Say const&)> const& work, std::chrono::microseconds life)
 {
     int ends[2];
@@ -59,7 +59,8 @@ int last_said(std::function<void(Say const&)> const& work, std::chrono::microsec
 
 constexpr int kStrokes = 12;
 
-// The trunk is selected; then strokes shape it, and directions lean the plant.
+// Returns a script that selects the trunk, shapes it with strokes, and leans the plant with
+// directions.
 std::string many_strokes()
 {
     std::string script = "version = 1\nseed = 3\n"
@@ -72,13 +73,13 @@ std::string many_strokes()
     return script;
 }
 
-// A hand draws a recording at the station's controller, which keeps it in a session, and the
-// program is killed, again and again.
+// Fixture in which a hand draws a recording with the station's controller, which keeps it in a
+// session, and the program is killed repeatedly.
 class KilledDrawing : public testing::Test {
 protected:
     static constexpr std::chrono::hours kForever {
         24
-    }; // Whoever runs the tests ends one that hangs.
+    }; // A hanging test is ended by the test runner.
 
     void SetUp() override
     {
@@ -95,8 +96,8 @@ protected:
 
     void TearDown() override { fs::remove_all(folder_); }
 
-    // Draws as the program does, frame by frame, but as fast as it can. Says how many strokes the
-    // window shows as done whenever there are more.
+    // Draws frame by frame as the program does, but as fast as possible. Reports the number of
+    // strokes shown as finished whenever it increases.
     void draw_into(fs::path const& path, Say const& say) const
     {
         constexpr Duration kFrame = std::chrono::milliseconds(16);
@@ -119,15 +120,16 @@ protected:
             goes_on = replay.advance_to(now);
             controller.show(station, now);
             say_done();
-            if (!controller.document().is_settled()) // A frame takes longer.
+            if (!controller.document().is_settled()) // A frame would take longer.
                 std::this_thread::sleep_for(std::chrono::microseconds(100));
         }
-        static_cast<void>(controller.finish(station, now)); // Is killed somewhere in here.
+        // The process is killed during this call.
+        static_cast<void>(controller.finish(station, now));
         say_done();
     }
 
-    // Opens it as somebody does who goes on drawing, and says how many strokes are there: that
-    // which selects, and those that shape the trunk or lean the plant.
+    // Opens the session to continue drawing, and reports the number of strokes in it: the selecting
+    // one, and those that shape the trunk or lean the plant.
     static void open_and_count(fs::path const& path, Say const& say)
     {
         auto session = Session::open(path, session_by_the_clock(methods::all_methods().edits, [] {
@@ -143,7 +145,7 @@ protected:
             say(static_cast<int>(steps));
     }
 
-    // Whether it has whole steps of those, from the first on, and each as it was drawn.
+    // True if the contents consist of the first complete steps, unchanged.
     static bool is_beginning_of(std::vector<SessionEdit> const& whole,
                                 SessionContents const& contents)
     {
@@ -189,10 +191,10 @@ TEST_F(KilledDrawing, LosesNoFinishedStrokeAndOpensAgain)
             draw, std::chrono::microseconds(random() % static_cast<std::uint64_t>(whole_us)));
         SCOPED_TRACE(fmt::format("{} strokes were done when it was killed", done));
         if (done < 0 && !fs::exists(session()))
-            continue; // It had not begun, and left nothing half under that name.
+            continue; // It had not begun, and left no incomplete file under that name.
         auto const contents = read_session(session(), methods::all_methods().edits);
         ASSERT_TRUE(contents) << contents.error().message;
-        // More may have come to the disk than there was time to show.
+        // More steps may have been saved than were shown.
         auto const steps = static_cast<int>(contents->step);
         EXPECT_GE(steps, done);
         EXPECT_EQ(contents->last_step(), contents->step);

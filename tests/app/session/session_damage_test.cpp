@@ -11,7 +11,7 @@ namespace {
 // Remedy for a damaged file, without the file's name.
 std::string const kRemedy = "\"tractus session repair  -o NEW.tractus\" brings back what is whole";
 
-// Files that are no good session: each is refused in a sentence, or is one after all.
+// Fixture with damaged session files: each must be refused with a message, or be valid after all.
 class SessionDamage : public SessionFolder {
 protected:
     void SetUp() override
@@ -22,7 +22,7 @@ protected:
             ASSERT_TRUE(session.append(drawing_step(i)));
     }
 
-    // Changes a copy of the session from within.
+    // Changes a copy of the session with SQL.
     void change(std::string const& name, std::string const& sql) const
     {
         std::filesystem::copy_file(path(), path(name));
@@ -30,7 +30,7 @@ protected:
         ASSERT_TRUE(database.execute(sql)) << sql;
     }
 
-    // Returns such a copy's refusal, without the file's name.
+    // Returns the error for such a copy, without the file's name.
     std::string refusal_after(std::string const& sql) const
     {
         change("changed", sql);
@@ -79,7 +79,7 @@ TEST_F(SessionDamage, WhatDoesNotFitTogether)
     EXPECT_NE(refusal_after("PRAGMA user_version = 0").find("is damaged"), std::string::npos);
 }
 
-// What somebody may have put into a file to do harm is never run, nor read.
+// Malicious content in a file must be neither executed nor read.
 TEST_F(SessionDamage, WhatHasMoreInItsSchemaThanASession)
 {
     std::string const endless
@@ -118,7 +118,7 @@ TEST_F(SessionDamage, WhatHasValuesOfOtherTypes)
         EXPECT_NE(refusal_after(sql).find("is damaged"), std::string::npos) << sql;
 }
 
-// The name is all that is read of a file whose card is shown.
+// Only the name is read from a file for its card.
 TEST_F(SessionDamage, AnEndlessNameIsNone)
 {
     change("endless",
@@ -156,14 +156,14 @@ TEST_F(SessionDamage, AnEditThatIsNotAsItWasWritten)
         EXPECT_EQ(refusal_after(sql), " is damaged (edit 4 is not as it was written): " + kRemedy);
 }
 
-// Whatever is read has all of its edits, each as it was.
+// A file that is accepted must have all of its edits, unchanged.
 TEST_F(SessionDamage, RandomBytesNeverHarm)
 {
     auto const whole = read_bytes();
     auto const edits = read_session(path(), scene::core_edit_kinds()).value().edits;
     std::mt19937 random(1);
     int refused = 0;
-    for (int i = 0; i < 800; ++i) { // Half of them hit copies, which are not read.
+    for (int i = 0; i < 800; ++i) { // Half of the changes hit copies, which are not read.
         auto bytes = whole;
         for (int flips = 1 + i % 3; flips > 0; --flips)
             bytes[random() % bytes.size()] ^= static_cast<char>(1u << (random() % 8));

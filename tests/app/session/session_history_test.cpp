@@ -8,7 +8,7 @@
 namespace tractus::session {
 namespace {
 
-// Steps that are kept in memory, and counted as a file counts their edits.
+// Steps in memory, counted as in a file.
 class Steps {
 public:
     explicit Steps(std::vector<std::vector<scene::Edit>> steps)
@@ -16,7 +16,7 @@ public:
     {
     }
 
-    // Adds a step; `step` and later ones of before are gone.
+    // Adds a step, and removes earlier ones from `step` on.
     void push(std::size_t step, std::vector<scene::Edit> edits)
     {
         steps_.resize(step);
@@ -47,7 +47,7 @@ private:
     std::vector<std::vector<scene::Edit>> steps_;
 };
 
-// The scene of a history, whose plants one builder builds.
+// A history with its scene, built by one builder.
 class Built {
 public:
     explicit Built(SessionHistory history)
@@ -73,7 +73,7 @@ private:
     scene::SceneBuilder builder_;
 };
 
-// Erases tips of a stroke; draws one if there is none with enough.
+// Returns a step that erases tips of a stroke, or draws one if there is none with enough tips.
 std::vector<scene::Edit> erasing_step(scene::Scene const& scene)
 {
     if (scene.associations.empty())
@@ -87,7 +87,7 @@ std::vector<scene::Edit> erasing_step(scene::Scene const& scene)
     return { scene::EraseTips { scene::numbered({ number }), { { first, first + erased - 1 } } } };
 }
 
-// A step that the scene, of the small model, takes.
+// Returns a step that a scene of the small model accepts.
 std::vector<scene::Edit> random_step(scene::Scene const& scene)
 {
     switch (*rc::gen::inRange(0, 8)) {
@@ -110,7 +110,7 @@ std::vector<scene::Edit> random_step(scene::Scene const& scene)
     }
 }
 
-// The steps, and how many of them count.
+// A simple model of a history: the steps, and the number in effect.
 struct ModelOfHistory {
     std::vector<std::vector<scene::Edit>> steps;
     std::size_t count = 0;
@@ -124,7 +124,7 @@ struct ModelOfHistory {
     }
 };
 
-// Does one thing to both.
+// Applies a random operation to both the history and its model.
 void do_anything(Built& built, Steps& steps, ModelOfHistory& model)
 {
     switch (*rc::gen::weightedElement<int>({ { 5, 0 }, { 4, 1 }, { 2, 2 } })) {
@@ -161,7 +161,7 @@ RC_GTEST_PROP(SessionHistory, IsTheFoldOfTheStepsThatCount, ())
 
 TEST(SessionHistory, FindsEveryStepOfALongSession)
 {
-    constexpr int kSteps = 400; // More than are kept.
+    constexpr int kSteps = 400; // More steps than are kept.
     Steps steps({ beginning() });
     Built built(steps.history().value());
     for (int i = 0; i < kSteps; ++i) {
@@ -188,7 +188,7 @@ TEST(SessionHistory, SaysWhichPlantCannotBeLoaded)
     EXPECT_EQ(scene.error().message.find("edit 2: bad.l:2:"), 0u) << scene.error().message;
 }
 
-// The file's damage may have taken what an edit needs.
+// Damage of the file may have removed what an edit needs.
 TEST(SessionHistory, GoesOnWithoutAStepThatCannotBeMade)
 {
     scene::SetGrowth const seven { {}, 7 };

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kPageBytes = 4096;
 
-// A session that is large enough for its table to have interior pages, as one file without a log,
-// and what of it stands where: found in the bytes themselves, by what each edit alone has.
+// Fixture with a session whose table has interior pages, as one file without a journal, and the
+// position of each edit, found by searching the bytes for the edit's own data.
 class SessionRepair : public SessionFolder {
 protected:
     void SetUp() override
@@ -28,14 +28,15 @@ protected:
             auto const database = Database::open(path(), Database::Access::Write).value();
             ASSERT_TRUE(database.execute("PRAGMA wal_checkpoint(TRUNCATE)"));
             ASSERT_TRUE(database.execute("PRAGMA journal_mode = DELETE"));
-            ASSERT_TRUE(database.execute("VACUUM")); // No old copies: each edit has one place.
+            // Removes old copies, so that each edit has one position.
+            ASSERT_TRUE(database.execute("VACUUM"));
         }
         whole_ = read_bytes();
         edits_ = read_session(path(), scene::core_edit_kinds()).value().edits;
         ASSERT_EQ(edits_.size(), 242u);
     }
 
-    // A stroke of a hand: it goes on in other pages than it begins in.
+    // Returns a hand's stroke that is long enough to span pages.
     static std::vector<scene::Edit> long_step(int number)
     {
         std::vector<TipSample> tips;
@@ -47,7 +48,7 @@ protected:
         return { scene::Select { { { 0, 1, 2 } } }, scene::Associate { { tips } } };
     }
 
-    // How many of the edits that were read are as they were written, each at the place of its own.
+    // Returns the number of edits read that are as they were written, each in its own position.
     std::size_t count_back(std::string const& bytes)
     {
         write_bytes("damaged.tractus", bytes);
@@ -68,8 +69,8 @@ protected:
         return count;
     }
 
-    // The pages that the rows of a damaged page's edits take, as the undamaged file's own tables
-    // say: those of which a byte is at `place`, one edit at most.
+    // Returns how many edits are lost at most if a range of bytes is damaged: those whose rows, by
+    // the undamaged file's own tables, are in the range's pages.
     std::size_t edits_lost_at(std::size_t begin, std::size_t size) const
     {
         std::set<std::int64_t> lost;
@@ -79,17 +80,16 @@ protected:
         return lost.size();
     }
 
-    // Where the bytes of each edit's numbers and fields stand, by looking for pieces of them. Made
-    // once.
+    // Finds the bytes of each edit's numbers and fields by searching for pieces of them. Done once.
     std::multimap<std::pair<std::size_t, std::size_t>, std::int64_t> const& bytes_of_edits() const
     {
         if (!places_.empty())
             return places_;
-        constexpr std::size_t kPiece = 41; // A tip, whose time no other has.
+        constexpr std::size_t kPiece = 41; // A tip, whose time is unique.
         for (auto const& edit : edits_) {
             auto const record = record_of(edit.edit);
             auto const& bytes = record.numbers;
-            // The next ones are near, but for what crosses to another page.
+            // Later pieces are near, except those on another page.
             auto last = std::string::npos;
             for (std::size_t at = 0; at + kPiece <= bytes.size(); at += kPiece) {
                 auto const piece = std::string_view(bytes).substr(at, kPiece);
@@ -105,7 +105,7 @@ protected:
         return places_;
     }
 
-    // A place in the header, the schema and the interior pages, or anywhere.
+    // Returns a random position in the header, the schema and the interior pages, or anywhere.
     std::size_t random_place(std::mt19937& random, bool in_structure) const
     {
         if (!in_structure)
@@ -118,8 +118,8 @@ protected:
         return pages[random() % pages.size()] * kPageBytes + random() % kPageBytes;
     }
 
-    // Damages the file again and again; says how many of the edits that the damage did not touch
-    // came back, on the average and at least.
+    // Damages the file repeatedly, and checks how many of the edits outside the damage are
+    // restored, on average and at least.
     void expect_repaired(std::size_t damage_bytes, std::uint32_t seed)
     {
         std::mt19937 random(seed);
@@ -168,7 +168,7 @@ TEST_F(SessionRepair, BringsBackAllBeforeATornTail)
     for (std::size_t pages = 3; pages < whole_.size() / kPageBytes; pages += 7) {
         auto const cut = pages * kPageBytes - 100;
         auto const back = count_back(whole_.substr(0, cut));
-        // Rows of which the last byte is before the cut.
+        // Rows whose last byte is before the cut.
         std::map<std::int64_t, std::size_t> ends;
         for (auto const& [at, number] : bytes_of_edits())
             ends[number] = std::max(ends[number], at.second);
@@ -181,7 +181,7 @@ TEST_F(SessionRepair, BringsBackAllBeforeATornTail)
 TEST_F(SessionRepair, WritesASessionThatOpensAsFarAsItGoes)
 {
     auto bytes = whole_;
-    bytes.replace(0, 200, 200, 'x'); // No header, no schema.
+    bytes.replace(0, 200, 200, 'x'); // Destroys header and schema.
     write_bytes("damaged.tractus", bytes);
     EXPECT_FALSE(read_session(path("damaged.tractus"), scene::core_edit_kinds()));
     auto const salvaged
@@ -219,15 +219,15 @@ TEST_F(SessionRepair, LeavesOutWhatWasUndoneAndReplaced)
 TEST_F(SessionRepair, NamesWhatIsLostAndGoesOnWithoutIt)
 {
     auto salvaged = salvage_session(path(), scene::core_edit_kinds()).value();
-    salvaged.rows.erase(salvaged.rows.begin() + 10); // Stands for damage.
+    salvaged.rows.erase(salvaged.rows.begin() + 10); // Simulates damage.
     ASSERT_TRUE(write_repaired(salvaged, {}, path("new.tractus")));
     auto const session = open("new.tractus");
     ASSERT_TRUE(session) << session.error().message;
     EXPECT_EQ(session->last_step(), 120u);
 }
 
-// The edits before stroke 20 are numbered anew when one of them is lost, also those of an older
-// session, which have no ids.
+// If an edit before stroke 20 is lost, the remaining ones must be renumbered, even in an older
+// session without ids.
 TEST_F(SessionRepair, WhatIsLeftKeepsItsName)
 {
     scene::Anchored<variation::Association> erased;
@@ -256,7 +256,7 @@ TEST_F(SessionRepair, WhatIsLeftKeepsItsName)
 TEST_F(SessionRepair, TakesAnotherPlantInThePlaceOfALostOne)
 {
     auto salvaged = salvage_session(path(), scene::core_edit_kinds()).value();
-    salvaged.rows.erase(salvaged.rows.begin()); // The plant.
+    salvaged.rows.erase(salvaged.rows.begin()); // Removes the plant.
     ASSERT_TRUE(write_repaired(salvaged, { small_model() }, path("new.tractus")));
     auto const session = open("new.tractus");
     ASSERT_TRUE(session) << session.error().message;

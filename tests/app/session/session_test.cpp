@@ -35,7 +35,7 @@ TEST_F(SessionTest, OpensAsItWasClosed)
         ASSERT_TRUE(session.undo());
         scene = session.scene();
     }
-    EXPECT_EQ(file_count(), 1u); // Nothing is left beside it.
+    EXPECT_EQ(file_count(), 1u); // No other file is left beside it.
     auto session = open().value();
     EXPECT_TRUE(same_scene(session.scene(), scene));
     ASSERT_TRUE(session.redo());
@@ -124,7 +124,7 @@ TEST_F(SessionTest, OnlyOneProgramDrawsInIt)
 
 TEST_F(SessionTest, ThatTheProgramLeftOpenIsReadAsItWas)
 {
-    // kill -9 leaves the file and its journal behind.
+    // The process was killed, which leaves the file and its journal behind.
     auto session = create().value();
     ASSERT_TRUE(session.append(drawing_step(1)));
     std::filesystem::copy_file(path(), path("b.tractus"));
@@ -137,8 +137,8 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
 {
     struct Older {
         int format;
-        char const* statements; // Statements that make it so old.
-        std::int64_t made;      // When its edits were made: the first format did not know.
+        char const* statements; // SQL statements that make it old.
+        std::int64_t made;      // Time of its edits, which the first format did not contain.
     };
     for (auto const& [older, statements, made] :
          { Older { 1, kToFormat1, 0 }, Older { 2, kToFormat2, 1'800'000'000 } }) {
@@ -152,7 +152,7 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
         ASSERT_TRUE(
             Database::open(path(name), Database::Access::Write).value().execute(statements));
         EXPECT_EQ(read_session(path(name), scene::core_edit_kinds()).value().edits.size(),
-                  8u); // Reading needs no change.
+                  8u); // Reading must not need a change.
         EXPECT_EQ(file_count(), count_before + 1);
         {
             auto session = open(name).value();
@@ -181,7 +181,7 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
     }
 }
 
-// The folders of its author's files, which older programs wrote, are nowhere in it any more.
+// Folders of its author's files, which older programs wrote, must be removed.
 TEST_F(SessionTest, OfAnOlderFormatLosesTheFoldersOfItsModel)
 {
     {

@@ -6,7 +6,7 @@
 namespace tractus::session {
 namespace {
 
-// Edits that another tractus would write, with more methods than this one.
+// Returns an edit by another version of the program with more methods.
 EditRecord graft()
 {
     return { "graft", R"({"on":[3,0.5],"height":1e999})", std::string("\0\x01\xff", 3) };
@@ -19,8 +19,8 @@ EditRecord select_with_more()
 
 class UnknownEditsTest : public SessionFolder {
 protected:
-    // Step 1 is known, step 2 has an edit of each kind that is not and one that is known, step 3 is
-    // known.
+    // Creates a session in which step 1 is known, step 2 has an unknown edit of each kind and a
+    // known one, and step 3 is known.
     void SetUp() override
     {
         SessionFolder::SetUp();
@@ -48,7 +48,7 @@ protected:
         ASSERT_TRUE(write_step(database, rows));
     }
 
-    // Edits 5 and 7 of a file are what was written, byte for byte.
+    // Expects edits 5 and 7 of a file to be unchanged, byte by byte.
     void expect_kept(std::string const& name) const
     {
         auto const database = Database::open(path(name), Database::Access::Read).value();
@@ -92,8 +92,7 @@ TEST_F(UnknownEditsTest, AreNamed)
               "this tractus: a newer one has written it");
 }
 
-// Whoever knows the unknown edits counts them: so the ids of what is drawn later are the same to
-// both.
+// Unknown edits must be counted, so that later ids are the same in programs that know them.
 TEST_F(UnknownEditsTest, AreCountedForTheIdsOfLaterStrokes)
 {
     auto const session = open().value();
@@ -139,7 +138,7 @@ TEST_F(UnknownEditsTest, OfTheBeginningLeaveItsPlant)
     auto session = open().value();
     EXPECT_EQ(session.unknown().count, 3u);
     EXPECT_EQ(session.scene().associations.size(), 2u);
-    // Beginning again does what can be done.
+    // Beginning again includes what is possible.
     auto const again = session.beginning().value();
     EXPECT_EQ(again.size(), 1u);
     ASSERT_TRUE(session.append(again));

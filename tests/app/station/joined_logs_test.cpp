@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-// Recordings that were joined, or went on after a restart: their times go back.
+// Recordings that were concatenated, or continued after a restart: their times go back.
 
 namespace tractus::station {
 namespace {
@@ -35,7 +35,8 @@ std::string head()
           "C: latency_ms = 0\nC: [tablet]\nC: size_mm = [200, 100]\nC: latency_ms = 0\n";
 }
 
-// A pen that touches from 0.1 s on, and rises at the end if it is to; the surface rests.
+// Returns a recording of a pen that touches from 0.1 s on and optionally lifts at the end, over a
+// surface at rest.
 std::string part(double first_s, int counts, bool lifts)
 {
     std::string text;
@@ -100,7 +101,7 @@ TEST(JoinedLogs, AreWarnedOfOnceWithTheLine)
     auto const lines = std::count(first.begin(), first.end(), '\n');
     auto const head_text = head();
     auto const head_lines = std::count(head_text.begin(), head_text.end(), '\n');
-    // After the D line of the second part.
+    // The line after the D line of the second part.
     EXPECT_EQ(replayed.warnings[0],
               fmt::format("{}: the times go back by 4.496 s: another recording begins here, whose "
                           "times count on from the one before",
@@ -117,7 +118,7 @@ TEST(JoinedLogs, AreNotWhatIsOutOfOrderByALittle)
 
 TEST(JoinedLogs, NeedNoSensorThatIsTheSame)
 {
-    // The surface stands elsewhere at once: a new recording, no jump.
+    // The surface is suddenly elsewhere: a new recording, not a jump.
     auto const log = drivers::parse_log(head() + part(5, 500, true) + part(0, 3900, true), "log");
     auto replay = LogReplay::create(*log, {}).value();
     replay.advance_to(Timestamp::max());

@@ -38,7 +38,7 @@ TEST(LogReplay, LaysTheStrokesOfOlderLogsAsTheyWereLaid)
     auto const older = replayed(log).scene;
     ASSERT_EQ(older.associations.size(), 1u);
     EXPECT_EQ(older.associations[0].what.laying, variation::StrokeLaying::LeastTwist);
-    log.tools.clear(); // Nobody says what the pen means: it draws, branch by branch.
+    log.tools.clear(); // Without tool lines, the default draws branch by branch.
     auto const without = replayed(log).scene;
     ASSERT_EQ(without.associations.size(), 3u);
     for (std::size_t i = 0; i < without.associations.size(); ++i)
@@ -141,7 +141,8 @@ TEST(LogReplay, LeavesOutStrokesThatGetLessFarThanTheLogSays)
     EXPECT_NE(refusal(log).find("\"draw=-1\" is no least extent"), std::string::npos);
 }
 
-// A log of a program with more tools: its strokes change nothing, and the others do as before.
+// A log by a program with more tools: their strokes must change nothing, and the others must work
+// as before.
 TEST(LogReplay, LeavesOutWhatItDoesNotKnowAndNamesIt)
 {
     auto log = recorded_log();
@@ -161,8 +162,8 @@ drivers::LogTool undo_after(std::size_t strokes, drivers::Log const& log, std::s
     return { log.end(), "undo", std::to_string(strokes), position };
 }
 
-// Their lines may stand in the log after reports of later strokes, or before the end of earlier
-// ones is known.
+// Their lines may be in the log after reports of later strokes, or before the end of earlier ones
+// is known.
 TEST(LogReplay, DoesStepsBetweenTheStrokesWhereTheyWereDone)
 {
     auto log = recorded_log();

@@ -13,7 +13,7 @@
 namespace tractus::station {
 namespace {
 
-// At a height of 100 mm that no sensor measures.
+// Returns a station with a fixed height of 100 mm, without a height sensor.
 DrawingStation low_station(std::optional<tools::Tool> const& tool = {})
 {
     StationOptions options;
@@ -61,7 +61,7 @@ TEST(Station, MakesAStrokeOfWhatThePenTouches)
 
 TEST(Station, ScalesAPenThatDoesNotTellItsSizeToTheMeasuredSurface)
 {
-    // Both axes run to 32767, and nothing tells how far that is.
+    // Both axes range to 32767, without a size.
     drivers::DeviceInfo const pen {
         .name = "Tablet",
         .vendor_id = 0x1234,
@@ -82,7 +82,8 @@ TEST(Station, ScalesAPenThatDoesNotTellItsSizeToTheMeasuredSurface)
     };
     std::vector const devices { pen };
     auto station = DrawingStation(Station::create(devices, options).value(), small_scene());
-    station.push(0, at_ms(0), drivers::bytes("01 ff 7f 00 00")); // The right edge, the far one.
+    // At the right edge and the far edge.
+    station.push(0, at_ms(0), drivers::bytes("01 ff 7f 00 00"));
     auto const moments = station.take_moments();
     ASSERT_FALSE(moments.empty());
     EXPECT_LT((moments.back().position_mm - Vec3(100, 50, 100)).norm(), 1e-6)
@@ -112,7 +113,7 @@ TEST(Station, KeepsTheStrokeOfAPenThatIsUnplugged)
     EXPECT_EQ(station.strokes()[0].stroke.tips.size(), 10u);
     EXPECT_TRUE(station.inks().empty());
     EXPECT_FALSE(station.pen_in_range());
-    // It comes back while the pen touches: that is another stroke.
+    // The pen touches when the tablet returns, which must begin another stroke.
     for (int i = 0; i < 10; ++i)
         station.push(kPen, at_ms(5000 + 5 * i), pen_report(100 + 5 * i, 50, true));
     station.finish();
@@ -214,7 +215,7 @@ TEST(Station, CountsBrokenReportsAndGoesOn)
     EXPECT_EQ(station.strokes().size(), 1u);
 }
 
-// Draws for 400 ms; the sensor's cable is open between 200 and 350 ms.
+// Returns a station after 400 ms of drawing, with the sensor's cable open between 200 and 350 ms.
 DrawingStation station_with_an_open_cable()
 {
     StationOptions options;
@@ -295,8 +296,8 @@ TEST(Station, TakesHeightsFromTheSensorBetweenThePensReports)
     EXPECT_NEAR(tips.back().position_mm.z(), 139, 1);
 }
 
-// A tablet that its own driver has not switched: a mouse with tip pressure, 200 x 100 counts, which
-// never says that the pen has gone.
+// Returns a tablet before its driver switches it: a mouse with tip pressure, 200 x 100 counts,
+// which never reports that the pen has left.
 drivers::DeviceInfo mouse_with_pressure()
 {
     return {
@@ -317,7 +318,7 @@ DrawingStation station_with_mouse()
     return DrawingStation(Station::create(devices, options).value(), small_scene());
 }
 
-// Twenty reports of the mouse's tip, 5 ms apart, and not another word.
+// Sends twenty reports of the mouse's tip, 5 ms apart, and nothing afterwards.
 void touch_with_mouse(DrawingStation& station, std::int64_t start_ms)
 {
     for (int i = 0; i < 20; ++i) {
@@ -331,7 +332,7 @@ TEST(Station, APenThatRestsInSilenceGoesOnWithItsStroke)
 {
     auto station = station_with_mouse();
     touch_with_mouse(station, 0);
-    station.pass_time(at_ms(60'000)); // It reports changes only.
+    station.pass_time(at_ms(60'000)); // It reports only changes.
     EXPECT_TRUE(station.pen_in_range());
     EXPECT_TRUE(station.strokes().empty());
     station.push(0, at_ms(60'005), drivers::bytes("01 01 6a 00 32 00 ff 0f"));
@@ -339,7 +340,7 @@ TEST(Station, APenThatRestsInSilenceGoesOnWithItsStroke)
     EXPECT_EQ(station.strokes().size(), 1u);
 }
 
-// Resting, a pen whose tablet streams sends the same report again and again.
+// Sends the equal reports of a resting pen whose tablet streams.
 void rest_with_mouse(DrawingStation& station, std::int64_t start_ms)
 {
     for (int i = 0; i < 4; ++i)

@@ -18,7 +18,7 @@ DrawingStation station_in_hand(std::optional<tools::Tool> const& tool = {})
     return station_on(small_scene(), tool);
 }
 
-// The pen from one place to another, down all the way, then up; x and y of the tablet.
+// Draws from one point to another with the pen down, and then lifts it; x and y of the tablet.
 void touch_along(DrawingStation& station, std::int64_t start_ms, Vec2 const& from_mm,
                  Vec2 const& to_mm)
 {
@@ -31,16 +31,16 @@ void touch_along(DrawingStation& station, std::int64_t start_ms, Vec2 const& fro
 
 Eigen::AlignedBox2d left_part()
 {
-    return { Vec2(-100, -50), Vec2(-60, 50) }; // x of the tablet below 40 mm.
+    return { Vec2(-100, -50), Vec2(-60, 50) }; // The area below x = 40 mm on the tablet.
 }
 
 TEST(StationTools, PressesWhereATouchBeginsInAnAreaForIt)
 {
     auto station = station_in_hand(indicators::IndicateTool {});
     station.set_pressing_areas({ left_part() });
-    touch_along(station, 0, { 30, 50 }, { 100, 50 }); // Out of the area: still a press.
+    touch_along(station, 0, { 30, 50 }, { 100, 50 }); // Leaving the area: still a press.
     EXPECT_FALSE(station.is_pressing());
-    touch_along(station, 200, { 100, 50 }, { 30, 50 }); // Into it: still a stroke.
+    touch_along(station, 200, { 100, 50 }, { 30, 50 }); // Entering the area: still a stroke.
     station.finish();
     ASSERT_EQ(station.strokes().size(), 1u);
     EXPECT_EQ(station.counts().strokes, 1u);
@@ -56,8 +56,8 @@ TEST(StationTools, PressesWhereATouchBeginsInAnAreaForIt)
     EXPECT_TRUE(station.take_moments().empty());
 }
 
-// Reports of both devices come in bursts, and their times are computed: what a touch is for has to
-// be found again from its evened times, by a recording that keeps microseconds, too.
+// Reports of both devices arrive in bursts and their times are evened. A recording with whole
+// microseconds must give the same distinction of touches.
 TEST(StationTools, PressesWhereReportsComeInBursts)
 {
     StationOptions options;
@@ -123,7 +123,7 @@ TEST(StationTools, TakesBackAStrokeThatTurnsOutToBeAPress)
     EXPECT_TRUE(station.is_pressing());
     station.push(kPen, at_ms(50), pen_report(60, 50, false));
     EXPECT_FALSE(station.is_pressing());
-    station.press_instead(); // Nothing touches: nothing happens.
+    station.press_instead(); // Without a touch, there is no effect.
     draw_across(station, 100);
     station.finish();
     ASSERT_EQ(station.strokes().size(), 1u);
@@ -165,18 +165,19 @@ TEST(StationTools, DoesAtOnceWhatNeedsNoStroke)
     EXPECT_EQ(tools::words_for(station.take_tool_changes().at(0).tool).arguments, "invert now");
 }
 
-// Ten samples of the pen's other end across a line, 1 mm and 5 ms apart.
+// Erases with the pen's other end across a line, with ten samples 1 mm and 5 ms apart.
 void erase_across(DrawingStation& station, std::int64_t start_ms, double x_mm, double y_mm)
 {
     for (int i = 0; i < 10; ++i) {
         auto report = pen_report(x_mm, y_mm + i, true);
-        report[1] = std::byte { 0x38 }; // In range, eraser, invert.
+        report[1] = std::byte { 0x38 }; // Flags in range, eraser, invert.
         station.push(kPen, at_ms(start_ms + 5 * i), report);
     }
     station.push(kPen, at_ms(start_ms + 60), pen_report(x_mm, y_mm, false));
 }
 
-// Strokes and what the pen's other end erases of them, before and after that is chosen.
+// Returns a station with strokes and erasures by the pen's other end, before and after a tool for
+// it is chosen.
 DrawingStation drawn_and_erased(std::vector<Station::ToolChange> const& changes)
 {
     auto station = station_in_hand();
@@ -207,7 +208,7 @@ TEST(StationTools, ErasesWithThePensOtherEndAsItDidLast)
     EXPECT_TRUE(live.strokes()[3].edits[0].get<scene::EraseTips>());
     EXPECT_TRUE(live.strokes()[5].edits[0].get<scene::DeleteStroke>());
 
-    // The tool lines of a recording give the same again, to the last bit.
+    // The tool lines of a recording must give the same result, to the last bit.
     std::vector<Station::ToolChange> recorded;
     for (auto const& [time, tool] : live.take_tool_changes()) {
         auto const words = tools::words_for(tool);
@@ -253,7 +254,7 @@ TEST(StationTools, ErasesWithThePensOtherEnd)
     touch_along(station, 0, { 50, 50 }, { 150, 50 });
     ASSERT_EQ(station.strokes().size(), 1u);
     EXPECT_EQ(station.scene().indicators.size(), 1u);
-    erase_across(station, 300, 100, 70); // Beside it.
+    erase_across(station, 300, 100, 70); // Beside the line.
     ASSERT_EQ(station.strokes().size(), 2u);
     EXPECT_NE(station.strokes()[1].refusal, "");
     EXPECT_EQ(station.scene().indicators.size(), 1u);

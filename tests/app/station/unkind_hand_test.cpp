@@ -8,14 +8,15 @@
 #include <utility>
 #include <vector>
 
-// Strokes that were meant and strokes that come out, where devices and computer do their worst.
+// Compares intended strokes with the results, under the worst behaviour of devices and computer.
 
 namespace tractus::station {
 namespace {
 
 using namespace std::chrono_literals;
 
-// A vertical line with the pen pressed still, a level one and a rising curve.
+// Returns a hand that draws a vertical line with the pen at rest, a horizontal line and a rising
+// curve.
 sim::Hand hand_of(std::uint64_t seed, sim::Unkindness const& unkindness)
 {
     sim::LineShape const upright { .from_mm = { -40, 10, 60 }, .to_mm = { -40, 10, 260 } };
@@ -27,14 +28,16 @@ sim::Hand hand_of(std::uint64_t seed, sim::Unkindness const& unkindness)
                                            { .path = sim::make_path(level) },
                                            { .path = sim::make_path(curve) } };
     sim::add_hooks(strokes, {}, unkindness);
-    // Without tremor in the plane the pen of the upright line rests, and its tablet is silent.
+    // Without tremor in the plane, the pen rests during the vertical line, and its tablet is
+    // silent.
     return sim::Hand(std::move(strokes), { .seed = seed, .plane_tremor_mm = 0 });
 }
 
 struct Outcome {
     std::size_t strokes = 0;
-    double worst_mm = 0;  // From a tip to the nearest place that the hand was at about then.
-    double missed_mm = 0; // From a place of the hand, pen down, to the nearest stretch of a stroke.
+    double worst_mm = 0; // Greatest distance of a tip from where the hand was at about that time.
+    // Greatest distance of the hand's positions, pen down, from the nearest stroke.
+    double missed_mm = 0;
 };
 
 double distance_mm(Vec3 const& point, Vec3 const& a, Vec3 const& b)
@@ -45,7 +48,7 @@ double distance_mm(Vec3 const& point, Vec3 const& a, Vec3 const& b)
     return (point - a - part * way).norm();
 }
 
-// Tips may be late by as much as a stall delays reports.
+// Draws with the given unkindness; tips may be as late as a stall delays reports.
 Outcome draw(std::uint64_t seed, sim::Unkindness unkindness)
 {
     unkindness.seed = seed;

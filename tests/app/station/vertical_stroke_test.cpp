@@ -7,8 +7,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-// A pen pressed still while the surface rises or sinks: the elementary stroke of this station,
-// drawn with tablets that report nothing but changes.
+// A pen held still while the surface rises or sinks: the basic stroke of this station, drawn with
+// tablets that report only changes.
 
 namespace tractus::station {
 namespace {
@@ -17,8 +17,8 @@ using namespace std::chrono_literals;
 
 constexpr double kLow_mm = 100;
 constexpr double kHigh_mm = 300;
-constexpr double kDown_s = 0.3;  // When the pen touches,
-constexpr double kStart_s = 0.6; // and the surface starts.
+constexpr double kDown_s = 0.3;  // Time of pen-down.
+constexpr double kStart_s = 0.6; // Time at which the surface starts.
 
 calib::Rig rig()
 {
@@ -33,13 +33,14 @@ calib::Rig rig()
 struct Rise {
     double mm_per_s = 100;
     double readings_hz = 500;
-    double noise_counts = 0; // Standard deviation.
+    double noise_counts = 0; // Standard deviation of the readings.
     std::uint64_t seed = 1;
-    // How often the hand's pressure changes by a count; 0: never.
+    // Rate at which the hand's pressure changes by a count; 0: never.
     double pressure_changes_hz = 0;
 };
 
-// The surface starts and stops at once, which is harder than what a hand can do.
+// Returns the height; the surface starts and stops abruptly, which is harder than a hand's
+// movement.
 double height_mm(Rise const& rise, double seconds)
 {
     return std::clamp(kLow_mm + rise.mm_per_s * (seconds - kStart_s), kLow_mm, kHigh_mm);
@@ -55,7 +56,7 @@ Timestamp at_s(double seconds)
     return timestamp_ns(std::llround(seconds * 1e9));
 }
 
-// What both devices send, in the order of arrival.
+// A report of either device, with its arrival.
 struct Arrival {
     double seconds = 0;
     std::size_t device = 0;
@@ -67,7 +68,7 @@ void add_pen(std::vector<Arrival>& arrivals, PenFormat const& format, Rise const
     auto const send = [&](double seconds, PenState const& pen) {
         arrivals.push_back({ seconds + 0.008, kPen, format.report(pen) });
     };
-    constexpr int kApproach = 20; // Hovering samples, 5 ms apart.
+    constexpr int kApproach = 20; // Number of hovering samples, 5 ms apart.
     for (int i = 0; i < kApproach; ++i)
         send(kDown_s - 0.005 * (kApproach - i), { .x_mm = 60 + 0.5 * i, .y_mm = 40 });
     double const up_s = stop_s(rise) + 0.2;
@@ -112,7 +113,7 @@ Station station_of(drivers::DeviceInfo const& pen)
 
 struct Drawn {
     std::vector<tools::ToolStroke> strokes;
-    std::vector<PenMoment> moments; // Live.
+    std::vector<PenMoment> moments; // Live moments.
     std::size_t tips_in_silence = 0;
 };
 
@@ -133,7 +134,7 @@ Drawn draw(PenFormat const& format, Rise const& rise)
 
 class VerticalStroke : public testing::TestWithParam<PenFormat> { };
 
-// Some of these tablets count as gone after 0.1 s of silence, so that the pressure changes sooner.
+// Some of these tablets count as gone after 0.1 s of silence, so the pressure changes more often.
 Rise rise_of(double mm_per_s)
 {
     return { .mm_per_s = mm_per_s, .pressure_changes_hz = 12 };
@@ -148,7 +149,7 @@ void expect_truth(std::vector<TipSample> const& tips, Rise const& rise)
         double const seconds = to_seconds(tips[i].time - Timestamp());
         worst_mm = std::max(worst_mm, std::abs(tips[i].position_mm.z() - height_mm(rise, seconds)));
         aside_mm = std::max(aside_mm, (tips[i].position_mm - tips[0].position_mm).head<2>().norm());
-        // It counts as moving once it has moved so far that it could matter.
+        // The surface counts as moving only after a significant distance.
         double const moves_s = kStart_s + calib::SilentTouch::kMoved_mm / rise.mm_per_s;
         if (i > 0 && to_seconds(tips[i - 1].time - Timestamp()) > moves_s && seconds < stop_s(rise))
             longest_gap_s = std::max(longest_gap_s, to_seconds(tips[i].time - tips[i - 1].time));
@@ -181,7 +182,7 @@ TEST_P(VerticalStroke, HasTipsInTimeOrderWithThePenLastPressure)
     auto const& tips = drawn.strokes[0].stroke.tips;
     for (std::size_t i = 1; i < tips.size(); ++i) {
         EXPECT_LT(tips[i - 1].time, tips[i].time);
-        EXPECT_LE(tips[i - 1].pressure, tips[i].pressure); // It only rises here.
+        EXPECT_LE(tips[i - 1].pressure, tips[i].pressure); // The pressure only rises here.
     }
     EXPECT_GT(tips.front().pressure, 0);
 }
@@ -206,7 +207,7 @@ TEST_P(VerticalStroke, IsLiveInkAtOnce)
 
 TEST_P(VerticalStroke, SinksAsItRises)
 {
-    // The same rise, of a sensor that counts down.
+    // The same rise with a sensor that counts down.
     auto const rise = rise_of(150);
     auto const up = draw(GetParam(), rise);
     StationOptions options;
@@ -253,7 +254,7 @@ TEST(SilentPen, HasNoTipsWhileTheSurfaceRests)
 {
     auto station = station_of(standard_pen().device());
     std::vector<Arrival> arrivals;
-    Rise const short_rise {}; // Of the pen's times.
+    Rise const short_rise {}; // Determines the pen's times.
     add_pen(arrivals, standard_pen(), short_rise);
     Random random({ .seed = 3 });
     for (double seconds = 0; seconds < stop_s(short_rise) + 1; seconds += 0.002)
@@ -267,8 +268,8 @@ TEST(SilentPen, HasNoTipsWhileTheSurfaceRests)
     EXPECT_EQ(station.counts().tips_in_silence, 0u);
 }
 
-// A pen that sends all the time, 200 times a second and none too evenly, while it moves and the
-// surface rises.
+// Returns the reports of a pen that streams irregularly, about 200 times a second, while it moves
+// and the surface rises.
 std::vector<Arrival> streaming_arrivals(std::uint64_t seed, double lost_from_s, double lost_to_s)
 {
     Random random({ .seed = seed });
@@ -306,7 +307,7 @@ TEST(SilentPen, IsNotOneWhoseReportsWereLostOnTheWay)
     for (auto const& [seconds, device, report] : streaming_arrivals(1, 0.5, 0.58))
         station.push(device, at_s(seconds), report);
     station.finish();
-    EXPECT_GT(station.counts().tips_in_silence, 0u); // Nobody knew yet.
+    EXPECT_GT(station.counts().tips_in_silence, 0u); // The loss was not known yet.
     auto const strokes = station.take_strokes();
     ASSERT_EQ(strokes.size(), 1u);
     for (auto const& tip : strokes[0].stroke.tips) {
@@ -316,19 +317,19 @@ TEST(SilentPen, IsNotOneWhoseReportsWereLostOnTheWay)
     }
 }
 
-// A tablet that sends all the time and cannot say that the pen has left.
+// A tablet that streams and cannot report that the pen has left.
 TEST(SilentPen, LeavesNoTailWhereItsSilenceMeansThatItHasLeft)
 {
     auto station = station_of(mouse_mode_pen().device());
     Rise const rise { .mm_per_s = 150 };
     std::vector<Arrival> arrivals;
-    // It rests at first, and goes on sending.
+    // The pen rests at first, and its tablet continues to send.
     for (double seconds = 0.1; seconds < kStart_s; seconds += 0.005)
         arrivals.push_back(
             { seconds + 0.008, kPen,
               mouse_mode_pen().report(
                   { .x_mm = 20 + 20 * std::max(seconds, 0.2), .y_mm = 40, .touching = true }) });
-    // It lifts unheard, and comes down elsewhere.
+    // The pen lifts without a report, and touches elsewhere.
     for (double seconds = 2; seconds < 2.2; seconds += 0.005)
         arrivals.push_back({ seconds + 0.008, kPen,
                              mouse_mode_pen().report(

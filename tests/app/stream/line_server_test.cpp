@@ -67,7 +67,7 @@ TEST_F(LineServerTest, KeepsAReaderThatOnlyHasNothingToSay)
     EXPECT_EQ(reader.read_now(), "hello\none\n");
 }
 
-// Returns all that it reads while the server gives what it can.
+// Returns everything that it reads while the server sends.
 std::string read_all(LineServer& server, LocalReader const& reader)
 {
     std::string text;
@@ -85,7 +85,7 @@ TEST_F(LineServerTest, LeavesOutForASlowReaderWhatMayBeLeftOutAndSaysSo)
     LocalReader const reader(path_);
     server.serve({});
     std::string const line(999, 'x');
-    constexpr std::size_t kCount = 5000; // 5 MB, of which it reads nothing meanwhile.
+    constexpr std::size_t kCount = 5000; // 5 MB, which the reader does not read meanwhile.
     for (std::size_t i = 0; i < kCount; ++i) {
         server.publish(line + "\n", kLeaveOut);
         server.serve({});
@@ -93,7 +93,8 @@ TEST_F(LineServerTest, LeavesOutForASlowReaderWhatMayBeLeftOutAndSaysSo)
     server.publish("stroke\n", kKeep);
     auto const text = read_all(server, reader);
     auto const lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-    auto const lost = kCount - (lines - 3); // "hello", what is lost, and "stroke".
+    // The other three lines are "hello", the report of the loss, and "stroke".
+    auto const lost = kCount - (lines - 3);
     EXPECT_GT(lost, 0u);
     EXPECT_GT(lines * 1000, LineServer::kMostWaiting);
     auto const end = "{\"type\":\"lost\",\"tips\":" + std::to_string(lost) + "}\nstroke\n";
@@ -123,7 +124,7 @@ TEST_F(LineServerTest, DoesNotCountWhatWaitsForAReaderThatTakesNothing)
     LocalReader const other(path_);
     Timestamp now = timestamp_ns(1'000'000'000);
     server.serve(now);
-    std::string const line(std::size_t { 1 } << 20, 'x'); // More than a socket's buffer takes.
+    std::string const line(std::size_t { 1 } << 20, 'x'); // More than a socket's buffer.
     server.publish(line, kKeep);
     server.serve(now);
     auto const waiting = server.waiting_bytes();

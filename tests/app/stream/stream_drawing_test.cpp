@@ -25,7 +25,7 @@ drivers::Log small_log()
     return drivers::read_log(std::filesystem::path(TRACTUS_FIXTURES) / "small.tractus-log").value();
 }
 
-// A log whose lines all arrive: `what` is told of it.
+// Streams a log completely, restricted to `what`.
 std::string streamed(drivers::Log const& log, StreamOutput::What what)
 {
     auto replay = small_replay(log);
@@ -41,7 +41,8 @@ std::string streamed(drivers::Log const& log, StreamOutput::What what)
     return text;
 }
 
-// small.jsonl was written by tests/fixtures/stream_small, which knows nothing of the program.
+// The file small.jsonl was written by tests/fixtures/stream_small, which is independent of the
+// program.
 TEST(StreamDrawing, GivesASmallLogToTheByte)
 {
     EXPECT_EQ(streamed(small_log(), StreamOutput::What::All),
@@ -52,7 +53,8 @@ TEST(StreamDrawing, GivesStrokesAlone)
 {
     auto const text = streamed(small_log(), StreamOutput::What::Strokes);
     EXPECT_EQ(text.find("\"tip\""), std::string::npos);
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4); // With the first and the last line.
+    // Includes the first and the last line.
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
 }
 
 TEST(StreamDrawing, EndsWhereNothingCanBeWritten)
@@ -74,8 +76,8 @@ TEST(StreamDrawing, EndsWhereNothingCanBeWritten)
 
 class StreamSocket : public SocketPlace { };
 
-// The pen draws for as long as two thousand strokes, a reader takes nothing and another goes away:
-// take() and serve() return each time, and the strokes are all there.
+// The pen draws two thousand strokes while one reader does not read and another one disconnects:
+// take() and serve() must always return, and no stroke may be lost.
 TEST_F(StreamSocket, NeverStopsTheDrawing)
 {
     auto station = flat_station();
@@ -109,7 +111,8 @@ TEST_F(StreamSocket, NeverStopsTheDrawing)
     EXPECT_EQ(text.substr(text.size() - end_line().size()), end_line());
 }
 
-// One reader takes all and another nothing: the first gets the end. Time passes only by waiting.
+// One reader reads everything and another one nothing: the first must receive the end. Time passes
+// only by waiting.
 TEST_F(StreamSocket, EndsThoughAReaderNeverReads)
 {
     std::ostringstream text;

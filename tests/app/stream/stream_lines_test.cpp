@@ -22,7 +22,8 @@ TEST(StreamLines, HaveATipWithItsTimeToTheNanosecond)
                                       .pressure = 0.25,
                                       .position_mm = { -0.0001, 2, 3.14159 },
                                       .time = timestamp_ns(
-                                          9'007'199'254'740'993) }; // More than a double has.
+                                          // More digits than a double has.
+                                          9'007'199'254'740'993) };
     EXPECT_EQ(tip_line(moment),
               "{\"type\":\"tip\",\"pen\":0,\"time_s\":9007199.254740993,"
               "\"position_mm\":[0.000,2.000,3.142],\"pressure\":0.2500,"

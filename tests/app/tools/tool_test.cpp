@@ -75,7 +75,7 @@ TEST(Tool, NamesTheToolsThereAre)
               std::string::npos);
 }
 
-// Where the selection view shows a node, as a pen would have to point there.
+// Returns where the selection view shows a node, and a pen has to point.
 Vec3 shown(scene::Scene const& scene, Vec3 const& plant_mm)
 {
     auto const view = scene::fit_selection_view(*scene.base);
@@ -96,7 +96,8 @@ TEST(SelectTool, SelectsTheAxisThatThePenFollows)
               variation::Selection { segments_of(scene.base->axes[0]) });
 }
 
-// A branch is chosen where it is seen; a log that does not say so chooses at rest, as ever.
+// A branch is selected where it is shown; a log without this option selects on the rest shape, as
+// before.
 TEST(SelectTool, ChoosesOnTheSkeletonAsBentWhereItSaysSo)
 {
     auto scene = small_scene();
@@ -239,7 +240,7 @@ TEST(Tool, KnowsAllItsArguments)
 
 TEST(SelectTool, ChoosesInAllWays)
 {
-    auto scene = small_scene(); // A trunk of six, a branch of two and one of four.
+    auto scene = small_scene(); // A trunk of six internodes, a branch of two and one of four.
     auto const& plant = *scene.base;
     auto const tip_of = [&](AxisId id) { return plant.positions(plant.axes[id]).back(); };
     auto const along = [&](Vec3 const& from, Vec3 const& to) {
@@ -249,7 +250,7 @@ TEST(SelectTool, ChoosesInAllWays)
     auto const first = segments_of(plant.axes[1]);
     auto const second = segments_of(plant.axes[2]);
 
-    // A stroke from the trunk's middle to a branch's tip, straight across the air.
+    // A straight stroke from the trunk's middle to a branch's tip, off the branches.
     auto const base = plant.positions(plant.axes[0])[1] * 0.5;
     auto const path = selection_by(Selecting::Ends, along(base, tip_of(2)), scene);
     ASSERT_EQ(path.size(), 1u);
@@ -299,7 +300,8 @@ TEST(IndicatorTools, MoveAndDeleteTheOneWhereTheyBegin)
     auto const moved = edits_of(indicators::MoveIndicatorTool {}, move, scene).value();
     scene = scene::apply_edit(scene, moved[0]).value();
     EXPECT_EQ(scene.indicators[0].what.start_mm, Vec3(0, 0, 160));
-    EXPECT_FALSE(edits_of(indicators::DeleteIndicatorTool {}, move, scene)); // It begins beside it.
+    // It begins beside the indicator.
+    EXPECT_FALSE(edits_of(indicators::DeleteIndicatorTool {}, move, scene));
     auto const there = stroke_through({ { 90, 0, 161 }, { 95, 0, 161 } });
     scene = scene::apply_edit(scene,
                               edits_of(indicators::DeleteIndicatorTool {}, there, scene).value()[0])
@@ -331,7 +333,8 @@ scene::Associate association_of(Stroke stroke)
     return { .stroke = std::move(stroke), .propagation = variation::Propagation::Both };
 }
 
-// Two strokes along x, the second 50 mm above the first, each on one axis, and the second on two.
+// Returns a scene with two strokes along x, the second 50 mm above the first; the first is for one
+// axis, the second for two.
 scene::Scene scene_with_two_strokes()
 {
     auto scene = small_scene();
@@ -396,7 +399,7 @@ TEST(Tool, HasAnOtherEnd)
 
 Tool const kErasePart = EraseTool { Erasing::Part };
 
-// Along x at a height of 20 mm, a tip every millimetre, tip 0 at -50.
+// Returns a stroke along x at a height of 20 mm, with a tip every millimetre, and tip 0 at -50.
 Stroke level_stroke(double height_mm = 20)
 {
     Stroke stroke;
@@ -417,7 +420,7 @@ scene::Scene scene_with(Stroke const& stroke,
         .value();
 }
 
-// The tips that are erased of the only stroke there is, by one edit.
+// Returns the tips erased from the only stroke, in one edit.
 std::vector<TipRange> erased(scene::Scene const& scene, std::vector<Vec3> const& way_mm)
 {
     auto const edits = edits_of(kErasePart, stroke_through(way_mm), scene);
@@ -453,7 +456,7 @@ TEST(ErasePartTool, ShapesTheBranchByWhatIsLeft)
     auto const& tips = scene.associations[0].what.stroke.tips;
     EXPECT_EQ(tips.size(), 47u);
     EXPECT_NEAR(tips.back().position_mm.x(), -4, 1e-9);
-    // What the person sees now is what is erased next.
+    // The next erasure uses what is now visible.
     EXPECT_EQ(erased(scene, { { -30.5, -20, 30 }, { -30.5, 20, 30 } }),
               (std::vector<TipRange> { { 16, 23 } }));
 }
@@ -461,13 +464,13 @@ TEST(ErasePartTool, ShapesTheBranchByWhatIsLeft)
 TEST(ErasePartTool, TakesAStrokeWholeOfWhichNothingIsLeftThatShapes)
 {
     auto const scene = scene_with(level_stroke());
-    for (double const end_mm : { 60.0, 44.0 }) { // All of it, and all but a crumb.
+    for (double const end_mm : { 60.0, 44.0 }) { // All of it, and all but a small rest.
         auto const over = stroke_through({ { -60, 0, 30 }, { end_mm, 0, 30 } });
         auto const edits = edits_of(kErasePart, over, scene).value();
         ASSERT_EQ(edits.size(), 1u);
         EXPECT_EQ(edits[0].get<scene::DeleteStroke>()->strokes.ids, scene::ids_of(scene, { 0 }));
     }
-    // Without its end the loop has no chord, by which it is fitted.
+    // Without its end, the loop has no chord, by which it is fitted.
     Stroke loop;
     for (int i = 0; i <= 72; ++i)
         loop.tips.push_back(
@@ -507,10 +510,10 @@ TEST(ErasePartTool, DoesNotDigBelowItselfIntoAStrokeThatWasDrawnUpwards)
                                .position_mm = { 0.001 * i, 0, 1.5 * i },
                                .touching = true });
     auto const scene = scene_with(trunk);
-    // The surface is at 90 mm: what is above is not seen.
+    // The surface is at 90 mm: tips above it are not visible.
     EXPECT_EQ(erased(scene, { { -2, 0, 90 }, { 2, 0, 90 } }),
               (std::vector<TipRange> { { 55, 60 } }));
-    // It goes down with the eraser on it, from the top.
+    // The surface sinks with the eraser on it, erasing from the top.
     EXPECT_EQ(erased(scene, { { 1, 0, 160 }, { -1, 0, 100 } }),
               (std::vector<TipRange> { { 62, 100 } }));
 }
@@ -533,7 +536,7 @@ TEST(ErasePartTool, TakesIndicatorsWhole)
     EXPECT_FALSE(edits_of(kErasePart, beside, scene));
 }
 
-// Reports that come far apart leave nothing standing between them.
+// Reports that are far apart must leave no tips between them.
 TEST(EraseTool, MissesNothingOnItsWay)
 {
     auto const scene = scene_with(level_stroke());

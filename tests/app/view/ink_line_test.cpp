@@ -17,7 +17,7 @@ InkLine::Point point(float x, float y, float width_mm = 1)
     return { { x, y, 0 }, width_mm };
 }
 
-// How far a point's place and width are from the line's nearest part.
+// Returns the distance of a point, in position and width, from the nearest part of a line.
 double distance_mm(InkLine::Point const& from, InkLine const& line)
 {
     auto const dot = [](InkLine::Point const& of) {
@@ -82,7 +82,7 @@ TEST(InkLine, DotsStay)
     EXPECT_EQ(thinned(line_through({ point(1, 1), point(1, 1), point(1, 1) })).points.size(), 2u);
 }
 
-// A pen that leans far to the right, drawn away from the user.
+// A pen that leans far to the right and draws away from the user.
 TEST(InkLine, IsBroadAcrossTheLeanOfAPencilsSide)
 {
     std::vector<TipSample> tips(5);

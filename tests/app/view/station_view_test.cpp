@@ -20,7 +20,8 @@
 namespace tractus::view {
 namespace {
 
-// A station with the tools of this test alone: the thread sanitizer need not see all methods.
+// Returns a station with only the tools of this test, so that the thread sanitizer's build does not
+// need all methods.
 DrawingStation station_on(scene::Scene scene, std::optional<tools::Tool> const& tool = {})
 {
     static constexpr std::array kTools { &tools::DrawInOrderTool::kKind, &tools::DrawTool::kKind,
@@ -29,7 +30,7 @@ DrawingStation station_on(scene::Scene scene, std::optional<tools::Tool> const& 
     return { flat_station(kTools, tool), std::move(scene) };
 }
 
-// It bends: a straight one would leave the straight trunk as it is.
+// Begins a curved stroke; a straight one would not change the straight trunk.
 void begin_stroke(DrawingStation& station)
 {
     for (int i = 0; i < 10; ++i)
@@ -50,14 +51,14 @@ TEST(StationView, LetsTheBranchFollowThePen)
     begin_stroke(station);
     view.show(station, station.document());
     view.settle();
-    // The trunk, and the two branches that it carries along.
+    // The trunk, and the two branches that move with it.
     ASSERT_EQ(view.state().preview.size(), 3u);
     auto const& trunk = view.state().preview.front();
     EXPECT_EQ(trunk.state, tools::SkeletonLine::State::Assigned);
     EXPECT_EQ(trunk.points_mm.size(), 7u);
     auto const revision = view.state().preview_revision;
     auto const skeletons = view.state().skeleton_revision;
-    view.show(station, station.document()); // Nothing new has come.
+    view.show(station, station.document()); // There is nothing new.
     view.settle();
     EXPECT_EQ(view.state().preview_revision, revision);
     end_stroke(station);
@@ -76,7 +77,7 @@ std::size_t in_state(StationView const& view, tools::SkeletonLine::State state)
     return count;
 }
 
-// What was drawn stays where one looks: the skeleton after pen-up is what the pen showed.
+// The skeleton after pen-up must be the one shown while drawing.
 TEST(StationView, KeepsTheSkeletonAsStrokesBendIt)
 {
     auto station = station_on(small_scene(), tools::DrawInOrderTool {});
@@ -107,7 +108,7 @@ TEST(StationView, KeepsTheSkeletonAsStrokesBendIt)
     EXPECT_EQ(in_state(view, tools::SkeletonLine::State::Next), 0u);
 }
 
-// A stroke that changes nothing stays to be seen beside the reason, until the next one begins.
+// A stroke without effect stays visible beside the reason, until the next one begins.
 TEST(StationView, KeepsARefusedStrokeInSight)
 {
     auto station = station_on(small_scene(), tools::DrawTool {}); // Nothing is selected.
@@ -189,7 +190,7 @@ TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
     }
 }
 
-// Also with the pen's other end, while its tip would draw.
+// This must also work with the pen's other end, while its tip would draw.
 TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
 {
     auto station = station_on(small_scene(), tools::DrawInOrderTool {});
@@ -199,7 +200,7 @@ TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
     view.show(station, station.document());
     auto const erase = [&](int number) {
         auto report = pen_report(80 + number, 40, true);
-        report[1] = std::byte { 0x38 }; // In range, eraser, invert.
+        report[1] = std::byte { 0x38 }; // Flags in range, eraser, invert.
         station.push(kPen, at_ms(300 + 5 * number), report);
     };
     for (int i = 0; i < 15; ++i)
@@ -236,14 +237,15 @@ TEST(StationView, ShowsAStrokeOfSeveralBranchesTwiceOnlyWhereTheyDiffer)
         2u);
 }
 
-// A trunk of so many segments that bear a branch each, which bears a twig of a hundred.
+// Returns a scene with a trunk whose segments each bear a branch, with a twig of a hundred
+// segments.
 scene::Scene bushy_scene(int branches)
 {
     auto model = small_model();
     model.source.text = "Lsystem: 1\nderivation length: 100\nAxiom: ";
     for (int i = 0; i < branches; ++i)
         model.source.text += "F(10)[+(60)F(8)[+(50)A]F(8)]";
-    model.source.text += "F(10)\nA --> F(1)A\nendlsystem\n"; // The trunk goes on to its own end.
+    model.source.text += "F(10)\nA --> F(1)A\nendlsystem\n"; // The trunk continues to its own end.
     return scene::apply_edit({}, model).value();
 }
 
@@ -296,7 +298,7 @@ TEST(StationView, ShowsTheSurfaceMoveUnderAPenThatRests)
     double const low_mm = view.state().surface_height_mm;
     EXPECT_NEAR(static_cast<double>(view.state().pen.tip_mm.z()), low_mm, 1e-4);
 
-    move_surface(200, 2000); // Not a word of the pen, which is still there.
+    move_surface(200, 2000); // There is no report from the pen, which is still there.
     EXPECT_TRUE(view.state().pen.in_range);
     EXPECT_GT(view.state().surface_height_mm, low_mm + 10);
     EXPECT_NEAR(static_cast<double>(view.state().pen.tip_mm.z()), view.state().surface_height_mm,

@@ -12,7 +12,7 @@
 namespace tractus::window {
 namespace {
 
-// Shows it.
+// Shows the calibration.
 class StillWindow : public view::WindowModel {
 public:
     void advance(Duration) override { }
@@ -26,7 +26,7 @@ private:
     view::WindowState state_;
 };
 
-// How many pixels are within 12 levels of a colour.
+// Returns the number of pixels within 12 levels of a colour.
 int colored(render::Image const& picture, Vec3f const& srgb)
 {
     auto const wanted = render::color_from(srgb);

@@ -41,7 +41,7 @@ std::vector<Box> boxes_of(CardGrid const& grid)
 
 void check_grid(std::vector<view::StartCards> const& groups, float width, float scale)
 {
-    constexpr float kPenHits_px = 56; // theme::kButtonHeight_px
+    constexpr float kPenHits_px = 56; // Equal to theme::kButtonHeight_px.
     auto const grid = arrange_cards(groups, width, scale);
     std::set<std::pair<std::size_t, std::size_t>> shown;
     for (auto const& place : grid.places)
@@ -59,7 +59,7 @@ void check_grid(std::vector<view::StartCards> const& groups, float width, float 
         EXPECT_LE(boxes[i].bottom, grid.height);
         for (std::size_t j = i + 1; j < boxes.size(); ++j)
             EXPECT_FALSE(boxes[i].overlaps(boxes[j])) << i << " and " << j;
-        for (auto const& title : grid.titles) // Of a line of letters.
+        for (auto const& title : grid.titles) // Titles of a line of letters.
             EXPECT_FALSE(boxes[i].overlaps(
                 { title.left, title.top, title.left + 20, title.top + 30 * scale }))
                 << title.text;
@@ -76,8 +76,8 @@ TEST(CardGrid, ShowsEveryCardOnceAndNoneOverAnother)
             }
 }
 
-// Columns have the same left edges all down the page, the same gap between them but for a pixel,
-// and reach from edge to edge.
+// Columns must have equal left edges throughout the page, equal gaps to within a pixel, and fill
+// the width.
 TEST(CardGrid, HasColumnsOfOneWidthThroughout)
 {
     auto const grid = arrange_cards(groups_of(12), 1560, 1);
@@ -108,7 +108,7 @@ TEST(CardGrid, ShowsTheNewestBesideTheEmptySheetAndTheOthersLast)
 
 TEST(CardGrid, LeadsTheArrowsFromCardToCard)
 {
-    auto const grid = arrange_cards(groups_of(0), 480, 1); // 3, then 14 in rows of 3.
+    auto const grid = arrange_cards(groups_of(0), 480, 1); // Three cards, then 14 in rows of three.
     EXPECT_EQ(neighbour(grid, 0, Direction::Left), 0u);
     EXPECT_EQ(neighbour(grid, 0, Direction::Right), 1u);
     EXPECT_EQ(neighbour(grid, 1, Direction::Down), 4u);

@@ -21,8 +21,8 @@
 #include <tuple>
 #include <unistd.h>
 
-// The first plant of each method, from the start page, with each kind of device: presses and
-// seconds until it is there, and a recording that replays to it.
+// The first plant of each method, from the start page, with each kind of device: measures presses
+// and seconds until it exists, and checks that its recording replays.
 namespace tractus::window {
 
 using namespace layout_tests;
@@ -30,7 +30,7 @@ using namespace layout_tests;
 namespace {
 
 namespace fs = std::filesystem;
-using Line = std::vector<Vec3>; // Places that a stroke goes through. World frame.
+using Line = std::vector<Vec3>; // Points of a stroke. World frame.
 
 enum class Device { PenAndSurface, PenDisplay, Tablet, Mouse };
 
@@ -40,7 +40,8 @@ char const* name_of(Device device)
     return kNames.at(static_cast<std::size_t>(device));
 }
 
-// What a person presses, a card, and draws. The pad's lower edge is below the window's bar.
+// A card that the user presses, and lines that the user draws. The pad's lower edge is below the
+// window's bar.
 struct FirstPlant {
     char const* method = "";
     char const* card = "";
@@ -68,7 +69,7 @@ Line leaf_edge()
     return line;
 }
 
-// Lines through the given places, x and y.
+// Returns lines through the given points, x and y.
 std::vector<Line> flat(std::vector<std::vector<Vec2>> const& lines)
 {
     std::vector<Line> all;
@@ -109,7 +110,8 @@ std::vector<FirstPlant> first_plants()
     };
 }
 
-// A pen's hand, and a table's, on a log of what their devices send: 200 reports a second.
+// The hand at the pen, and optionally at the surface, as a log of the devices' reports: 200 a
+// second.
 class PenHand {
 public:
     explicit PenHand(bool has_surface)
@@ -128,7 +130,7 @@ public:
             rest({ at.x(), at.y(), 100 }, touches, 30);
     }
 
-    // At 120 mm/s.
+    // Draws at 120 mm/s.
     void draw(Line const& line)
     {
         rest(line.front(), false, 20);
@@ -162,7 +164,7 @@ private:
     void send(Vec3 const& at, bool touches)
     {
         now_ms_ += 5;
-        if (has_surface_) // As Rig's own linear heights count.
+        if (has_surface_) // In the counts of the linear model of a default Rig.
             log_.write_report(kHeight, at_ms(now_ms_),
                               height_report(static_cast<int>(std::lround(10 * at.z()))));
         log_.write_report(kPen, at_ms(now_ms_), pen_report(100 + at.x(), 50 - at.y(), touches));
@@ -174,7 +176,7 @@ private:
     std::int64_t now_ms_ = 0;
 };
 
-// The window, in frames of a sixtieth of a second.
+// The window, in frames of 1/60 s.
 class Frames {
 public:
     Frames(ImVec2 const& size, render::Renderer& renderer)
@@ -210,7 +212,7 @@ public:
 
     PenArea const& area() const { return layout_->pen_area(); }
 
-    // The middle of a card of the start page, which must be seen whole.
+    // Returns the middle of a card on the start page, which must be fully visible.
     ImVec2 card(view::StartPageState const& page, std::string const& title) const
     {
         DrawnFrame drawn;
@@ -221,7 +223,7 @@ public:
         for (auto const& [whole, visible] : drawn.buttons)
             if (whole.panel.find("cards") != std::string::npos)
                 boxes.push_back(visible);
-        // Cards are drawn in the grid's order; what does not show is not drawn, at the end.
+        // Cards are drawn in the grid's order; invisible ones, at the end, are not drawn.
         auto const grid = arrange_cards(page.groups, ImGui::GetIO().DisplaySize.x, 1);
         for (std::size_t i = 0; i < std::min(boxes.size(), grid.places.size()); ++i) {
             auto const& place = grid.places[i];
@@ -244,7 +246,8 @@ Timestamp clock_now()
     return Timestamp(std::chrono::steady_clock::now().time_since_epoch());
 }
 
-// Of what was chosen, by another thread, however long that takes: the log's time stands still.
+// Waits for the other thread to open what was chosen, however long that takes; the log's time
+// stands still.
 void wait_for_opening(controllers::LiveWindow& window)
 {
     while (window.start_page() && window.start_page()->state().is_opening) {
@@ -309,7 +312,7 @@ protected:
         return controllers::LiveWindow::create(std::move(devices), std::move(all)).value();
     }
 
-    // Returns how long it took, in seconds, and what is drawn then.
+    // Return the time that it took, in seconds, and the resulting scene.
     std::pair<double, scene::Scene> draw_with_pen();
     std::pair<double, scene::Scene> draw_with_mouse();
 
@@ -349,7 +352,7 @@ std::pair<double, scene::Scene> FirstPlants::draw_with_pen()
     return { hand.seconds(), drawn };
 }
 
-// By the clock, as the mouse's devices are read on threads of their own.
+// In real time, since the mouse's devices are read on threads of their own.
 std::pair<double, scene::Scene> FirstPlants::draw_with_mouse()
 {
     auto all = options();
@@ -375,7 +378,7 @@ std::pair<double, scene::Scene> FirstPlants::draw_with_mouse()
         show(card, is_down);
     while (window.start_page())
         show(card, false);
-    for (int i = 0; i < 4; ++i) // Nobody draws before the pad has its place.
+    for (int i = 0; i < 4; ++i) // Drawing starts only when the pad has its position.
         show({ 0, 0 }, false);
     for (auto const& line : plant().lines) {
         std::vector<ImVec2> path;
@@ -405,13 +408,14 @@ TEST_P(FirstPlants, TakesOnePressAndIsRecorded)
     auto const [seconds, scene] = device() == Device::Mouse ? draw_with_mouse() : draw_with_pen();
     RecordProperty("seconds", fmt::format("{:.1f}", seconds));
     if (device() != Device::Mouse)
-        EXPECT_LT(seconds, 60); // By the log's time.
+        EXPECT_LT(seconds, 60); // Measured by the log's time.
     ASSERT_EQ(scene.plants.size(), 1u);
     EXPECT_GT(scene.plants.front()->base->segment_count(), 0u);
     bool const is_shaped = std::string_view(plant().method) == "strokes";
     EXPECT_EQ(scene.associations.size(), is_shaped ? 1u : 0u);
 
-    if (auto const* const folder = std::getenv("TRACTUS_FIRST_PLANTS")) // To be kept.
+    // Folder in which the recordings are kept.
+    if (auto const* const folder = std::getenv("TRACTUS_FIRST_PLANTS"))
         fs::copy_file(recording(),
                       fs::path(folder)
                           / fmt::format("{}-{}.tractus-log", plant().method, name_of(device())),
@@ -428,7 +432,8 @@ TEST_P(FirstPlants, TakesOnePressAndIsRecorded)
     EXPECT_EQ(again.scene.associations.size(), scene.associations.size());
 }
 
-// Those that come with the program; TRACTUS_FIRST_PLANTS=app/demo/first-plants has them made again.
+// Recordings that come with the program; TRACTUS_FIRST_PLANTS=app/demo/first-plants makes them
+// again.
 TEST(FirstPlantRecordings, ReplayToAPlant)
 {
     std::size_t count = 0;

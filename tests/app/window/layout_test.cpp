@@ -43,7 +43,7 @@ TEST_F(LayoutTest, ShowsThePlantBesideTheMenuThatChangesIt)
         }
 }
 
-// For a left hand the menu is on the other side of the plant.
+// For a left hand, the menu is on the other side of the plant.
 TEST_F(LayoutTest, ShowsThePlantBesideTheMenuOfALeftHand)
 {
     for (auto const& size : sizes()) {
@@ -68,7 +68,7 @@ TEST_F(LayoutTest, ShowsThePlantBesideTheMenuOfALeftHand)
     }
 }
 
-// Nothing of the window is there, whatever was open before.
+// Nothing of the window may be visible, whatever was open before.
 TEST_F(LayoutTest, ShowsNothingOnStageButWhatGrows)
 {
     for (auto const& size : sizes()) {

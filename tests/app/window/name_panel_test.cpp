@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kButtonCount = 2 + 40 + 3;
 
-// The panel's buttons, row after row: what does it and Close, four rows of ten keys, and three.
+// Returns the panel's buttons, row by row: confirm and Close, four rows of ten keys, and three
+// more.
 std::vector<DrawnFrame::Button> name_buttons(DrawnFrame const& drawn)
 {
     std::vector<DrawnFrame::Button> buttons;
@@ -80,7 +81,7 @@ TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
         for (bool const is_down : { false, true, false })
             moments.push_back({ middle, is_down });
     }
-    moments[1].input.presses.push_back({ 'C' }); // A tool's key, elsewhere.
+    moments[1].input.presses.push_back({ 'C' }); // This would be a tool's key elsewhere.
     work(size, moments, model, ask, [](Layout& layout) {
         EXPECT_FALSE(layout.bench().asked_name) << "the panel closes when it is done";
     });
@@ -89,7 +90,7 @@ TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
     EXPECT_EQ(model.touches, 0u) << "nothing is drawn below the panel";
 }
 
-// The keyboard types a name; each frame has some of it.
+// A name is typed on the keyboard, in several frames.
 TEST_F(LayoutTest, TypesANameInThePlaceOfTheOldOneAndConfirmsWithEnter)
 {
     auto const name_by = [&](std::vector<Moment> const& moments, bool is_closed) {

@@ -17,7 +17,7 @@ Bounds tablet_volume()
 
 } // namespace
 
-// ImGui without a window: what it takes for the mouse is to be seen.
+// ImGui without a window, to observe its mouse input.
 class PenPointerTest : public testing::Test {
 protected:
     PenPointerTest()

@@ -27,19 +27,19 @@ namespace {
 
 constexpr int kWidth_px = 1000;
 constexpr int kHeight_px = 560;
-// The simple pen's tablet; the window shows it as large as it fits, in its middle.
+// The simple pen's tablet; the window shows it in the middle, as large as possible.
 constexpr double kTabletWidth_mm = 200;
 constexpr double kTabletDepth_mm = 100;
 constexpr double kPxPerMm = kWidth_px / kTabletWidth_mm;
 
-// Writes what a pen sends that works the window: places are the window's pixels.
+// Writes the reports of a pen that operates the window; positions are in the window's pixels.
 class PenScript {
 public:
     explicit PenScript(std::vector<drivers::DeviceInfo> devices = { drivers::simple_pen() })
         : log_(text_, { .devices = std::move(devices), .rig_text = {}, .start = {} })
     {
         hover(10, 10);
-        wait(300); // The window is there.
+        wait(300); // The window is open.
     }
 
     void hover(double x_px, double y_px, bool barrel = false)
@@ -67,13 +67,13 @@ public:
         wait(100);
     }
 
-    // With the pen's other end.
+    // Erases with the pen's other end.
     void erase(double from_x_px, double from_y_px, double to_x_px, double to_y_px)
     {
         draw(from_x_px, from_y_px, to_x_px, to_y_px, kInRange | kErasing);
     }
 
-    // Opens the ring there, and taps the choice, which are counted clockwise from the top.
+    // Opens the ring at a position, and taps a choice; choices are counted clockwise from the top.
     void choose(double x_px, double y_px, int choice)
     {
         constexpr double kMiddleOfRing_px = 126;
@@ -105,7 +105,7 @@ public:
     }
 
 private:
-    // The simple pen's.
+    // Bits of the simple pen's report.
     static constexpr int kTouching = 0x01;
     static constexpr int kBarrel = 0x02;
     static constexpr int kErasing = 0x18; // The other end touches.
@@ -159,7 +159,7 @@ protected:
         return controllers::LiveWindow::create(std::move(devices), std::move(options)).value();
     }
 
-    // A pen works the window also before there is a drawing.
+    // A pen can also operate the window before there is a drawing.
     controllers::LiveWindow window_at_start(PenScript& script)
     {
         auto const file = folder_ / "pen.tractus-log";
@@ -199,7 +199,7 @@ protected:
 
 namespace {
 
-constexpr int kDrawChoice = 0; // Of the ring, clockwise from the top.
+constexpr int kDrawChoice = 0; // First choice of the ring, clockwise from the top.
 constexpr int kSelectChoice = 1;
 constexpr int kLeanChoice = 2;
 constexpr int kEraseChoice = 3;
@@ -230,7 +230,7 @@ TEST_F(PenWorksWindow, OpensTheRingForATouchThatRests)
     script.rest(500, 195, 700);
     script.hover(500, 195);
     script.wait(100);
-    script.tap(500 + 120, 195 - 39); // Lean.
+    script.tap(500 + 120, 195 - 39); // Button "Lean".
     script.draw(350, 150, 600, 150);
     script.choose(500, 195, kEraseChoice);
     script.draw(450, 60, 450, 220);
@@ -245,7 +245,7 @@ TEST_F(PenWorksWindow, SelectsWhereTheSkeletonIsShown)
 {
     PenScript script;
     script.choose(500, 195, kSelectChoice);
-    script.draw(500, 310, 500, 120); // Over the branch on the right.
+    script.draw(500, 310, 500, 120); // Across the branch on the right.
     auto window = window_of(script);
     run(window, script);
     EXPECT_TRUE(window.state().hand.get<tools::SelectTool>());
@@ -271,13 +271,13 @@ TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
     EXPECT_EQ(replay.strokes.size(), 1u);
 }
 
-// By a button, and from then on with the pen's other end, also when the recording is replayed.
+// Chosen by a button, and then used with the pen's other end, also when the recording is replayed.
 TEST_F(PenWorksWindow, ErasesWhatItTouches)
 {
     PenScript script;
     script.draw(300, 195, 700, 215); // The first branch.
     script.choose(500, 195, kEraseChoice);
-    script.tap(306, 458); // "What it touches".
+    script.tap(306, 458); // Button "What it touches".
     script.draw(700, 150, 700, 250);
     script.choose(500, 300, kDrawChoice);
     script.erase(300, 150, 300, 250);
@@ -290,7 +290,7 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     ASSERT_EQ(window.scene().associations.size(), 1u);
     auto const& tips = window.scene().associations[0].what.stroke.tips;
     EXPECT_NEAR(tips.front().position_mm.x(), -36,
-                0.1); // A tip every 4 mm.
+                0.1); // There is a tip every 4 mm.
     EXPECT_NEAR(tips.back().position_mm.x(), 36, 0.1);
 
     auto const log = drivers::read_log(folder_ / "again.tractus-log").value();
@@ -302,11 +302,11 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
                               window.scene().associations[0].what.stroke));
 }
 
-// A table whose height sensor nobody has calibrated yet, and a person without keyboard and mouse.
+// A table whose height sensor is not calibrated yet, and a user without keyboard and mouse.
 TEST_F(PenWorksWindow, LeavesCalibratingForDrawing)
 {
     PenScript script(simple_rig());
-    script.tap(826, 42); // "Back to drawing".
+    script.tap(826, 42); // Button "Back to drawing".
     script.choose(500, 195, kLeanChoice);
     script.draw(350, 195, 600, 195);
     auto window = window_of(script, false, true);
@@ -319,7 +319,7 @@ TEST_F(PenWorksWindow, LeavesCalibratingForDrawing)
 TEST_F(PenWorksWindow, RestsOnTheTabletToCapture)
 {
     PenScript script(simple_rig());
-    script.tap(760, 400); // Nothing is there to be pressed.
+    script.tap(760, 400); // There is no button at this position.
     script.rest(760, 400, 800);
     script.wait(500);
     auto window = window_of(script, false, true);
@@ -334,7 +334,7 @@ TEST_F(PenWorksWindow, PressesAButtonForLongWithoutCapturing)
     PenScript script(simple_rig());
     script.hover(64, 212);
     script.wait(50);
-    script.rest(64, 212, 800); // "-10".
+    script.rest(64, 212, 800); // Button "-10".
     script.hover(64, 212);
     script.wait(100);
     auto window = window_of(script, false, true);
@@ -344,19 +344,19 @@ TEST_F(PenWorksWindow, PressesAButtonForLongWithoutCapturing)
     EXPECT_EQ(window.calibration()->view().proposed_mm, -10);
 }
 
-// By a step, and by keys; what is out of range changes nothing.
+// By a step, and by keys; numbers out of range change nothing.
 TEST_F(PenWorksWindow, SetsNumbersOfATool)
 {
     PenScript script;
     script.choose(500, 195, kSketchChoice);
     script.draw(973, 340, 973, 480); // Scrolls the bar's rows to their end.
-    script.tap(220, 392);            // "Angle 45°": its panel is above the bar.
-    script.tap(316, 140);            // "more by 5".
-    script.tap(80, 392);             // "Laterals 2", which takes 0 to 8.
-    script.tap(676, 247);            // 3,
-    script.tap(676, 42);             // "Set".
-    script.tap(676, 115);            // 9,
-    script.tap(676, 42);             // "Set".
+    script.tap(220, 392);            // Button "Angle 45°", whose panel is above the bar.
+    script.tap(316, 140);            // Button "more by 5".
+    script.tap(80, 392);             // Button "Laterals 2", which accepts 0 to 8.
+    script.tap(676, 247);            // Key 3,
+    script.tap(676, 42);             // then "Set".
+    script.tap(676, 115);            // Key 9,
+    script.tap(676, 42);             // then "Set".
     auto window = window_of(script);
     run(window, script);
     auto const words = tools::words_for(window.state().hand);
@@ -369,9 +369,9 @@ TEST_F(PenWorksWindow, SetsNumbersOfATool)
 TEST_F(PenWorksWindow, FillsTheDisplay)
 {
     PenScript script;
-    script.tap(942, 524); // Menu,
+    script.tap(942, 524); // Opens the menu,
     script.tap(920, 42);  // its page Window,
-    script.tap(760, 126); // "Full screen".
+    script.tap(760, 126); // and chooses "Full screen".
     script.wait(300);
     auto window = window_of(script);
     run(window, script);
@@ -384,7 +384,7 @@ TEST_F(PenWorksWindow, PressesACardAndDrawsOnTheEmptySheet)
 {
     ::setenv("XDG_DATA_HOME", folder_.c_str(), 1);
     PenScript script;
-    script.tap(110, 200); // Along a stroke.
+    script.tap(110, 200); // The card "Along a stroke".
     script.draw(300, 150, 700, 150);
     auto window = window_at_start(script);
     ASSERT_NE(window.start_page(), nullptr);

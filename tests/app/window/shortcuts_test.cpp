@@ -11,7 +11,7 @@ namespace tractus::window {
 
 namespace {
 
-// Notes what is asked for.
+// Records the requests.
 class AskedModel : public view::WindowModel {
 public:
     AskedModel()

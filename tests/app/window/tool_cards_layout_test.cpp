@@ -44,7 +44,8 @@ TEST_F(LayoutTest, TakesACardIntoTheHand)
     model.perform(view::ChooseTool { tool });
     auto const second = tools::ready_cards(tool)[1].tool;
     std::vector<Moment> moments { { { 0, 0 } }, { { 0, 0 } } };
-    for (float y = 300; y < 420; y += 20) { // Wherever the second card of the first row is.
+    // Positions that include the second card of the first row.
+    for (float y = 300; y < 420; y += 20) {
         moments.push_back({ { 230, y } });
         moments.push_back({ { 230, y }, true });
         moments.push_back({ { 230, y } });
@@ -54,8 +55,8 @@ TEST_F(LayoutTest, TakesACardIntoTheHand)
     EXPECT_EQ(model.state().hand, second);
 }
 
-// Wherever on the glyph a drag begins, it sets the rule as it moves and once when it ends, if it
-// began on a handle, and draws nothing on the pad below.
+// Wherever on the glyph a drag begins, it must set the rule while moving and once at its end, if it
+// began on a handle, and must not draw on the pad below.
 TEST_F(LayoutTest, DragsTheHandlesOfTheRule)
 {
     DrawingModel model;

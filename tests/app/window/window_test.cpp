@@ -12,7 +12,7 @@ namespace tractus::window {
 
 namespace {
 
-// Shows one state and counts what the window asks of it.
+// Shows one state, and counts the window's requests.
 class StillModel : public view::WindowModel {
 public:
     explicit StillModel(std::string trouble = {})
@@ -48,7 +48,7 @@ struct Part {
     int bottom = 660;
 };
 
-// How many pixels of the part are within 12 levels of a colour.
+// Returns the number of pixels in the part within 12 levels of a colour.
 int colored(render::Image const& picture, Part const& part, Vec3f const& srgb)
 {
     auto const wanted = render::color_from(srgb);
@@ -97,7 +97,7 @@ namespace {
 
 constexpr Part kPad { 110, 550 };
 constexpr Part kSkeleton { 620, 960, 60, 580 };
-constexpr Part kLegend { 560, 620, 580, 660 }; // Its lines; the words are beside them.
+constexpr Part kLegend { 560, 620, 580, 660 }; // Lines of the legend; the words are beside them.
 constexpr Part kPlant { 990, 1480 };
 
 } // namespace
@@ -115,7 +115,7 @@ TEST_F(WindowTest, ShowsPadSkeletonAndPlantSideBySide)
     EXPECT_GT(colored(picture, kPad, theme::palette().ink), 100);
     EXPECT_EQ(colored(picture, kSkeleton, theme::palette().ink), 0);
     EXPECT_GT(colored(picture, kSkeleton, theme::palette().unselected), 80);
-    // Branches are shaded, so that only their hue can be told.
+    // Branches are shaded, so only their hue is compared.
     int blue = 0, green = 0;
     for (int y = kSkeleton.top; y < kSkeleton.bottom; ++y)
         for (int x = kSkeleton.left; x < kSkeleton.right; ++x) {

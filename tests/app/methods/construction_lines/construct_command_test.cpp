@@ -29,7 +29,7 @@ TEST_F(ConstructCommand, WritesAModelWithItsFunctions)
     EXPECT_EQ(checked.err, "");
 }
 
-// What is exported is the plant: read from its files again it is the same, byte for byte.
+// The exported files must be the plant: read again, they give the same bytes.
 TEST_F(ConstructCommand, TheExportedTextGivesTheSamePlant)
 {
     for (std::string const name : { "hand_decussate", "bent", "deep", "hand_whorled", "cone" }) {
@@ -49,7 +49,8 @@ TEST_F(ConstructCommand, TheExportedTextGivesTheSamePlant)
     }
 }
 
-// The same where leaves are surfaces drawn in three views: the folder has their file.
+// This must also hold for leaves that are surfaces drawn in three views, with their file in the
+// folder.
 TEST_F(ConstructCommand, TheExportedTextOfOrgansInThreeViewsGivesTheSamePlant)
 {
     for (std::string const pattern : { "distichous", "decussate", "spiral", "whorled(3)" }) {
@@ -76,7 +77,8 @@ TEST_F(ConstructCommand, TheExportedTextOfOrgansInThreeViewsGivesTheSamePlant)
     }
 }
 
-// An upright stem in an elliptic cylinder, 40 mm across and 25 mm deep, of four lines.
+// Returns a sketch of a vertical stem in an elliptic cylinder, 40 mm across and 25 mm deep, with
+// four lines.
 std::string in_cylinder(std::string const& pattern, std::string const& lines)
 {
     return R"({"pattern":")" + pattern + R"(","nodes_per_layer":[12],"stem":[[0,0],[0,200]],
@@ -123,7 +125,7 @@ TEST_F(ConstructCommand, TheExportedTextOfBoundariesInSpaceGivesTheSamePlant)
     }
 }
 
-// Strokes that do not say what they are, and sides with a depth, are the same lines.
+// Strokes without roles, and boundaries with a depth, must be recognised as the same lines.
 TEST_F(ConstructCommand, TellsBoundariesInSpaceByTheirDepth)
 {
     auto const functions = [&](std::string const& text) {
@@ -149,7 +151,7 @@ TEST_F(ConstructCommand, TellsBoundariesInSpaceByTheirDepth)
                 360 - std::atan2(20, 40) * 180 / 3.14159265, 1e-6);
 }
 
-// Half-ellipses are those of the facts: .2209, .2000 and .1697 from .25 to .15.
+// Expected sizes from half ellipses: .2209, .2000 and .1697 between .25 and .15.
 TEST_F(ConstructCommand, SizesMayFollowHalfEllipses)
 {
     std::ofstream(folder_ / "round.json")
@@ -177,7 +179,7 @@ TEST_F(ConstructCommand, SizesMayFollowHalfEllipses)
     expect(reaches({ "--sizes", "linear" }), { 0.25, 0.225, 0.2, 0.175, 0.15 });
 }
 
-// Organs that are sketches: the exported text is the plant, as of one alone.
+// Organs may be sketches: the exported text gives the plant, as for a single sketch.
 TEST_F(ConstructCommand, OrgansMayBeSketches)
 {
     auto const inner = in_cylinder("spiral", kFourLines);
@@ -314,7 +316,7 @@ TEST_F(ConstructCommand, SaysWhatIsWrongWithAStem)
               "another stem\n");
 }
 
-// Lines of an SVG drawing belong to the stem before them.
+// Lines of an SVG drawing belong to the preceding stem.
 TEST_F(ConstructCommand, ReadsSeveralStemsFromAnSvgDrawing)
 {
     std::ofstream(folder_ / "drawn.svg")
@@ -326,7 +328,7 @@ TEST_F(ConstructCommand, ReadsSeveralStemsFromAnSvgDrawing)
     ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
     auto const report = nlohmann::json::parse(drawn.out);
     ASSERT_EQ(report["stems"].size(), 2U);
-    // 45 degrees to a boundary at a quarter, and at three tenths, of the stem.
+    // At 45 degrees to a boundary at 0.25, and at 0.3, of the stem's length.
     EXPECT_NEAR(report["stems"][0]["functions"]["left_size"][9].get<double>(),
                 0.25 * std::sqrt(2.0), 1e-6);
     EXPECT_NEAR(report["stems"][1]["functions"]["right_size"][9].get<double>(),
@@ -444,7 +446,7 @@ TEST_F(ConstructCommand, TellsStrokesThatDoNotSayWhatTheyAre)
               "stroke 1 is only a dot: leave it out\n");
 }
 
-// A palm: what surrounds the crown alone is beside a part of the stem.
+// A palm: boundaries around the crown belong to a part of the stem.
 TEST_F(ConstructCommand, TakesStrokesAsTheyAreDrawn)
 {
     std::ofstream(folder_ / "palm.json")
@@ -461,10 +463,10 @@ TEST_F(ConstructCommand, TakesStrokesAsTheyAreDrawn)
         told["roles"],
         nlohmann::json({ "right", "stem", "left", piece, "inclination", "inclination", "unsure" }));
     EXPECT_EQ(told["unplaced"], nlohmann::json({ 7 }));
-    EXPECT_EQ(told["leaf_tips"].size(), 2U * 9); // Two rows of the pen's eight nodes and one more.
+    EXPECT_EQ(told["leaf_tips"].size(), 2U * 9); // Two rows of the pen's eight nodes plus one.
 }
 
-// One sketch, drawn and written.
+// One sketch, as a drawing and as numbers.
 TEST_F(ConstructCommand, ReadsAnSvgDrawing)
 {
     std::ofstream(folder_ / "drawn.svg")
@@ -482,7 +484,8 @@ TEST_F(ConstructCommand, ReadsAnSvgDrawing)
     report.erase("unplaced");
     EXPECT_EQ(report, nlohmann::json::parse(written.out));
     auto const without = commands::run({ "construct", path("drawn.svg"), "-o", path("drawn") });
-    EXPECT_EQ(without.exit_code, 0) << without.err; // As a pen's lines begin: two rows, 8 nodes.
+    // Defaults of the pen's lines: two rows, 8 nodes.
+    EXPECT_EQ(without.exit_code, 0) << without.err;
 }
 
 TEST_F(ConstructCommand, WhatIsGivenBesidesCountsInPlaceOfTheSketchs)
@@ -496,7 +499,7 @@ TEST_F(ConstructCommand, WhatIsGivenBesidesCountsInPlaceOfTheSketchs)
     EXPECT_EQ(report["leaf_tips"].size(), 20U);
 }
 
-// The largest sketch that there may be.
+// The largest sketch that is allowed.
 TEST_F(ConstructCommand, TakesTheLargestSketch)
 {
     nlohmann::json file { { "pattern", "distichous" } };

@@ -34,7 +34,7 @@ protected:
     document::DrawnStroke said_ {};
 };
 
-// Whatever the line was, the plant is as it was before it.
+// Without the line, the plant must be as it was before it, whatever its kind.
 TEST_F(EraseLines, TakesBackWhatALineDid)
 {
     struct Line {
@@ -79,7 +79,7 @@ TEST_F(EraseLines, ABoundaryCanBeDrawnAgain)
     EXPECT_EQ(model(), whole);
 }
 
-// A hand that runs along an inclination line crosses the stem.
+// A hand that follows an inclination line crosses the stem.
 TEST_F(EraseLines, TheStemStaysWhereSomethingElseIsTouched)
 {
     draw_frond(document_);
@@ -94,12 +94,12 @@ TEST_F(EraseLines, TheStemStaysWhereSomethingElseIsTouched)
     EXPECT_EQ(sketch().lines.size(), 3U);
 }
 
-// What stands on a stem goes with it, and the others keep their lines.
+// Lines on a stem are removed with it, and other stems keep their lines.
 TEST_F(EraseLines, AStemGoesWithWhatStandsOnIt)
 {
     draw_frond(document_);
     LineTool another { .plant = LineTool::Plant::AnotherStem, .nodes = 4 };
-    draw({ { -42, 0, 50 }, { 20, 40, 50 }, { 60, 50, 50 } }, another); // On the first.
+    draw({ { -42, 0, 50 }, { 20, 40, 50 }, { 60, 50, 50 } }, another); // On the first stem.
     draw({ { 120, -60, 50 }, { 120, 60, 50 } }, another);
     another.plant = LineTool::Plant::GoOn;
     draw({ { 95, -62, 50 }, { 90, 0, 50 }, { 105, 68, 50 } }, another);
@@ -118,7 +118,7 @@ TEST_F(EraseLines, AStemGoesWithWhatStandsOnIt)
     EXPECT_EQ(sketch().lines.size(), 8U);
 }
 
-// A leaf is there as long as it has a side.
+// A leaf exists as long as it has a side.
 TEST_F(EraseLines, ALeafGoesWithItsLastSide)
 {
     draw_frond(document_);
@@ -148,7 +148,7 @@ TEST_F(EraseLines, TheOtherEndOfThePenDoesSo)
     EXPECT_EQ(line_of(EraseLineTool {}), "erase_line ");
 }
 
-// While a leaf's edge is drawn, all leaves show their sides and midribs.
+// While a leaf's edge is drawn, all leaves must show their sides and midribs.
 TEST_F(EraseLines, TheLineUnderWayOfALeafIsShownOnThePlant)
 {
     draw_frond(document_);
@@ -162,7 +162,7 @@ TEST_F(EraseLines, TheLineUnderWayOfALeafIsShownOnThePlant)
     auto const leaf
         = shown({ { 60, 0, 50 }, { 70, 20, 50 }, { 60, 40, 50 } }, LineOrganTool { Leaf::Edge });
     ASSERT_EQ(leaf.size(), axes + 3 * organs);
-    // Both sides bow away from the midrib, by a fifth of its length where the bow is widest.
+    // Both sides curve away from the midrib, by up to a fifth of its length.
     auto const& left = leaf[axes].points_mm;
     auto const& midrib = leaf[axes + 1].points_mm;
     auto const& right = leaf[axes + 2].points_mm;

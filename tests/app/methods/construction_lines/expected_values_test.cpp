@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include <vector>
 
-// Each sketch of tests/data/construction_lines against what another program has computed of it.
+// Compares each sketch in tests/data/construction_lines with the results of another program.
 
 namespace tractus::lines {
 namespace {
@@ -44,7 +44,7 @@ void expect_report(json const& report, json const& wanted, std::string const& na
         EXPECT_EQ(values.size(), 21U);
         expect_near(report["functions"][key], values, 1e-6, name + " " + key);
     }
-    // They come from the plant: its text has six digits, and a bent stem is drawn in pieces.
+    // The values come from the plant: its text has six digits, and a bent stem is drawn in pieces.
     auto const& headings = wanted["functions"]["heading"];
     bool const straight
         = std::adjacent_find(headings.begin(), headings.end(), std::not_equal_to<>())

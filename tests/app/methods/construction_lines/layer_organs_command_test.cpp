@@ -1,13 +1,13 @@
 #include "tests/app/methods/construction_lines/construct_folder.h"
 
-// What each layer of a sketch's file bears.
+// Tests of the organs of each layer in a sketch's file.
 
 namespace tractus::lines {
 namespace {
 
 class LayerOrgansCommand : public ConstructFolder {
 protected:
-    // A foxglove: leaves below in crossed pairs, and a spike of bells.
+    // Writes a foxglove: leaves in decussate pairs below, and a spike of bells.
     std::string foxglove(std::string const& organs, std::string const& more = "")
     {
         std::ofstream(folder_ / "foxglove.json")
@@ -19,7 +19,7 @@ protected:
         return path("foxglove.json");
     }
 
-    // The model as it is written, after it has been seen to give the plant that it was made from.
+    // Returns the written model, after checking that it gives the plant from which it was made.
     std::string text_of(std::string const& sketch)
     {
         auto const made = commands::run({ "construct", sketch, "-o", path("made"), "--report" });
@@ -68,7 +68,7 @@ TEST_F(LayerOrgansCommand, LayersMayBearAnything)
     auto const sketch = foxglove(fmt::format(R"([{}, "flower.json"])", kBell), R"(,"face":"up")");
     text_of(sketch);
     auto const report = commands::run({ "construct", sketch, "-o", path("told"), "--report" });
-    // Three nodes of two, and seven of two flowers with one node of five.
+    // Three nodes with two leaves, and seven with two flowers of one node with five petals each.
     EXPECT_EQ(nlohmann::json::parse(report.out)["leaf_tips"].size(), 3U * 2 + 7 * 2 * 5);
     auto const made = commands::run({ "construct", sketch, "-o", path("all") });
     EXPECT_NE(made.out.find(" 3 .s, .png"), std::string::npos) << made.out;
@@ -96,7 +96,8 @@ TEST_F(LayerOrgansCommand, SaysWhatIsWrongWithALayer)
               "organs of layer 1: divergence is no angle: give degrees from -360 to 360\n");
 }
 
-// A leaf may be a file beside the sketch, or one of ours, for a layer or for all leaves.
+// A leaf may be a file beside the sketch, or one that comes with the program, for a layer or for
+// all leaves.
 TEST_F(LayerOrgansCommand, ALeafIsAFileOrOneOfOurs)
 {
     std::ofstream(folder_ / "mine.organ") << "tractus-organ 1\ncolor #a050a0\n"

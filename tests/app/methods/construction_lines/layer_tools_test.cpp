@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Leaves that are drawn in three views, and what each layer bears.
+// Tests of leaves drawn in three views, and of the organs of each layer.
 
 namespace tractus::lines {
 namespace {
@@ -29,7 +29,7 @@ protected:
     Plant const& plant() { return *document_.newest()->scene.base; }
     lines::LineModel model() { return lines::model_of(sketch()).value(); }
 
-    // What is said of it.
+    // Draws a stroke and returns the message about it.
     std::string draw(std::vector<Vec3> const& places_mm, tools::Tool const& tool)
     {
         document_.take_drawn();
@@ -42,7 +42,8 @@ protected:
     {
         return draw(places_mm, LineOrganTool { what, color });
     }
-    // From y = 35 mm on the tablet, where the second inclination line crosses the stem, and below.
+    // Draws the third line from y = 35 mm on the tablet, where the second inclination line crosses
+    // the stem, and below.
     void draw_third_line() { draw({ { -80, 20, 50 }, { -41, 0, 50 }, { 5, 20, 50 } }, spiral(3)); }
     std::string touch(double y_mm, What what)
     {
@@ -52,7 +53,7 @@ protected:
     document::Document document_ { scene::Scene {}, document::Document::Working::AtOnce };
 };
 
-// The edge of a leaf of 40 mm as a bow of 8 mm to one side, above the tablet's middle.
+// Returns the edge of a leaf of 40 mm, as a curve of 8 mm to one side, above the tablet's middle.
 std::vector<Vec3> edge(double side, double from_y_mm = 0)
 {
     std::vector<Vec3> places;
@@ -75,7 +76,7 @@ std::string surface_of(lines::LineModel const& model)
     return found == model.functions.end() ? "" : found->second;
 }
 
-// How high a leaf rises over its ends, in shares of its length.
+// Returns how high a leaf rises above its ends, relative to its length.
 double rise_of(lines::PenSketch const& sketch)
 {
     auto const surface = lines::surface_of(sketch.organs.front());
@@ -108,7 +109,8 @@ TEST_F(LayerTools, AnEdgeShapesAllLeaves)
     EXPECT_EQ(surface_of(model()), "");
 }
 
-// Which side it is is seen from how it lies, and the one that is missing is its mirror image.
+// The side is recognised by the edge's position, and a missing edge is the mirror image of the
+// other.
 TEST_F(LayerTools, TheOtherEdgeIsMirroredUntilItIsDrawn)
 {
     leaf(edge(1), Leaf::Edge);
@@ -124,7 +126,7 @@ TEST_F(LayerTools, TheOtherEdgeIsMirroredUntilItIsDrawn)
     EXPECT_NE(surface_of(model()), mirrored);
 }
 
-// Up on the pad is up, in whichever direction and however steeply they are drawn.
+// Up on the pad must mean up, in any direction and at any slope of drawing.
 TEST_F(LayerTools, MidribAndSectionBendTheLeaf)
 {
     leaf(edge(1), Leaf::Edge);
@@ -170,7 +172,7 @@ TEST_F(LayerTools, AnotherLeafStandsInTheTopmostLayer)
         shapes.push_back(organ.shape);
     ASSERT_EQ(shapes.size(), count);
     EXPECT_NE(shapes.front(), shapes.back());
-    touch(-20, What::Organ); // The second one there, too.
+    touch(-20, What::Organ); // The second leaf is used there, too.
     for (auto const& organ : plant().organs)
         EXPECT_EQ(organ.shape, plant().organs.back().shape);
     touch(-20, What::Organ); // Plain leaves.
@@ -195,7 +197,7 @@ TEST_F(LayerTools, ALayerHasAPatternAndAFaceOfItsOwn)
     touch(-20, What::Face);
     EXPECT_LT(upwards(0), -0.2);
     EXPECT_GT(upwards(plant().organs.size() - 1), 0.2);
-    // What is said of the plant is said of all layers.
+    // Settings for the plant apply to all layers.
     document_.draw({ {}, tools::Tool(LinePatternTool {}).done_at_once() });
     EXPECT_EQ(plant().organs.size(), count) << "alternate everywhere";
     document_.draw(
@@ -203,7 +205,7 @@ TEST_F(LayerTools, ALayerHasAPatternAndAFaceOfItsOwn)
     EXPECT_EQ(document_.take_drawn().back().said, "The organs turn their upper side down now");
 }
 
-// A plant that is drawn beside it is dragged to the layer that is to bear it.
+// A plant drawn beside it is dragged to the layer that will bear it.
 TEST_F(LayerTools, APlantBecomesAnOrgan)
 {
     auto const flower = document_.newest()->scene.state.active;

@@ -32,7 +32,7 @@ std::string png_of(render::Image const& image)
     return out.str();
 }
 
-// Green on its left, red on its right, and its upper quarter blue.
+// Returns a picture with a green left half, a red right half, and a blue upper quarter.
 render::Image flag(int width, int height)
 {
     render::Image image(width, height, kGreen);
@@ -45,7 +45,7 @@ render::Image flag(int width, int height)
     return image;
 }
 
-// A bow of 8 mm to one side, 40 mm long, from (60, 0) upwards.
+// Returns a curve of 8 mm to one side, 40 mm long, from (60, 0) upwards.
 std::vector<Vec3> bow(double side)
 {
     std::vector<Vec3> places;
@@ -79,7 +79,7 @@ protected:
     }
 };
 
-// The folder has the picture, and its text is the same plant.
+// The folder must contain the picture, and its text must give the same plant.
 TEST_F(ConstructTextures, AreWrittenBesideTheModel)
 {
     write_sketch("\"petal.png\"");
@@ -99,7 +99,7 @@ TEST_F(ConstructTextures, AreWrittenBesideTheModel)
         << "the picture stands for the colour";
 }
 
-// A session has the picture: it opens where neither model nor picture are.
+// The session must contain the picture, so it opens without the files of model and picture.
 TEST_F(ConstructTextures, AreInTheSession)
 {
     write_sketch("\"petal.png\"");
@@ -145,7 +145,7 @@ class PenTextures : public ::testing::Test {
 protected:
     PenTextures() { draw_frond(document_); }
 
-    // The flag behind the leaf's place: 20 mm wide, 40 mm high.
+    // Puts the flag behind the leaf's place: 20 mm wide, 40 mm high.
     void lay_picture(double x_mm = 60, double turn_deg = 0)
     {
         scene::LayPicture const lay {
@@ -182,15 +182,15 @@ protected:
     document::Document document_ { scene::Scene {}, document::Document::Working::AtOnce };
 };
 
-// How far colours are apart.
+// Returns the distance between two colours.
 int distance(render::Color const& one, render::Color const& other)
 {
     return std::abs(one.red - other.red) + std::abs(one.green - other.green)
         + std::abs(one.blue - other.blue) + std::abs(one.alpha - other.alpha);
 }
 
-// The leaf lies with its midrib on the middle of the flag, its base at its foot: so the left half
-// of the leaf is green, its right half red, and the quarter at its tip blue.
+// The leaf's midrib is on the middle of the flag and its base at the flag's lower edge, so its left
+// half is green, its right half red, and the quarter at its tip blue.
 TEST_F(PenTextures, AreWhatLiesBehindTheLeaf)
 {
     lay_picture();
@@ -212,7 +212,8 @@ TEST_F(PenTextures, AreWhatLiesBehindTheLeaf)
     EXPECT_EQ(wrong, 0);
 }
 
-// On the plant: the mesh's left boundary has the picture's left edge, its base the lower one.
+// On the plant, the mesh's left boundary must show the picture's left edge, and its base the lower
+// edge.
 TEST_F(PenTextures, LieBetweenTheBoundaries)
 {
     lay_picture();
@@ -238,7 +239,7 @@ TEST_F(PenTextures, LieBetweenTheBoundaries)
     EXPECT_EQ(shown.at(5, shown.height() - 10), kBlue);
 }
 
-// The picture that lies turned by half a turn shows the leaf its other end.
+// A picture rotated by half a turn must show its other end on the leaf.
 TEST_F(PenTextures, GoWithHowThePictureLies)
 {
     lay_picture(60, 180);
@@ -275,7 +276,7 @@ TEST_F(PenTextures, NeedAPictureBehindTheLeaf)
     EXPECT_TRUE(sketch().organs.empty());
 }
 
-// Strokes that are drawn twice over one picture give equal bytes, and a session holds them.
+// Strokes drawn twice over one picture must give equal bytes, and a session must keep them.
 TEST_F(PenTextures, AreTheSameAgainAndInASession)
 {
     lay_picture();

@@ -17,7 +17,7 @@
 namespace tractus::lines {
 namespace {
 
-// A stem of 120 mm, both boundaries, and two lines across.
+// Returns a scene with a stem of 120 mm, both boundaries, and two inclination lines.
 scene::Scene frond_scene()
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
@@ -131,7 +131,7 @@ TEST(LineCurves, BendTheStemToAWholeDegree)
     EXPECT_NEAR(lines::values_at(measured(far), 0).heading_deg, -90, 0.5);
 }
 
-// In a session it is one step, which says what it did.
+// In a session it must be one step, with a description.
 TEST(LineCurves, ABentStemIsKept)
 {
     auto const scene = frond_scene();
@@ -165,7 +165,7 @@ TEST(LineCurves, SetALayersNodesByTheWayFromOneToTheNext)
     EXPECT_EQ(nodes_with(-1), lines::kMostNodesInLayer);
 }
 
-// What is not there any more is refused, whatever its number.
+// Handles that no longer exist must be refused, whatever their number.
 TEST(LineCurves, RefuseHandlesThatNothingHas)
 {
     auto const scene = frond_scene();

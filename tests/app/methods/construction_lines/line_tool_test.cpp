@@ -65,7 +65,7 @@ tools::Tool another_stem()
     return LineTool { .plant = LineTool::Plant::AnotherStem, .nodes = 6 };
 }
 
-// A frond, another one beside it, and a lateral axis on the first.
+// Draws a frond, another one beside it, and a lateral axis on the first.
 void draw_two_stems_and_a_lateral(document::Document& document)
 {
     draw_frond(document);
@@ -112,7 +112,7 @@ TEST(LineTool, DrawsSeveralStemsOfOnePlant)
     EXPECT_EQ(axes[0].parent_axis, kNone);
     EXPECT_EQ(axes[1].parent_axis, 0U) << "the lateral axis";
     EXPECT_EQ(axes[2].parent_axis, kNone);
-    // Where it was drawn, upright.
+    // It is vertical at the drawn position.
     Vec3 const top_mm = after.placement.world_of_plant(after.base->positions(axes[2]).back());
     EXPECT_NEAR((top_mm - Vec3(58, 0, 100)).norm(), 0, 0.5);
     EXPECT_EQ(kStemLayer.lines(after).size(), 2U);
@@ -126,8 +126,8 @@ TEST(LineTool, DrawsSeveralStemsOfOnePlant)
     EXPECT_EQ(document.newest()->scene.base->node_position_mm, after.base->node_position_mm);
 }
 
-// A line beside the second stem is its own, in the colours of every other stem; then each has its
-// own functions.
+// A line beside the second stem belongs to it, with alternating colours for stems; then each stem
+// has its own functions.
 TEST(LineTool, GivesLinesToTheStemBesideWhichTheyAreDrawn)
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
@@ -144,7 +144,7 @@ TEST(LineTool, GivesLinesToTheStemBesideWhichTheyAreDrawn)
     EXPECT_EQ(kLinesToDrawLayer.lines(scene).size(), 3U) << "of the stem in hand";
 }
 
-// The plant is the model that the command writes of the same strokes.
+// Fixture for comparing the plant with the model that the command writes from the same strokes.
 class LineToolAndCommand : public testing::Test {
 protected:
     LineToolAndCommand() { fs::create_directories(folder_); }
@@ -154,7 +154,7 @@ protected:
 
     std::string path(std::string const& name) const { return (folder_ / name).string(); }
 
-    // Runs the command on the strokes' places on the tablet.
+    // Runs the command on the strokes' positions on the tablet.
     nlohmann::json construct(std::vector<Stroke> const& strokes,
                              std::vector<int> const& nodes) const
     {
@@ -184,7 +184,7 @@ TEST_F(LineToolAndCommand, GiveTheSameText)
     auto const model
         = lines::model_of(*lines::active_pen_sketch(document.newest()->scene.state)).value();
     EXPECT_EQ(model.source.text, read_file(path("out/lines.l")).value());
-    // A folder is for cpfg, too.
+    // The written view has one more line, for cpfg.
     EXPECT_EQ(model.source.view_text + "surface: l lines_leaf.s 1\n",
               read_file(path("out/lines.v")).value());
     ASSERT_EQ(model.functions.size(), 7U);
@@ -192,7 +192,8 @@ TEST_F(LineToolAndCommand, GiveTheSameText)
         EXPECT_EQ(text, read_file(path("out/" + name)).value()) << name;
 }
 
-// In front of the frond, and behind it: seen from the front both are on its stem.
+// Returns strokes of a frond and boundaries in front of it and behind, both on its stem in the
+// front view.
 std::vector<Stroke> frond_in_space()
 {
     auto strokes = frond();
@@ -222,7 +223,7 @@ TEST(LineTool, DrawsBoundariesWhileTheSurfaceMoves)
     EXPECT_EQ(kBoundaryLayer.lines(after).size(), 4U);
     EXPECT_EQ(kStemLayer.lines(after).size(), 1U);
     EXPECT_TRUE(kLinesToDrawLayer.lines(after).empty());
-    // As older logs had it the stem is drawn again.
+    // In older logs, such a stroke redraws the stem.
     document::Document older(scene::Scene {}, document::Document::Working::AtOnce);
     for (auto const& stroke : frond_in_space())
         older.draw({ stroke,
@@ -232,7 +233,7 @@ TEST(LineTool, DrawsBoundariesWhileTheSurfaceMoves)
         EXPECT_NE(line.role, Role::Around);
 }
 
-// The plant is the model that the command writes of the same strokes, in space.
+// The plant must be the model that the command writes from the same strokes in space.
 TEST_F(LineToolAndCommand, GiveTheSameTextOfBoundariesInSpace)
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
@@ -260,7 +261,7 @@ TEST_F(LineToolAndCommand, GiveTheSameTextOfBoundariesInSpace)
         EXPECT_EQ(text, read_file(path("out/" + name)).value()) << name;
 }
 
-// A recording by the simulated hand, with a tremor, in which the pen is the tool.
+// Returns a recording by the simulated hand with tremor, using the line tool.
 drivers::Log recorded_sketch()
 {
     constexpr std::string_view kHand = R"(
@@ -335,7 +336,7 @@ TEST_F(LineToolAndCommand, GiveTheSamePlantFromALog)
     }
 }
 
-// Draws in a session, and gives what the document amounts to at the end.
+// Draws in a session, and returns the final scene.
 scene::Scene drawn_in(session::Session session,
                       void (*draw)(document::Document& document) = draw_frond)
 {
@@ -439,7 +440,7 @@ TEST_F(LineToolAndCommand, GiveTheSameTextOfSeveralStems)
     auto const model
         = lines::model_of(*lines::active_pen_sketch(document.newest()->scene.state)).value();
     EXPECT_EQ(model.source.text, read_file(path("out/lines.l")).value());
-    // A folder is for cpfg, too.
+    // The written view has one more line, for cpfg.
     EXPECT_EQ(model.source.view_text + "surface: l lines_leaf.s 1\n",
               read_file(path("out/lines.v")).value());
     ASSERT_EQ(model.functions.size(), 3U * 2 + 5);
@@ -447,7 +448,7 @@ TEST_F(LineToolAndCommand, GiveTheSameTextOfSeveralStems)
         EXPECT_EQ(text, read_file(path("out/" + name)).value()) << name;
 }
 
-// A recording says which strokes begin a stem.
+// A recording must contain which strokes begin a stem.
 TEST(LineTool, BeginsStemsInARecording)
 {
     auto log = recorded_sketch();
@@ -502,7 +503,7 @@ TEST(LineTool, SaysWhatTheLineWasTakenForAndWhatIsMissing)
     EXPECT_EQ(view.state().status, drawn[2].refusal);
 }
 
-// What is seen under the pen is what stands there afterwards.
+// The preview under the pen must equal the resulting plant.
 TEST(LineTool, ShowsThePlantThatFollows)
 {
     auto const strokes = frond();

@@ -19,7 +19,7 @@ namespace {
 using namespace line_tests;
 namespace fs = std::filesystem;
 
-// Each has a surface as long as it says, with some breadth, and stands upright on its base.
+// Each organ must have a surface with its stated length and some width, upright on its base.
 TEST(OrganLibrary, OursAreLeaves)
 {
     auto const kinds = methods::organ_kinds();
@@ -72,7 +72,7 @@ protected:
         return window;
     }
 
-    // The titles of the cards, and behind them what choosing them does.
+    // Returns the titles of the cards, and what choosing them does.
     static std::vector<std::string> cards(controllers::LiveWindow& window)
     {
         std::vector<std::string> titles;
@@ -131,7 +131,7 @@ TEST_F(OrganChoices, ALeafOfOursComesToThePlant)
     EXPECT_EQ(sketch(window).organs.size(), 1U);
 }
 
-// From one drawing to the next, by way of the person's own.
+// A leaf must get from one drawing to the next through the user's library.
 TEST_F(OrganChoices, ADrawnLeafIsKeptAndBroughtToAnother)
 {
     auto empty = window();
@@ -157,7 +157,7 @@ TEST_F(OrganChoices, ADrawnLeafIsKeptAndBroughtToAnother)
     EXPECT_EQ(print_organ(load_organ(folder_ / "leaves" / "drawn-leaf.organ").value()), kept);
 }
 
-// Another plant, which has no construction lines, is offered none.
+// A plant without construction lines must not be offered any.
 TEST_F(OrganChoices, OnlyPlantsOfLinesBearThem)
 {
     auto window = this->window(small_scene());

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-// Tools that change a sketch by touching it, and how its lines are shown.
+// Tests of tools that change a sketch by touching it, and of the display of its lines.
 
 namespace tractus::lines {
 namespace {
@@ -17,7 +17,7 @@ using namespace line_tests;
 using lines::Pattern;
 using lines::Role;
 
-// In front of the plant, wherever it stands and in whatever size it is shown.
+// Lines must be in front of the plant, at any position and scale.
 TEST(LineLayers, ShowTheLinesByWhatTheyAre)
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
@@ -52,7 +52,7 @@ TEST(LinePatternTool, GoesThroughThePatterns)
         document.draw({ {}, tools::Tool(LinePatternTool {}).done_at_once() });
         patterns += fmt::format("{} ", document.newest()->scene.base->organs.size());
     }
-    // Seven nodes: alternate, whorls of three, then two, two, and a spiral again.
+    // With seven nodes: alternate, whorls of three, decussate, two per node, and spiral again.
     EXPECT_EQ(patterns, "7 21 14 14 7 ");
     EXPECT_EQ(document.take_drawn().back().said, "The organs are spiral now");
     scene::Scene scene = small_scene();
@@ -81,18 +81,19 @@ TEST(LinePatternTool, LetsSizesFollowHalfEllipsesAndBack)
     EXPECT_EQ(model().source.text, linear.source.text);
 }
 
-// Drawn where it is proposed, the other boundary changes nothing.
+// If the other boundary is drawn where it is proposed, nothing changes.
 TEST(LineLayers, ShowWhereALineIsMissing)
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
-    for (std::size_t i : { 0U, 1U, 3U, 4U }) // All but the right boundary.
+    for (std::size_t i : { 0U, 1U, 3U, 4U }) // All lines except the right boundary.
         document.draw({ frond()[i], spiral() });
     auto const scene = document.newest()->scene;
     auto const missing = kLinesToDrawLayer.lines(scene);
     ASSERT_EQ(missing.size(), 1U);
     std::vector<Vec3> points;
     for (auto const& point : missing[0])
-        points.emplace_back(point.x(), point.z() - 100, 50); // From upright paper to the tablet.
+        // Converts from the upright sheet to the tablet.
+        points.emplace_back(point.x(), point.z() - 100, 50);
     document.draw({ stroke_through(points), spiral() });
     auto const drawn = document.take_drawn();
     EXPECT_EQ(drawn.back().said, "This is the right boundary");

@@ -26,7 +26,7 @@ protected:
 
     std::string folder(std::string const& name) const { return (folder_ / name).string(); }
 
-    // A picture as libpng reads it.
+    // A picture decoded by libpng.
     struct Picture {
         unsigned side = 0;
         std::vector<unsigned char> rgba;
@@ -70,7 +70,7 @@ TEST_F(LeafAtlas, HasPagesWithEmptyGutters)
             ASSERT_GT(pixel[0] + pixel[1] + pixel[2], 60) << "black goes on round a leaf";
         }
     EXPECT_GT(there, 10000u);
-    // The stalk's end is below, in the middle.
+    // The end of the petiole is in the middle of the lower edge.
     auto const& stem = page["pages"][0]["cells"][1]["stem"];
     EXPECT_EQ(stem[0], 192);
     EXPECT_EQ(stem[1], 120);
@@ -117,7 +117,7 @@ TEST_F(LeafAtlas, CutsShapesOutThatHoldTheirLeaves)
         }
 }
 
-// Green is up in glTF and down in Unreal; Unity wants smoothness where others want roughness.
+// Green means up in glTF and down in Unreal; Unity uses smoothness where others use roughness.
 TEST_F(LeafAtlas, PacksChannelsAsEachEngineTakesThem)
 {
     auto const make = [&](std::string const& engine) {
@@ -175,7 +175,7 @@ TEST_F(LeafAtlas, WritesSmallerPicturesInWhichLeavesStay)
         return double(count) / double(picture.rgba.size() / 4);
     };
     double const whole = there("page-0-color.png");
-    for (int level = 1; level <= 4; ++level) // To 16 pixels.
+    for (int level = 1; level <= 4; ++level) // Down to 16 pixels.
         EXPECT_NEAR(there("page-0-color-mip" + std::to_string(level) + ".png"), whole, 0.02)
             << level;
     EXPECT_EQ(read(folder("mips/page-0-normal-mip6.png")).side, 4u);

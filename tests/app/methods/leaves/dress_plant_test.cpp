@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// How many organs are leaves of that grammar.
+// Returns the number of organs that are leaves of a grammar.
 std::size_t leaves_of(Plant const& plant, std::string_view grammar)
 {
     return static_cast<std::size_t>(
@@ -51,7 +51,7 @@ TEST(DressPlant, GivesAModelAnotherSpeciesLeaves)
     EXPECT_NE(texture, scene.in_season->materials.back().textures.base_color);
 }
 
-// A grammar of one's own goes into the document with its text, so that seasons find it.
+// The user's own grammar must be stored in the document with its text, so that seasons find it.
 TEST(DressPlant, KeepsAGrammarOfOnesOwn)
 {
     auto const file = fs::temp_directory_path() / fmt::format("my own {}.leaf", ::getpid());
@@ -75,7 +75,7 @@ TEST(DressPlant, SaysWhichLeavesThereAre)
         methods::dressing_edits(scene, scene.state.active, { .leaves = "/nowhere/my.leaf" }));
 }
 
-// From a drawing over its grammar to a tree that has the leaf.
+// From a drawing over its grammar to a tree with the leaf.
 TEST(SketchLeaf, MakesAGrammarThatPlantsWear)
 {
     auto const folder = fs::temp_directory_path() / fmt::format("tractus_sketch_{}", ::getpid());

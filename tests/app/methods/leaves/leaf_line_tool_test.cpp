@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Spindle-shaped, 80 mm long, from its base around.
+// Returns a closed spindle-shaped outline, 80 mm long, beginning at its base.
 Stroke leaf_outline(double x_mm = 0)
 {
     std::vector<Vec3> places;
@@ -121,7 +121,7 @@ TEST(EraseLeafTool, TakesLinesAwayThatItTouches)
               "the eraser touched nothing of the leaf: move it over a line of its drawing");
 }
 
-// From the pen to a tree that has the leaf: by way of a file, as the window does it.
+// From the pen to a tree with the leaf, through a file, as in the window.
 TEST(DrawnLeaves, AreKeptAndWorn)
 {
     auto const folder = fs::temp_directory_path() / fmt::format("tractus_drawn_{}", ::getpid());

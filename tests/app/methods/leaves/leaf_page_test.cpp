@@ -11,7 +11,8 @@
 namespace tractus::leaf {
 namespace {
 
-// What the pen draws is there already: it would be undone in place of the leaves.
+// Returns a window whose pen strokes are already finished; otherwise undo would remove those
+// instead of the leaves.
 controllers::LiveWindow window_with_tree()
 {
     auto options = controllers::live_options();
@@ -23,7 +24,7 @@ controllers::LiveWindow window_with_tree()
     return window;
 }
 
-// Where the card of that title is.
+// Returns the indices of the card with a title.
 std::pair<std::size_t, std::size_t> card_of(view::StartPageState const& page,
                                             std::string const& title)
 {

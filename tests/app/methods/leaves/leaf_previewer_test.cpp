@@ -14,7 +14,7 @@
 namespace tractus::leaf {
 namespace {
 
-// Spindle-shaped, 80 mm long; the first places of it.
+// Returns the first points of a spindle-shaped outline, 80 mm long.
 Stroke spindle(std::size_t places)
 {
     std::vector<Vec3> line;
@@ -41,13 +41,13 @@ std::vector<tools::SkeletonLine> preview_of(scene::Scene const& scene, Stroke co
     return leaf_previewer()->show({ shared, tool, ink, 9 });
 }
 
-// The paper lies elsewhere when the plant's foot has moved on it.
+// Converts to the sheet, which has another position when the plant's base has moved on it.
 Vec2 on_paper_mm(Vec3 const& plant_mm, scene::Scene const& scene)
 {
     return scene::paper_of(scene.state).sheet_of_world(scene.placement.world_of_plant(plant_mm));
 }
 
-// How far a place on the paper is from the nearest corner of the plant's polygons.
+// Returns the distance of a point on the sheet from the nearest corner of the plant's polygons.
 double from_corners_mm(Vec2 const& sheet_mm, scene::Scene const& scene)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -56,7 +56,7 @@ double from_corners_mm(Vec2 const& sheet_mm, scene::Scene const& scene)
     return least;
 }
 
-// What is seen before the pen is lifted is where the plant is afterwards.
+// Expects the preview before pen-up to equal the resulting plant.
 void expect_as_drawn(scene::Scene const& before, Stroke const& stroke)
 {
     auto const lines = preview_of(before, stroke);

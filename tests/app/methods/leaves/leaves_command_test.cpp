@@ -28,7 +28,7 @@ json read_json(fs::path const& path)
     return json::parse(file);
 }
 
-// The positions of all vertices after the last step, and of no others.
+// Compares the positions of all vertices after the last step.
 void expect_positions(fs::path const& path, int steps, int final_step, json const& wanted)
 {
     std::string const text = file_bytes(path);
@@ -54,7 +54,7 @@ void expect_positions(fs::path const& path, int steps, int final_step, json cons
     }
 }
 
-// Compares each grammar of the folder with what another program counts in its leaves.
+// Compares each grammar in the folder with the counts by another program.
 void expect_counts(fs::path const& folder, std::size_t grammars)
 {
     auto const expected = read_json(folder / "counts.json");

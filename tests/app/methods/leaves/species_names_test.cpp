@@ -1,5 +1,5 @@
-// Leaves are told apart by their outlines alone: what was painted is named after the most similar
-// leaf of others.
+// Leaves must be identifiable by their outlines alone: each painted leaf is named after the most
+// similar leaf in a reference set.
 #include "app/methods/leaves/leaf_library.h"
 #include "engine/base/parallel.h"
 
@@ -17,13 +17,13 @@ namespace {
 
 using Descriptor = std::vector<std::complex<double>>;
 
-// How far the leaf reaches from the picture's middle in each direction. Narrow gaps, as larvae eat
-// them, are passed over.
+// Returns the leaf's extent from the picture's middle in each direction. Narrow gaps, as eaten by
+// larvae, are ignored.
 std::vector<double> reaches(leaf::LeafPicture const& picture)
 {
-    constexpr float kThin = 0.3f; // Stalks are thinner than a small picture's pixels.
+    constexpr float kThin = 0.3f; // Petioles are thinner than a small picture's pixels.
     constexpr int kWays = 128;
-    constexpr int kGap = 2; // Directions on each side.
+    constexpr int kGap = 2; // Number of directions on each side.
     std::vector<double> far(kWays, 0);
     int const side = picture.side;
     for (int y = 0; y < side; ++y)
@@ -44,7 +44,7 @@ std::vector<double> reaches(leaf::LeafPicture const& picture)
     return closed;
 }
 
-// The reaches' Fourier descriptors: leaves stand upright, so that phases count.
+// Returns Fourier descriptors of the extents; leaves are upright, so phases count.
 Descriptor describe(leaf::LeafPicture const& picture)
 {
     constexpr int kFrequencies = 24;
@@ -85,8 +85,9 @@ Descriptor draw(leaf::Grammar const& grammar, std::uint64_t seed, Drawn const& d
     return describe(leaf::paint_leaf(grown->leaf, grown->triangles, options));
 }
 
-// Compares 200 leaves of each species, which vary, half of them drawn at 64 pixels, every fourth
-// one eaten, grown-up to dead of age, with 50 others of each, whole and grown-up.
+// Compares 200 varied leaves of each species with 50 others of each. Half of the former are drawn
+// at 64 pixels, every fourth is eaten, and their ages range from mature to dead; the latter are
+// whole and mature.
 TEST(LeafSpecies, AreNamedByTheirOutlines)
 {
     constexpr std::size_t kKnown = 50;

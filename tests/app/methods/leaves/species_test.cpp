@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Width by height of a blade, or of a leaflet: botanists' common knowledge.
+// Width to height of a blade or a leaflet, as known to botanists.
 std::map<std::string, double> const kRatios {
     { "ivy", 1.20 },      { "rose", 0.62 },     { "lime", 0.90 },  { "tulip-tree", 1.09 },
     { "chestnut", 0.30 }, { "oak", 0.67 },      { "maple", 1.22 }, { "ginkgo", 1.47 },
@@ -47,7 +47,8 @@ TEST(LeafSpecies, AreAsWideAsTheyAreKnownToBe)
     }
 }
 
-// The limb follows the outline: a leaf of one blade is as large as its outline and stalk.
+// The lamina must follow the outline: a leaf with one blade has the area of its outline and
+// petiole.
 TEST(LeafSpecies, FillTheirOutlines)
 {
     for (auto const& name : leaf_names()) {
@@ -77,7 +78,7 @@ TEST(LeafSpecies, FillTheirOutlines)
     }
 }
 
-// Leaves that roll up in space lose nothing of the flat leaf.
+// Leaves that curl in space must keep the area of the flat leaf.
 TEST(LeafSpecies, LoseNothingOfTheirAreaAsTheyCurl)
 {
     auto const area = [](leaf::Grammar const& grammar, double age) {
@@ -120,7 +121,7 @@ protected:
     }
     void TearDown() override { fs::remove_all(folder_); }
 
-    // Width and height as a PNG file says, its bytes 16 to 23.
+    // Returns width and height from bytes 16 to 23 of a PNG file.
     static std::pair<unsigned, unsigned> png_size(fs::path const& path)
     {
         std::string const bytes = file_bytes(path);

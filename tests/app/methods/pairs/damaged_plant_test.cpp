@@ -11,8 +11,8 @@
 namespace tractus::methods {
 namespace {
 
-// The session of a plant with grown leaves, of which the last step is undone: does the same plant
-// come back after one damage?
+// Fixture with the session of a plant with grown leaves whose last step is undone, to test whether
+// the plant survives damage of the file.
 class DamagedPlant : public session::SessionFolder {
 protected:
     void SetUp() override
@@ -51,7 +51,7 @@ protected:
         return { scene::Select { { { 0, 1, 2 } } }, scene::Associate { stroke_through(way) } };
     }
 
-    // Adds a step, and keeps how long the file is with it.
+    // Adds a step, and records the file's length after it.
     void add(session::Session& session, std::vector<scene::Edit> const& edits)
     {
         ASSERT_TRUE(session.append(edits));
@@ -68,7 +68,7 @@ protected:
         return session ? std::optional(session::contents_of(*session)) : std::nullopt;
     }
 
-    // All edits up to one, as they were written.
+    // True if the first edits are as they were written.
     bool has_first(session::SessionContents const& contents, std::size_t count) const
     {
         if (contents.edits.size() < count)
@@ -97,10 +97,11 @@ protected:
             && has_first(*contents, count_edits_to(contents_.step));
     }
 
-    // Damages of so many bytes, 0 for one bit, anywhere: the share after which it is the same.
+    // Returns the share of random damages (of `damage_bytes`, or one bit for 0) after which the
+    // plant is the same.
     double share_that_comes_back(std::size_t damage_bytes, std::uint32_t seed) const
     {
-        constexpr int kDamages = 40; // Each looks through all bytes of a file of megabytes.
+        constexpr int kDamages = 40; // Each trial reads a file of megabytes.
         std::mt19937 random(seed);
         int same = 0;
         for (int i = 0; i < kDamages; ++i) {
@@ -119,7 +120,7 @@ protected:
 
     std::string whole_;
     session::SessionContents contents_;
-    std::vector<std::uintmax_t> lengths_; // Of the file, after each step.
+    std::vector<std::uintmax_t> lengths_; // Length of the file after each step.
 };
 
 TEST_F(DamagedPlant, ComesBackFromAWholeFile)
@@ -143,7 +144,7 @@ TEST_F(DamagedPlant, ComesBackAfterFourKibibytes)
     EXPECT_GE(share_that_comes_back(4096, 3), 0.8);
 }
 
-// All steps are there that were there when the file had no more bytes than are left of it.
+// All steps must survive that existed when the file had at most its remaining length.
 TEST_F(DamagedPlant, ComesBackAsFarAsTheFileIsNotCutOff)
 {
     std::mt19937 random(4);

@@ -25,9 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char const* kHeight = "100"; // Of the surface in all these logs, mm.
+constexpr char const* kHeight = "100"; // Height of the surface in all these logs, in mm.
 
-// What a drawing may begin with.
+// An initial state of a drawing.
 struct Beginning {
     std::string name;
     std::vector<scene::Edit> edits;
@@ -43,7 +43,7 @@ std::vector<Beginning> beginnings()
         auto& edits = all.back().edits;
         edits.insert(edits.end(), steps.edits().begin(), steps.edits().end());
     }
-    // Two plants, one of them hidden, a picture, and something drawn on what is selected.
+    // Two plants, one of them hidden, a picture, and a stroke for the selected branch.
     Steps steps(scene::Scene {});
     load_model(steps, 60);
     load_model(steps, 0);
@@ -56,7 +56,7 @@ std::vector<Beginning> beginnings()
     return all;
 }
 
-// Every tool with every word of its options, one at a time.
+// Returns every tool with every word of its options, one at a time.
 std::vector<tools::Tool> every_tool()
 {
     std::vector<tools::Tool> all;
@@ -72,7 +72,7 @@ std::vector<tools::Tool> every_tool()
     return all;
 }
 
-// A recording of a hand that takes tools one after the other.
+// A recording of a hand that uses tools one after the other.
 class HandLog {
 public:
     HandLog()
@@ -91,7 +91,7 @@ public:
         writer_.write_tool(at_ms(time_ms_), word, arguments);
     }
 
-    // A stroke through places of the tablet, and the pen up after it.
+    // Draws a stroke through positions on the tablet, followed by pen-up.
     void draw(std::vector<Vec2> const& places_mm)
     {
         for (std::size_t i = 1; i < places_mm.size(); ++i)
@@ -102,7 +102,7 @@ public:
         report(places_mm.back(), false);
     }
 
-    // Up, from the middle to the right, and around.
+    // Draws upwards, from the middle to the right, and around.
     void draw_all()
     {
         draw({ { 100, 95 }, { 101, 50 }, { 99, 20 } });
@@ -127,7 +127,7 @@ private:
     std::int64_t time_ms_ = 100;
 };
 
-// Text of a log in which only this tool is taken, and drawn with unless it is done at once.
+// Returns a log in which one tool is chosen, and used for drawing unless it acts at once.
 std::string log_with(tools::Tool const& tool)
 {
     HandLog log;
@@ -135,11 +135,11 @@ std::string log_with(tools::Tool const& tool)
     if (!tool.is_done_at_once())
         log.draw_all();
     else
-        log.draw({ { 10, 10 }, { 12, 10 } }); // Of the tool in hand.
+        log.draw({ { 10, 10 }, { 12, 10 } }); // A stroke with the current tool.
     return log.text();
 }
 
-// Files for a test, in a folder of its own.
+// Fixture with files in a temporary folder.
 class EveryTool : public session::SessionFolder {
 protected:
     fs::path write_log(std::string const& text) const
@@ -173,7 +173,7 @@ station::ReplayOptions replay_options()
              .height = calib::parse_height_scenario(kHeight).value() };
 }
 
-// Whether a file can be made of it: not of nothing but hidden plants.
+// True if a file can be made from the scene, which is impossible if all plants are hidden.
 bool is_any_shown(scene::Scene const& scene)
 {
     auto const& plants = scene.plants;
@@ -182,7 +182,8 @@ bool is_any_shown(scene::Scene const& scene)
            });
 }
 
-// The window says why the last stroke was refused, unless it has to say that branches are lost.
+// The window must show why the last stroke was refused, unless it must report that branches are
+// lost.
 void check_window(drivers::Log const& log, scene::Scene const& scene, batch::Drawing const& drawing)
 {
     auto window
@@ -200,7 +201,7 @@ void check_window(drivers::Log const& log, scene::Scene const& scene, batch::Dra
         EXPECT_EQ(status, last.refusal);
 }
 
-// Every line is JSON, and the last says that it is the end.
+// Every line must be JSON, and the last one must mark the end.
 void check_stream(drivers::Log const& log)
 {
     auto replay = station::LogReplay::create(log, replay_options()).value();
@@ -218,10 +219,12 @@ void check_stream(drivers::Log const& log)
     EXPECT_EQ(types.back(), "end");
 }
 
-// What is refused in one way is refused in all, in the same words, and what is not is exported.
+// Strokes refused by one replayer must be refused by all with the same message; accepted ones must
+// be exported.
 TEST_F(EveryTool, MeansTheSameWhateverReplaysIt)
 {
-    std::map<std::string, std::pair<bool, bool>> outcomes; // Accepted, refused, by the tool's word.
+    // Whether strokes were accepted and refused, by the tool's word.
+    std::map<std::string, std::pair<bool, bool>> outcomes;
     for (auto const& [name, edits] : beginnings()) {
         auto const scene = scene::apply_edits({}, edits).value();
         for (auto const& usual : every_tool())
@@ -247,7 +250,8 @@ TEST_F(EveryTool, MeansTheSameWhateverReplaysIt)
                 check_stream(log);
             }
     }
-    // These need a leaf of more lines, a crown in space, or a plant on another: their own tests.
+    // These tools need a leaf with more lines, a crown in space, or a plant on another; they have
+    // separate tests.
     std::set<std::string> const needs_more { "erase_crown", "erase_leaf", "graft_plant",
                                              "take_off" };
     for (auto const& [word, outcome] : outcomes) {
@@ -256,7 +260,7 @@ TEST_F(EveryTool, MeansTheSameWhateverReplaysIt)
     }
 }
 
-// All of it in one recording, in the commands that make files of it.
+// All tools in one recording, for all commands that make files from it.
 TEST_F(EveryTool, GoesThroughEveryCommandThatReplays)
 {
     HandLog log;
@@ -304,11 +308,11 @@ TEST_F(EveryTool, ThatNeedsAStrokeIsRefusedWithoutOne)
     }
 }
 
-// A document without plants is one like others.
+// A document without plants must be handled like others.
 TEST_F(EveryTool, AnEmptySheetGoesThroughEveryCommand)
 {
     HandLog log;
-    log.draw_all(); // Shapes a branch, of which there is none.
+    log.draw_all(); // Shapes a branch, although there is none.
     auto const hand = write_log(log.text()).string();
     auto const kept = path("kept.tractus").string();
     auto const out = [&](char const* name) { return path(name).string(); };

@@ -17,7 +17,7 @@ std::vector<scene::Edit> made(MethodOfPair const& method, scene::Scene const& be
     return steps.edits();
 }
 
-// The part's segments, in the plant that bears it.
+// Returns the number of segments of a part in the plant that bears it.
 std::size_t segments_of_part(scene::Scene const& scene, scene::ItemId part)
 {
     std::size_t count = 0;
@@ -28,7 +28,7 @@ std::size_t segments_of_part(scene::Scene const& scene, scene::ItemId part)
 
 class Pairs : public session::SessionFolder {
 protected:
-    // A session with both plants, the guest on the host, and a stroke on the guest.
+    // Begins a session with both plants, the guest on the host, and a stroke on the guest.
     Result<session::Session> begin(MethodOfPair const& host, MethodOfPair const& guest)
     {
         std::vector<scene::Edit> first { scene::SetScale { 0.1 } };
@@ -76,7 +76,7 @@ TEST_F(Pairs, AreOnePlantWhateverMadeTheTwo)
             ASSERT_EQ(drawn.associations.size(), 1u);
             EXPECT_FALSE(drawn.associations[0].what.is_orphaned);
             check_plant(*drawn.base);
-            // The first is changed: the second stands on it still, with what was drawn on it.
+            // When the host is changed, the guest must still be on it, with its stroke.
             ASSERT_TRUE(session.append(std::vector<scene::Edit> { host.change(host_) }));
             auto const file = exported(drawn);
             EXPECT_TRUE(exported(session.scene()) != file);
@@ -95,8 +95,8 @@ TEST_F(Pairs, AreOnePlantWhateverMadeTheTwo)
         }
 }
 
-// A part is changed by its own method where that reaches parts; else it is refused in a sentence,
-// and can be taken off, changed and put on again.
+// A part is changed by its own method if that supports parts; otherwise the change is refused with
+// a message, and the part can be detached, changed and attached again.
 TEST_F(Pairs, TheSecondIsChangedAsAPartOrByItself)
 {
     for (auto const& guest : kMethods) {
@@ -108,7 +108,7 @@ TEST_F(Pairs, TheSecondIsChangedAsAPartOrByItself)
         bool const is_sketch = guest.make == grow_along_stroke;
         sketch::ChangeSketch const in_place { host_, guest_, { .laterals = 3, .shortest_mm = 8 } };
         EXPECT_EQ(scene::apply_edit(scene, in_place).has_value(), is_sketch);
-        if (guest.make != load_model) { // A model is loaded for the plant that is active.
+        if (guest.make != load_model) { // Models are loaded for the active plant.
             EXPECT_FALSE(scene::apply_edit(scene, guest.change(guest_)));
         }
         auto const off

@@ -14,7 +14,7 @@ namespace {
 
 using RandomEdits = session::SessionFolder;
 
-// Draws until there are so many steps that count; some are undone and done again on the way.
+// Draws until the given number of steps exists; some are undone and redone on the way.
 void draw_at_random(document::Document& document, RandomHand& hand, std::size_t steps)
 {
     while (document.session().step() < steps) {
@@ -38,7 +38,8 @@ void draw_at_random(document::Document& document, RandomHand& hand, std::size_t 
     }
 }
 
-// Undone, all of it is the empty sheet, and done again the same file.
+// Undoes all steps, which must give the empty sheet, and redoes them, which must give the same
+// file.
 std::string exported_again(document::Document& document, std::size_t steps)
 {
     auto const file = exported(document.newest()->scene);
@@ -56,7 +57,8 @@ std::string exported_again(document::Document& document, std::size_t steps)
 TEST_F(RandomEdits, OfAllMethodsAreUndoneAndDoneAgain)
 {
     constexpr std::size_t kSteps = 1000;
-    constexpr std::ptrdiff_t kMostRefused = 2; // What a hand like this hardly ever hits.
+    // Number of tools that random drawing rarely uses successfully.
+    constexpr std::ptrdiff_t kMostRefused = 2;
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     RandomHand hand(6);
     draw_at_random(document, hand, kSteps);
@@ -71,7 +73,7 @@ TEST_F(RandomEdits, OfAllMethodsAreUndoneAndDoneAgain)
 
 TEST_F(RandomEdits, OfAllMethodsAreInTheSessionsFile)
 {
-    constexpr std::size_t kSteps = 150; // Each waits for the disk.
+    constexpr std::size_t kSteps = 150; // Each step waits for the disk.
     std::string file;
     {
         document::Document document(

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder of pictures, which goes away with it.
+// Fixture with a temporary folder of pictures.
 class Pictures : public testing::Test {
 protected:
     Pictures() { fs::create_directories(folder_ / "trip"); }
@@ -123,7 +123,7 @@ TEST_F(Pictures, ThatCannotBeReadAreRefusedByName)
     EXPECT_NE(window.state().status.find("nothing.png"), std::string::npos);
 }
 
-// The file may go: the session has it.
+// The file is not needed, since the session contains it.
 TEST_F(Pictures, AreKeptInTheSession)
 {
     auto const session = folder_ / "drawing.tractus";
@@ -154,7 +154,7 @@ TEST_F(Pictures, AreKeptInTheSession)
     EXPECT_TRUE(window.state().picture);
 }
 
-// So that an evening replays with what it was drawn after.
+// Needed so that a recording replays with the picture over which it was drawn.
 TEST_F(Pictures, AreStepsOfARecording)
 {
     auto const png = small_png(50, 70);

@@ -110,7 +110,7 @@ TEST(PictureEdits, RefuseWhatCannotBe)
         << "before there is a plant";
 }
 
-// Its bytes are the record's numbers, not half as many again in its fields.
+// The bytes must be among the record's numbers, since they would be larger by half in its fields.
 TEST(PictureEdits, KeepTheFileAsItIs)
 {
     auto const png = small_png();
@@ -121,7 +121,8 @@ TEST(PictureEdits, KeepTheFileAsItIs)
     EXPECT_EQ(edit.get<scene::LayPicture>()->file, png);
 }
 
-// A stroke under way shows where the picture would come to lie; one that is refused gives it back.
+// While a stroke is in progress, the picture's resulting position must be shown; a refused stroke
+// must restore it.
 TEST(PictureTool, ShowsTheOutcomeWhileThePenMoves)
 {
     auto station = station_on(with_picture(), PictureTool {});

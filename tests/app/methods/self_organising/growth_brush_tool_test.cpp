@@ -12,7 +12,7 @@
 namespace tractus::self_organising {
 namespace {
 
-// A stroke that rises and then goes aside, in so many seconds.
+// Returns a stroke that rises and then goes to the side, with a given duration.
 Stroke drawn_stroke(Vec3 const& from_mm, double seconds = 5, double aside_mm = 60)
 {
     std::vector<TipSample> tips;
@@ -114,7 +114,7 @@ TEST(GrowthBrushTool, PreviewsTheTreeThatTheStrokeLeaves)
     auto const lines = previewer->show({ .scene = scene, .tool = tool, .ink = tips });
     auto const after = drawn(*scene, {}, stroke);
     ASSERT_EQ(lines.size(), after.base->axes.size());
-    // In the frame of the plant that was active before.
+    // The preview is in the frame of the previously active plant.
     Vec3 const tip_mm
         = after.placement.world_of_plant(after.base->positions(after.base->axes.front()).back());
     Vec3 const shown_mm

@@ -1,4 +1,4 @@
-// Every habit, grown by itself, against what foresters measure of such trees.
+// Compares trees grown with each habit with measurements by foresters.
 
 #include "app/methods/self_organising/habit_file.h"
 #include "app/methods/self_organising/habit_text.h"
@@ -20,11 +20,11 @@ struct Range {
     double most = 0;
 };
 
-// What is known of old trees of a habit, where it is narrower than for all trees.
+// Known ranges for old trees of a habit, where they are narrower than for all trees.
 struct Known {
     Range slenderness { 20, 110 };
-    Range crown_width { 0.14, 1.3 }; // As a share of the height.
-    Range crown_length { 0.6, 1 };   // Likewise.
+    Range crown_width { 0.14, 1.3 }; // Width as a share of the height.
+    Range crown_length { 0.6, 1 };   // Length as a share of the height.
     Range height_m { 6, 26 };
 };
 

@@ -1,4 +1,4 @@
-// Trees that a program in another language has grown by the same laws.
+// Compares with trees grown by the same laws in a program in another language.
 
 #include "app/methods/self_organising/case_file.h"
 #include "engine/base/file.h"

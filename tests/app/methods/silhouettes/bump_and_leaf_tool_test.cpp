@@ -16,7 +16,7 @@ namespace {
 using namespace drawn_trees;
 using silhouette::DrawTree;
 
-// The pen's tip, about where it touched the paper.
+// Returns the trace of a tap with the pen near a position.
 Stroke tap(double x, double y)
 {
     return stroke_through({ { x, y, 150 }, { x + 0.3, y + 0.1, 150 }, { x, y + 0.1, 150 } });
@@ -35,8 +35,8 @@ std::size_t bumps_of_crown(scene::Scene const& scene)
         .bumps.size();
 }
 
-// A touch splits the lobe at the right above, and one joins it with that at the right below; both
-// are undone, erased, written in logs and read again.
+// A touch splits the lobe at the upper right, and another one joins it with that at the lower
+// right; both must be undoable, erasable, and kept by logs.
 TEST(OutlineTool, SplitsAndJoinsBumps)
 {
     using What = OutlineTool::What;
@@ -98,7 +98,7 @@ TEST(OutlineTool, WritesTouchesInSessions)
     EXPECT_EQ(usual.fields.find("is_leaf"), std::string::npos) << "as before there were leaves";
 }
 
-// Drawn as one, taken back by a touch, declared again, undone.
+// An outline is drawn as a leaf, reverted by a touch, declared a leaf again, and undone.
 TEST(OutlineTool, DeclaresOutlinesLeaves)
 {
     tools::Tool const leaf = with_what(OutlineTool::What::Leaf);

@@ -21,10 +21,10 @@ OutlineTool leaf_tool(StyleTo style = StyleTo::Siblings)
     return { .what = OutlineTool::What::Leaf, .style = style };
 }
 
-// In the lobe at the right above.
+// A position in the upper right lobe.
 Vec2 const kLobe(20, 30);
 
-// A tree of four lobes, on which the pen does something.
+// Fixture with a tree of four lobes.
 class BumpLeafTool : public ::testing::Test {
 protected:
     BumpLeafTool()
@@ -82,7 +82,7 @@ TEST_F(BumpLeafTool, SiblingsTakeItAsTheyDoADrawnOne)
     EXPECT_EQ(leaves_on_trunk(), branches);
     EXPECT_EQ(axes(), scene().base->organs.size() + 1) << "nothing but leaves";
     ASSERT_EQ(tree().own_outlines.size(), 1u);
-    // An outline that is drawn there does as much.
+    // Drawing an outline there must have the same effect.
     document::Document drawn({}, document::Document::Working::AtOnce);
     for (auto const& stroke : { trunk_at(0), crown_around(0, 10) })
         drawn.draw({ stroke, OutlineTool {} });
@@ -90,7 +90,7 @@ TEST_F(BumpLeafTool, SiblingsTakeItAsTheyDoADrawnOne)
     EXPECT_EQ(drawn.newest()->scene.base->node_position_mm, scene().base->node_position_mm);
 }
 
-// Elsewhere a touch is inside of an outline, as in logs that do not read closely.
+// Elsewhere a touch concerns the outline around it, as in logs without this option.
 TEST_F(BumpLeafTool, LeavesTheCrownsMiddleToTheCrown)
 {
     touch({ 0, 10 });
@@ -104,7 +104,7 @@ TEST_F(BumpLeafTool, LeavesTheCrownsMiddleToTheCrown)
     EXPECT_TRUE(tree().own_outlines.empty());
 }
 
-// One on a branch's own outline, and then on the bump that all of that is in.
+// A leaf on a branch's own outline, and then on the bump that contains it.
 TEST_F(BumpLeafTool, IsOfTheSmallestOutline)
 {
     document_.draw({ lobe_of_crown(), OutlineTool { .style = StyleTo::None } });

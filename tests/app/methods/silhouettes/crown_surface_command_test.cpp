@@ -22,7 +22,7 @@ using nlohmann::json;
 
 constexpr double kTurn = 2 * 3.14159265358979;
 
-// Crowns in space as files say them.
+// Tests of crowns in space given by files.
 class CrownSurfaceCommand : public ::testing::Test {
 protected:
     CrownSurfaceCommand()
@@ -49,7 +49,7 @@ protected:
         return line;
     }
 
-    // Of an ellipse as wide as twice its depth.
+    // Returns rings of an ellipse whose width is twice its depth.
     static json rings()
     {
         json drawing { { "trunk", { { 0, 0 }, { 0, 100 } } } };
@@ -69,7 +69,7 @@ protected:
         return json::parse(outcome.out);
     }
 
-    // Distances every 30 degrees about halfway up.
+    // Returns the distances every 30 degrees about halfway up.
     static std::array<double, 12> halfway(json const& report)
     {
         std::array<double, 12> distances {};
@@ -137,13 +137,13 @@ TEST_F(CrownSurfaceCommand, TakesALineThatClimbs)
     auto const report = reported({ { "climbs", json::array({ climb }) } });
     EXPECT_EQ(report["surface"]["climbs"], 1);
     auto const& row = report["surface"]["radius"][5];
-    // The trunk's foot is a quarter of the line's height below it.
+    // The trunk's base is a quarter of the line's height below it.
     double const up = row["height"].get<double>() - 22;
     for (auto const& distance : row["at"])
         EXPECT_NEAR(distance.get<double>(), 40 * (1 - up / 0.22 / 420), 0.5);
 }
 
-// The tree of the session is the command's: as if a pen had drawn the file's lines.
+// The session's tree must be the command's, as if a pen had drawn the file's lines.
 TEST_F(CrownSurfaceCommand, WritesASessionOfItsLines)
 {
     auto drawing = rings();

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <fstream>
 
-// What is drawn on a tree that is inferred: branches, styles, touches, leaves.
+// Tests of drawings on an inferred tree: branches, styles, touches, leaves.
 
 namespace tractus::silhouette {
 namespace {
@@ -34,7 +34,7 @@ TEST_F(SilhouetteCommand, ReportsBranchesWithOutlinesOfTheirOwn)
     EXPECT_EQ(outlined, 1);
 }
 
-// A part that does not come back is a branch on a branch; the style of its parent goes to siblings.
+// A part that is an open line is a branch on a branch; siblings take the style of its parent.
 TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
 {
     std::ofstream(folder_ / "plain.json") << crown();
@@ -78,7 +78,7 @@ TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
     EXPECT_TRUE(file_bytes(path("out/twig.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
 
-// A line on a branch in a part is of a deeper level, with the pen as in a file.
+// A line on a branch in a part belongs to a deeper level, by pen as in a file.
 TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
 {
     auto drawing = crown();
@@ -87,7 +87,7 @@ TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
     auto const plain
         = json::parse(commands::run({ "silhouette", path("part.json"), "--report" }).out);
     EXPECT_FALSE(plain.contains("refined"));
-    // From the end of the branch in the part's lobe above.
+    // From the end of the branch in the part's upper lobe.
     json const twig = { { 62, 34 }, { 58, 36 }, { 56, 40 } };
     drawing["parts"].push_back(twig);
     std::ofstream(folder_ / "deep.json") << drawing;
@@ -106,7 +106,7 @@ TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
     EXPECT_TRUE(file_bytes(path("out/deep.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
 
-// From the branch with an outline of its own over the next ones: those follow it, as by a pen.
+// From the branch with an outline of its own across the next ones, which then follow it, as by pen.
 TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
 {
     auto drawing = crown();
@@ -153,7 +153,7 @@ TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
               std::string::npos);
 }
 
-// On the crown's lobe at the right above, between the two next to it, in the part; with the pen as
+// Touches on the crown's upper right lobe, between the two next to it, and in the part; by pen as
 // in a file.
 TEST_F(SilhouetteCommand, SplitsAndJoinsBumps)
 {
@@ -222,7 +222,8 @@ TEST_F(SilhouetteCommand, DrawsLeaves)
     EXPECT_EQ(again.base->organs.size(), 1u);
 }
 
-// A point where a branch ends makes a leaf of that branch's part of the crown, as a pen's touch.
+// A point where a branch ends makes a leaf of that branch's part of the crown, as a pen's touch
+// does.
 TEST_F(SilhouetteCommand, MakesALeafOfABump)
 {
     auto const plain

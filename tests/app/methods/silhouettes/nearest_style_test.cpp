@@ -25,7 +25,7 @@ Plant const& plant_of(scene::Scene const& scene, scene::ItemId plant)
     return *scene.plants[scene::plant_number(scene.state, plant).value()]->base;
 }
 
-// A tree beside the others, with a trunk and a crown; ids count from this one.
+// Returns a scene with another tree, consisting of a trunk and a crown, whose ids begin with `id`.
 scene::Scene with_tree(scene::Scene const& scene, double x_mm, scene::ItemId id,
                        OutlineTool const& tool = {})
 {
@@ -38,7 +38,7 @@ scene::Scene with_tree(scene::Scene const& scene, double x_mm, scene::ItemId id,
     return scene::apply_edit(*begun, crown).value();
 }
 
-// The step with what it brings with it.
+// Returns the scene after a step, including the edits that follow it.
 scene::Scene stepped(scene::Scene const& scene, scene::Edit const& edit)
 {
     auto step = std::vector { edit };
@@ -47,7 +47,7 @@ scene::Scene stepped(scene::Scene const& scene, scene::Edit const& edit)
     return scene::apply_edits(scene, step).value();
 }
 
-// Of trees that are begun now.
+// Returns the form of newly begun trees.
 TreeForm begun_form()
 {
     return { .has_whole_nodes = true };
@@ -81,14 +81,14 @@ TEST(NearestStyle, IsThatOfTheNearestTree)
     EXPECT_EQ(tree_of(scene, 30).form, style_of(scene, 10));
     EXPECT_EQ(tree_of(scene, 40).form, style_of(scene, 20));
     EXPECT_NE(style_of(scene, 10), style_of(scene, 20));
-    // Where one is moved there is another one near.
+    // After it is moved, another tree is the nearest.
     auto const moved = stepped(scene, scene::MovePlant { 20, Vec3(-70, 0, 0) });
     EXPECT_EQ(tree_of(moved, 30).form, style_of(moved, 20));
     auto const removed = stepped(scene, scene::RemovePlant { 10 });
     EXPECT_EQ(tree_of(removed, 30).form, style_of(removed, 20));
 }
 
-// It is drawn first, and a neighbour is refined then.
+// The tree is drawn first, and a neighbour is refined afterwards.
 TEST(NearestStyle, FollowsARefinedTree)
 {
     auto const drawn = with_tree(with_tree({}, 100, 10), 0, 20);
@@ -100,10 +100,10 @@ TEST(NearestStyle, FollowsARefinedTree)
     EXPECT_TRUE(has_own_style(tree_of(refined, 20)));
     EXPECT_EQ(tree_of(refined, 10).form, style_of(refined, 20));
     EXPECT_NE(tree_of(refined, 10).form, begun_form());
-    // Not again where nothing of it has changed.
+    // The style is not taken again if nothing relevant has changed.
     EXPECT_TRUE(
         styles_that_follow(refined, { scene::SetScale { refined.placement.scale } }).empty());
-    // Until it is refined itself, or somebody forms it.
+    // Until it is refined itself, or its form is set by the user.
     auto const formed = scene::apply_edit(refined, FormTree { 10, {} }).value();
     EXPECT_FALSE(takes_style(tree_of(formed, 10)));
     EXPECT_TRUE(styles_that_follow(formed, { EraseTreePart { 20, DrawTree::Part::OwnOutline, 30 } })

@@ -35,7 +35,7 @@ TEST(OutlineTool, SaysItsNumbersInLogs)
               tools::Tool(tool));
 }
 
-// From the middle of the branch that ends in the lobe at the right above.
+// Returns a stroke from the middle of the branch that ends in the upper right lobe.
 Stroke line_from_branch(silhouette::OutlinedTree const& tree)
 {
     auto const skeleton = silhouette::skeleton_of(tree).value();
@@ -51,7 +51,7 @@ Stroke line_from_branch(silhouette::OutlinedTree const& tree)
     return stroke_through(places);
 }
 
-// The tool as logs have it from before lines could be branches of branches.
+// Returns the tool of old logs, in which lines could not be branches of branches.
 OutlineTool tool_of_old_logs()
 {
     return { .branches = OutlineTool::Branches::OfTrunk,
@@ -65,7 +65,7 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     auto const tools = methods::all_methods().tools;
     EXPECT_EQ(tools::parse_tool(tools, "outline", "").value(), tools::Tool(tool_of_old_logs()));
     EXPECT_EQ(tools::words_for(tool_of_old_logs()).arguments, "");
-    // Lines were of the trunk's branches then, and of none of theirs.
+    // Then, lines belonged only to the trunk's branches.
     auto const of_branches = tools::parse_tool(tools, "outline", "of_nearest siblings").value();
     EXPECT_EQ(of_branches,
               tools::Tool(OutlineTool { .branches = OutlineTool::Branches::OfNearest,
@@ -75,8 +75,8 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     auto const line = line_from_branch(*silhouette::outlined_tree(*tree.drawn));
     EXPECT_EQ(meant(line, tree, *of_branches.get<OutlineTool>()).search,
               silhouette::Search::OnTrunk);
-    // Of other kinds these alone begin with more than what their logs mean without arguments:
-    // crowns with whole nodes, construction lines with depths and read together, strokes laid by
+    // Of other kinds, only these have other defaults than their logs without arguments: crowns with
+    // complete nodes, construction lines with depths that are read together, strokes laid by
     // heading.
     constexpr auto kLeastTwist = variation::StrokeLaying::LeastTwist;
     for (auto const* const kind : tools) {
@@ -104,7 +104,8 @@ TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
                               .spacing = 0.05,
                               .first_angle_deg = 50,
                               .last_angle_deg = 40 };
-    auto const scene = scene::apply_edit(outlined, styled).value(); // A ready form ends the style.
+    // A ready-made form replaces the style.
+    auto const scene = scene::apply_edit(outlined, styled).value();
     for (auto const& ready : silhouette::ready_forms()) {
         tools::Tool tool = OutlineTool {};
         auto const words = tools::chosen_words(tool)[0].option.words;
@@ -125,7 +126,7 @@ TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
     }
 }
 
-// Its number of leaves does not make a pine's needles broad again.
+// Setting only the number of leaves must not make a pine's needles broad again.
 TEST(OutlineTool, LeavesTheFormOfATreeToWhoGivesNumbersAlone)
 {
     auto const pine = after({}, trunk_at(0), { .form = OutlineTool::Form::Pine });
@@ -189,7 +190,7 @@ TEST(OutlineTool, TellsABranchOnABranchByWhereItBegins)
     EXPECT_EQ(meant(lobe_of_crown(), tree).style_to, silhouette::StyleTo::Siblings);
 }
 
-// Drawn, undone, drawn again, erased: the same plants at each step.
+// Drawing, undoing, redoing and erasing must give the same plants at each step.
 TEST(OutlineTool, DrawsABranchOnABranch)
 {
     document::Document document({}, document::Document::Working::AtOnce);
@@ -218,8 +219,8 @@ TEST(OutlineTool, DrawsABranchOnABranch)
     EXPECT_EQ(nodes(), before);
 }
 
-// From the outlined lobe to the one at the left above, and back: what is drawn is undone, and the
-// edit is written and read as it is.
+// From the outlined lobe to the one at the upper left, and back: it must be undoable, and the edit
+// must be written and read unchanged.
 TEST(OutlineTool, CarriesAStyle)
 {
     document::Document document({}, document::Document::Working::AtOnce);
@@ -264,7 +265,8 @@ TEST(OutlineTool, CarriesAStyle)
         << "no tree with an outline";
 }
 
-// On a branch that was drawn on a branch: a log says so, and old ones do not look for it.
+// A line on a branch that was drawn on a branch: new logs contain the option, and old ones do not
+// search there.
 TEST(OutlineTool, DrawsOnBranchesOfBranches)
 {
     OutlineTool const alone { .style = silhouette::StyleTo::None };
@@ -424,7 +426,7 @@ TEST(ArrangeTool, StandsAsManyBranchesInAWhorlAsItSays)
     EXPECT_EQ(patterns()[1], Pattern::whorls_of(4));
 }
 
-// Logs from before there were any draw the trees that they drew then, however they are arranged.
+// Logs from before complete nodes must draw their old trees, however these are rearranged.
 TEST(ArrangeTool, KeepsNodesAsTheyWereWhenTheTreeWasDrawn)
 {
     auto const tools = methods::all_methods().tools;
@@ -442,7 +444,8 @@ TEST(ArrangeTool, KeepsNodesAsTheyWereWhenTheTreeWasDrawn)
     }
 }
 
-// A branch goes before the trunk that it stands on, the outline last; what is left is a bare stem.
+// A branch must be erased before the trunk that bears it, and the outline last, which leaves a bare
+// stem.
 TEST(EraseOutlineTool, TakesLinesOfTheDrawingAway)
 {
     document::Document document({}, document::Document::Working::AtOnce);
@@ -485,7 +488,8 @@ TEST(OutlineTool, ShowsBranchesBeforeTheCrownIsClosed)
     EXPECT_GE(lines(1), 4u);
 }
 
-// What it shows of a small line over the crown is a branch's part of it, as soon as there is one.
+// The preview of a small line over the crown must show a branch's part of it, as soon as there is
+// one.
 TEST(OutlineTool, ShowsBranchesInABranchsOwnOutline)
 {
     auto const tree
@@ -522,7 +526,7 @@ TEST(OutlineLayer, ShowsTheLinesWhereTheTreeStands)
     EXPECT_TRUE(kOutlineLayer.lines(small_scene()).empty());
 }
 
-// What was seen: chord and middle of each bump that bears a branch, and each branch's part of the
+// Shows the inference: chord and middle of each bump with a branch, and each branch's part of the
 // crown.
 TEST(OutlineLayer, ShowsWhatWasSeenInTheOutline)
 {

@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::json;
 
-// A line around a place with so many lobes, as the simulated hand draws it.
+// Returns a gesture around a position with some lobes, for the simulated hand.
 std::string gesture_around(Vec2 const& middle_mm, double radius_mm, int lobes)
 {
     std::string points;
@@ -36,7 +36,7 @@ std::string gesture_around(Vec2 const& middle_mm, double radius_mm, int lobes)
                        points);
 }
 
-// A recording of a trunk, a crown of four lobes, and the outline of the one at the right above.
+// Returns a recording of a trunk, a crown of four lobes, and the outline of the upper right one.
 drivers::Log recorded_tree()
 {
     std::string hand = "version = 1\nseed = 8\n[[gesture]]\ntool = \"draw\"\npropagation = "
@@ -58,7 +58,7 @@ json points_of(Stroke const& stroke)
     return points;
 }
 
-// What the command infers from a file of the strokes.
+// Returns what the command infers from a file of the strokes.
 json reported(std::vector<document::DrawnStroke> const& strokes)
 {
     auto const file = std::filesystem::temp_directory_path()
@@ -72,7 +72,7 @@ json reported(std::vector<document::DrawnStroke> const& strokes)
     return json::parse(outcome.out);
 }
 
-// A recording of strokes with the words of the tool for each.
+// Returns a recording of strokes with the tool's words for each.
 drivers::Log recorded_lines(std::string const& gestures, std::vector<std::string> const& words)
 {
     auto log
@@ -94,7 +94,7 @@ std::string touch_at(double x_mm, double y_mm)
                        x_mm, y_mm, x_mm + 1);
 }
 
-// The scene after the same lines without a log.
+// Returns the scene after the same lines without a log.
 scene::Scene drawn_alone(std::vector<document::DrawnStroke> const& strokes,
                          std::vector<OutlineTool> const& tools)
 {
@@ -108,7 +108,7 @@ scene::Scene drawn_alone(std::vector<document::DrawnStroke> const& strokes,
     return scene;
 }
 
-// A bump split, two joined, a leaf outlined and declared none: replayed and drawn alone.
+// A bump is split, two are joined, and a leaf is outlined and reverted: by replay and directly.
 TEST(OwnOutlineLog, GivesTheTreeOfItsTouches)
 {
     auto const log = recorded_lines(touch_at(22, 32) + touch_at(-30, 10)
@@ -138,7 +138,7 @@ TEST(OwnOutlineLog, GivesTheTreeOfItsTouches)
               replay.scene.base->node_position_mm);
 }
 
-// Recorded, replayed and typed, lines are one tree.
+// Recorded, replayed and typed lines must give the same tree.
 TEST(OwnOutlineLog, GivesTheTreeOfItsLines)
 {
     auto const log = recorded_tree();

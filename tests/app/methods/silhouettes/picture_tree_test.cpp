@@ -23,9 +23,9 @@ using silhouette::DrawTree;
 
 constexpr int kWidth = 480;
 constexpr int kHeight = 320;
-constexpr double kSheet_mm = 240; // Two pixels to a millimetre; the middle lies at (0, 0).
+constexpr double kSheet_mm = 240; // Two pixels per millimetre; the middle is at (0, 0).
 
-// A crown of five lobes, pixels with y up.
+// Returns the radius of a crown with five lobes, in pixels with y up.
 double crown_radius(double size, double angle)
 {
     return size * (1 + 0.1 * std::cos(5 * angle));
@@ -44,7 +44,7 @@ struct PaintedTree {
     }
 };
 
-// Sky above level grass, and trees with rough leaves in it.
+// Returns a picture of sky above level grass, and trees with rough foliage.
 render::Image painted(std::vector<PaintedTree> const& trees)
 {
     render::Image image(kWidth, kHeight);
@@ -97,7 +97,7 @@ Stroke touch_at(Vec2 const& sheet_mm)
         { { sheet_mm.x(), sheet_mm.y(), 80 }, { sheet_mm.x() + 0.2, sheet_mm.y(), 80 } });
 }
 
-// Pixels that are in both, as a share of those in either.
+// Returns the pixels in both areas, as a share of those in either.
 double likeness(std::vector<Vec2> const& outline_px, PaintedTree const& tree)
 {
     double both = 0;
@@ -197,7 +197,7 @@ TEST(OutlineTool, TakesTheCrownThatATouchLiesIn)
     auto const tree = scene::apply_edit(stem, edit).value();
     EXPECT_GT(tree.base->axes.size(), 20U);
     EXPECT_FALSE(drawn(stroke_through({ { 0, 0, 80 } }), small_scene())) << "there is no picture";
-    // Shown before the pen leaves the paper.
+    // The outline is shown before pen-up.
     tools::Tool const tool = OutlineTool {};
     std::vector<TipSample> const ink(touch.tips.begin(), touch.tips.end());
     EXPECT_GT(
@@ -205,7 +205,8 @@ TEST(OutlineTool, TakesTheCrownThatATouchLiesIn)
         10U);
 }
 
-// Both are 9 m tall, the far one at twice the distance: horizon in the picture's middle.
+// Both trees are 9 m tall, the far one at twice the distance; the horizon is in the picture's
+// middle.
 TEST(OutlineTool, StandsTreesOnThePicturesGround)
 {
     auto scene = with_photo({ kNear, kFar });
@@ -226,16 +227,16 @@ TEST(OutlineTool, StandsTreesOnThePicturesGround)
     scene = after(scene, touch_at(sheet_of(kFar.middle())));
     ASSERT_EQ(scene.plants.size(), 2U);
     auto const far_mm = bounds(*scene.base);
-    // Crowns end at 0.98 of the height, and axes a little below that.
+    // Crowns end at 0.98 of the height, and axes slightly below that.
     EXPECT_NEAR(near_mm.max_mm.z(), 8600, 450);
     EXPECT_NEAR(far_mm.max_mm.z(), 8600, 450);
     double const scale = scene.placement.scale;
     Vec3 const apart_m = (scene.drawn->stands_at_mm - near_at_mm) / scale / 1000;
-    // 100 pixels below the horizon, and 50: the camera is 100/210 of 9 m high.
+    // The bases are 100 and 50 pixels below the horizon, so the camera's height is 100/210 of 9 m.
     double const camera_m = 9 * 100.0 / 210;
     EXPECT_NEAR(apart_m.x(), camera_m * ((350 - 240) / 50.0 - (130 - 240) / 100.0), 0.05);
     EXPECT_NEAR(apart_m.y(), camera_m * kWidth * (1 / 50.0 - 1 / 100.0), 0.1);
-    // What is drawn from now on lies on the far tree as it was drawn, not as large as it is.
+    // Later lines on the far tree must use the scale at which it was drawn, not its real size.
     auto const paper = scene::paper_of(scene.state);
     EXPECT_NEAR(paper.unit, 2, 1e-6);
     Vec2 const top_mm = sheet_of(kFar.foot + Vec2(0, kFar.height));

@@ -13,7 +13,7 @@ namespace {
 
 using TreeInSession = session::SessionFolder;
 
-// As in memory: what is inferred of a tree is known when its crown is drawn anew, and after that is
+// As in memory, the inference of a tree must be known after its crown is redrawn, and after that is
 // undone.
 TEST_F(TreeInSession, IsKnownWhenItsLinesChange)
 {

@@ -8,12 +8,12 @@
 
 #include <fstream>
 
-// Forms and styles that the command takes, and how branches stand at their nodes.
+// Tests of forms and styles accepted by the command, and of the arrangement of branches at nodes.
 
 namespace tractus::silhouette {
 namespace {
 
-// Wherever it stands among the options, they change it.
+// A form must be equivalent to its options, and other options override it in any order.
 TEST_F(SilhouetteCommand, AReadyFormIsItsOptions)
 {
     auto const written = [&](std::vector<std::string> arguments) {
@@ -33,7 +33,7 @@ TEST_F(SilhouetteCommand, AReadyFormIsItsOptions)
     EXPECT_TRUE(bare == written({ "--form", "fir", "--leaves", "2" }));
 }
 
-// Level by level within 10 % of what the plant has, and so is the report.
+// The style must agree within 10 % with the plant's on each level, and so must the report.
 TEST_F(SilhouetteCommand, TakesTheStyleOfAPlant)
 {
     auto low = crown();
@@ -73,7 +73,7 @@ TEST_F(SilhouetteCommand, TakesTheStyleOfAFile)
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         auto const style = json::parse(outcome.out)["style"];
         EXPECT_EQ(style["measured"].size(), 2U);
-        // The session's tree is in the style, too.
+        // The session's tree must have the style, too.
         auto const scene
             = batch::load_session_scene(path(again + "/oak.tractus"), methods::all_methods().edits)
                   .value();
@@ -82,7 +82,7 @@ TEST_F(SilhouetteCommand, TakesTheStyleOfAFile)
     }
 }
 
-// As it was before there were styles.
+// As before styles existed.
 TEST_F(SilhouetteCommand, AFormWithoutStylesIsWrittenWithoutThem)
 {
     using silhouette::FormTree;
@@ -97,7 +97,7 @@ TEST_F(SilhouetteCommand, AFormWithoutStylesIsWrittenWithoutThem)
     EXPECT_EQ(again->get<FormTree>()->form, edit.form);
 }
 
-// Three at a node is what forms say that say nothing, as those from before there were others.
+// Three branches per node is the default of forms that do not state the number, as older ones.
 TEST_F(SilhouetteCommand, AFormSaysWhorlsThatAreNotOfThree)
 {
     using silhouette::FormTree;
@@ -112,7 +112,7 @@ TEST_F(SilhouetteCommand, AFormSaysWhorlsThatAreNotOfThree)
     EXPECT_EQ(again->get<FormTree>()->form, edit.form);
 }
 
-// Trees whose sessions do not say it keep their nodes as they were.
+// Trees in sessions without this setting keep their old nodes.
 TEST_F(SilhouetteCommand, AFormSaysThatNodesAreWhole)
 {
     using silhouette::FormTree;

@@ -10,9 +10,9 @@ TEST(RuleFile, TakesWhatIsMissingFromTheRest)
     auto const rule = parse_rule("k = 3\nl = 40\n", "three.toml");
     ASSERT_TRUE(rule) << rule.error().message;
     EXPECT_EQ(rule->laterals, 3);
-    EXPECT_EQ(rule->first_width_mm, 6);     // 0.15 l.
-    EXPECT_EQ(rule->axis_twist_deg, 60);    // 180/k.
-    EXPECT_EQ(rule->lateral_twist_deg, 60); // 180/k.
+    EXPECT_EQ(rule->first_width_mm, 6);     // Default 0.15 l.
+    EXPECT_EQ(rule->axis_twist_deg, 60);    // Default 180/k.
+    EXPECT_EQ(rule->lateral_twist_deg, 60); // Default 180/k.
     EXPECT_EQ(rule->length_ratio, 0.9);
 }
 

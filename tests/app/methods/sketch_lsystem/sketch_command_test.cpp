@@ -94,7 +94,7 @@ protected:
             << "#define N 0\nLsystem: 1\nderivation length: 1\nAxiom: F(1)\nendlsystem\n";
     }
 
-    // The first block without a language of the manual's page, the model that it shows.
+    // Returns the model on the manual's page: the first block without a language.
     static std::string model_of_manual()
     {
         std::string const text = file_bytes(files::find_resource("manual/models.md").value());
@@ -119,7 +119,7 @@ TEST_F(SketchedModel, ReportsItsAxisAndNoDepth)
     EXPECT_EQ(report["counts"].back()["Z"], segments);
 }
 
-// What is written derives to the plant, and keeps the contract for another stroke.
+// The written model must derive to the plant, and keep the contract for another stroke.
 TEST_F(SketchedModel, IsWrittenAsAModel)
 {
     ASSERT_EQ(

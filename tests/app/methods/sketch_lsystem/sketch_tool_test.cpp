@@ -35,7 +35,7 @@ TEST(SketchTool, SaysItsRuleInLogs)
               tools::Tool(tool));
 }
 
-// Logs have all that a card stands for, so that they mean the same if it is ever another.
+// Logs must contain all numbers of a card, so that their meaning stays if the card changes.
 TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
 {
     auto const tools = methods::all_methods().tools;
@@ -44,7 +44,7 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
     for (auto const& card : tools::ready_cards(tools::Tool(SketchTool {})))
         chosen.push_back(card.tool);
     ASSERT_EQ(chosen.size(), 17u);
-    chosen.resize(9); // The others are models, and the plant.
+    chosen.resize(9); // The others are models, and the active plant's rule.
     EXPECT_EQ(tools::words_for(chosen[1]).arguments,
               "whorls laterals=4 angle=75 first=28 ratio=0.88");
     EXPECT_EQ(tools::words_for(chosen[5]).arguments,
@@ -63,7 +63,7 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
     EXPECT_EQ(plants, 9u);
 }
 
-// What a card of a model stands for.
+// Returns the edit made by a stroke with a model's card.
 sketch::GrowAlongStroke drawn_with(SketchTool::Card card, scene::Scene const& scene = {})
 {
     auto const edits
@@ -103,7 +103,7 @@ TEST(SketchTool, ShowsAModelUnderThePen)
     EXPECT_EQ(lines.size(), after.base->axes.size());
 }
 
-// Choosing another card lets what has grown follow, from rules to models and back.
+// When another card is chosen, the plant must follow, from rules to models and back.
 TEST(SketchTool, ChangesRulesIntoModels)
 {
     SketchTool const rule;
@@ -123,14 +123,14 @@ TEST(SketchTool, ChangesRulesIntoModels)
     EXPECT_TRUE(SketchTool::kKind.follow(tools::Tool(rule), tools::Tool(rule), grown).empty());
 }
 
-// The compound leaf of The Algorithmic Beauty of Plants (Ijiri 2006 figure 2): A --> I[+A][-A]A
-// with internodes that double. After n steps it has 3^0 + 3^1 + ... + 3^(n-1) internodes and apices
-// beside each other: of the internodes (3^n - 1) / 2, and each lateral is the leaf with the steps
-// that are left.
+// The compound leaf of The Algorithmic Beauty of Plants (Ijiri 2006, figure 2): A --> I[+A][-A]A
+// with internodes that double. After n steps it has 3^0 + 3^1 + ... + 3^(n-1) internodes, that is
+// (3^n - 1) / 2, and each lateral is the leaf after the remaining steps.
 TEST(SketchTool, HasTheCompoundLeafAsACard)
 {
     auto const card = tools::ready_cards(tools::Tool(SketchTool {}))[8].tool;
-    auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 113 } }); // 60 + 30 + 15 + 7.5 mm.
+    // Lengths of 60 + 30 + 15 + 7.5 mm.
+    auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 113 } });
     auto const scene = scene::apply_edits(scene::Scene {}, card.mean(stroke, {}).value()).value();
     auto const& plant = *scene.base;
     EXPECT_EQ(plant.segment_count(), 40u);
@@ -147,7 +147,7 @@ TEST(SketchTool, HasTheCompoundLeafAsACard)
               SketchTool::Laterals::AsAxis);
 }
 
-// A model of a person's own comes into the hand from the plant that it is.
+// The user's own model is loaded into the tool from its plant.
 TEST(SketchTool, GrowsTheModelOfThePlant)
 {
     scene::LoadModel own { .source = ready_model("birch").source };
@@ -168,7 +168,7 @@ TEST(SketchTool, GrowsTheModelOfThePlant)
               SketchTool::Card::Plant);
 }
 
-// So does a rule that only a file can say.
+// A rule that only a file can express is loaded as well.
 TEST(SketchTool, GrowsTheRuleOfThePlant)
 {
     sketch::GrowAlongStroke first { .rule = { .laterals = 3 } };
@@ -200,7 +200,7 @@ TEST(SketchTool, RefusesAPlantThatCannotGrowAnew)
                     .empty());
 }
 
-// Sessions of rules stay as they were, byte for byte.
+// Sessions with rules must stay unchanged, byte for byte.
 TEST(SketchTool, KeepsNothingOfModelsWithRules)
 {
     auto const fields_of = [](scene::Edit const& edit) { return session::record_of(edit).fields; };
@@ -214,7 +214,7 @@ TEST(SketchTool, KeepsNothingOfModelsWithRules)
     EXPECT_EQ(read.get<sketch::GrowAlongStroke>()->model, grown.model);
 }
 
-// A log names a model, and holds no text.
+// A log must contain only the model's name, not its text.
 TEST(SketchTool, GrowsTheSameModelFromALog)
 {
     constexpr std::string_view kVine = R"(
@@ -239,7 +239,7 @@ speed_mm_s = 120
     EXPECT_EQ(one.base->node_position_mm, two.base->node_position_mm);
 }
 
-// A number that is the tool's own again is no less the person's.
+// A number that is set back to the tool's default still counts as set by the user.
 TEST(SketchTool, KeepsNumbersThatArePutBackBesideACard)
 {
     SketchTool const tool { .card = SketchTool::Card::Whorls, .laterals = 2 };
@@ -257,7 +257,7 @@ TEST(SketchTool, DrawsAStrokeAgain)
                              tools::Tool(tool).mean(rising_stroke(), scene::Scene {}).value())
               .value();
     tool.place = SketchTool::Place::Again;
-    tool.laterals = 5; // The rule stays the plant's.
+    tool.laterals = 5; // The plant's rule stays.
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 150 }, { 60, 0, 200 } });
     auto const edits = tools::Tool(tool).mean(stroke, scene).value();
     ASSERT_EQ(edits.size(), 1u);
@@ -295,7 +295,7 @@ TEST(SketchTool, AddsAPlantInTheDocumentsScale)
     EXPECT_EQ(both.plants[0], scene.plants[0]) << "it stays as it was";
 }
 
-// The plant that grows under the pen is the one that stands there afterwards.
+// The plant shown while the pen draws must equal the resulting plant.
 TEST(SketchTool, ShowsThePlantThatItWillGrow)
 {
     tools::Tool const tool = SketchTool { .leaves = sketch::Leaves::Bare };
@@ -317,7 +317,7 @@ TEST(SketchTool, ShowsThePlantThatItWillGrow)
     EXPECT_TRUE(sketch_previewer()->show({ scene, tool, too_short.tips.vector(), 99 }).empty());
 }
 
-// As long as it is whole nothing is said.
+// While the preview is complete there is no message.
 TEST(SketchTool, SaysWhatAPreviewLeavesOut)
 {
     auto const scene = std::make_shared<scene::Scene const>(small_scene());
@@ -341,8 +341,8 @@ TEST(SketchTool, SaysWhatAPreviewLeavesOut)
     EXPECT_EQ(note(forking, { 0, 0, 30 }), "") << "it is about the last one";
 }
 
-// Lines of the plant that the previewer shows, against the plant of the finished stroke. The first
-// axes of a plant with a part are those of what bears it. The part's stem begins on its branch,
+// Compares the lines of the preview with the plant of the finished stroke. The first axes of a
+// plant with a part are those of the plant that bears it. The part's stem begins on its branch,
 // which the pen need not have met.
 void expect_shown(scene::Scene const& scene, tools::Tool const& tool, Stroke const& stroke,
                   std::size_t first)
@@ -395,7 +395,7 @@ TEST(SketchTool, GrowsOnTheBranchWhereTheStrokeBegins)
     EXPECT_FALSE(tool.mean(from({ 0, 0, 0 }), scene::Scene {})) << "no plant at all";
 }
 
-// A stroke on a branch that another one has bent: the new branch is where it was drawn.
+// A stroke on a branch that was bent by another stroke: the new branch must be where it was drawn.
 TEST(SketchTool, GrowsOnWhatStrokesHaveBent)
 {
     auto scene = small_scene();
@@ -484,7 +484,7 @@ TEST(SketchTool, LetsLateralsGoOnByARuleOfTheirOwn)
         return a.segment_count < b.segment_count;
     });
     EXPECT_EQ(longest->segment_count, axes[0].segment_count - 1);
-    // Other numbers keep it, and taking it into the hand says it.
+    // Other numbers keep this setting, and loading the rule into the tool includes it.
     auto faster = options;
     faster.angle_deg = 60;
     auto const followed
@@ -517,7 +517,7 @@ TEST(ShortenSketchTool, TakesTheEndAwayWhereItRunsOverTheAxis)
     EXPECT_FALSE(tool.mean(across({ 0, 0, 50 }), small_scene()));
 }
 
-// Undo, redo and a replay of what was drawn go through the document as for any other tool.
+// Undo, redo and a replay must work as for any other tool.
 TEST(SketchTool, IsUndoneAndDoneAgain)
 {
     document::Document document(small_scene(), document::Document::Working::AtOnce);

@@ -8,7 +8,7 @@
 namespace tractus::methods {
 namespace {
 
-// Gives fields random values of the kinds that edits of methods have.
+// Sets random values in fields of the kinds that edits of methods have.
 class RandomFields final : public scene::Fields {
 public:
     void field(char const*, scene::FieldRef value) override
@@ -30,10 +30,10 @@ private:
     static void set(double& value) { value = session::random_double(); }
     static void set(std::string& value) { value = session::random_file_name(); }
     static void set(Vec3& value) { value = session::random_vec3(); }
-    template<typename T> static void set(T&) { } // The core's edits have these.
+    template<typename T> static void set(T&) { } // Kinds that only core edits have.
 };
 
-// What a session holds of an edit of any method is read back bit for bit.
+// The record of any method's edit must be read back bit by bit.
 RC_GTEST_PROP(MethodEdits, ComeBackFromTheirRecords, ())
 {
     for (auto const* const kind : all_methods().edits) {

@@ -1,4 +1,4 @@
-// No file of the program but its own, and the one list, names a tool or a kind of edit.
+// Only a tool's own file and the list of methods may contain its word, or that of a kind of edit.
 
 #include "app/methods/all_methods.h"
 #include "engine/base/file.h"
@@ -47,7 +47,8 @@ std::vector<SourceText> sources()
     return all;
 }
 
-// A row says its word in one of these ways: .word = "draw", or make_edit_kind<...>("draw").
+// True if the source defines a word, in one of these forms: .word = "draw", or
+// make_edit_kind<...>("draw").
 bool defines(SourceText const& source, std::string const& word)
 {
     constexpr std::string_view kStart = "make_edit_kind<";
@@ -66,7 +67,7 @@ bool defines(SourceText const& source, std::string const& word)
     return false;
 }
 
-// Returns what a source includes of this program: "app/tools/tool.h".
+// Returns the headers of this program that a source includes, such as "app/tools/tool.h".
 std::vector<fs::path> includes_of(SourceText const& source)
 {
     constexpr std::string_view kInclude = "\n#include \"";
@@ -79,7 +80,7 @@ std::vector<fs::path> includes_of(SourceText const& source)
     return included;
 }
 
-// The method to whose folders a file belongs; empty where it belongs to none.
+// Returns the method to whose folders a file belongs; empty if there is none.
 std::string method_of(fs::path const& file)
 {
     std::vector<std::string> const parts(file.begin(), file.end());
@@ -89,16 +90,17 @@ std::string method_of(fs::path const& file)
     return "";
 }
 
-// Words of other languages that happen to be the same, and who speaks them.
+// True for equal words in other languages, in the files that use those.
 bool is_another_language(std::string const& path, std::string const& word)
 {
     static std::set<std::pair<std::string, std::string>> const others {
-        { "sim/gesture_script.cpp", "select" }, // The script of a simulated hand.
+        { "sim/gesture_script.cpp", "select" }, // In scripts of a simulated hand.
         { "sim/gesture_script.cpp", "draw" },
-        { "app/commands/window.cpp", "draw" },                        // "tractus draw",
-        { "app/methods/leaves/commands/leaves_command.cpp", "draw" }, // and "tractus leaves draw".
-        { "engine/methods/leaves/read_directive.cpp", "outline" }, // A block of a leaf's grammar.
-        // The tool line "calibrate" has this word, too.
+        { "app/commands/window.cpp", "draw" }, // In "tractus draw",
+        // and in "tractus leaves draw".
+        { "app/methods/leaves/commands/leaves_command.cpp", "draw" },
+        { "engine/methods/leaves/read_directive.cpp", "outline" }, // A block in a leaf's grammar.
+        // Also a word of the tool line "calibrate".
         { "app/controllers/calibration_panel_controller.cpp", "press" },
         { "app/calibration/calibration_controller.cpp", "press" },
     };
@@ -122,7 +124,7 @@ TEST(MethodWords, StandInTheFilesOfTheirRowsAlone)
     for (auto const& word : all_words()) {
         auto const literal = fmt::format("\"{}\"", word);
         int definitions = 0;
-        std::set<std::string> methods; // Methods whose word it is.
+        std::set<std::string> methods; // Methods with this word.
         for (auto const& file : files)
             if (defines(file, word)) {
                 ++definitions;
@@ -140,8 +142,8 @@ TEST(MethodWords, StandInTheFilesOfTheirRowsAlone)
     }
 }
 
-// A tool's header belongs to its own folder, or its method's, and the list; but anybody's other end
-// may erase.
+// A tool's header may be included only in its own folder, or its method's, and by the list; except
+// eraser tools, which may be any tool's other end.
 TEST(MethodWords, ToolsAreIncludedByTheirFolderAndTheList)
 {
     int count = 0;
@@ -164,7 +166,7 @@ TEST(MethodWords, ToolsAreIncludedByTheirFolderAndTheList)
     EXPECT_GT(count, 10);
 }
 
-// Only the files of the list include what a method has in its folders.
+// Only the files of the list may include headers from a method's folders.
 TEST(MethodWords, MethodsAreIncludedByTheListAlone)
 {
     int count = 0;
