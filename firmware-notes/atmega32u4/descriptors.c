@@ -23,21 +23,21 @@ static uint8_t const kReportDescriptor[] PROGMEM = {
     0xc0, // End Collection
 };
 
-// 1209:0001, which pid.codes reserves for tests at home.
+// Ids 1209:0001, which pid.codes reserves for private tests.
 static uint8_t const kDeviceDescriptor[] PROGMEM = {
     18, kDevice, 0x00, 0x02, // USB 2.0
-    0, 0, 0, 64, // Class in the interface; endpoint 0 takes 64 bytes.
-    0x09, 0x12, 0x01, 0x00, 0x00, 0x01, // Version 1.00
-    1, 2, 0, 1, // Maker, product, no serial number, one configuration.
+    0, 0, 0, 64, // Class defined by the interface; endpoint 0 has 64-byte packets.
+    0x09, 0x12, 0x01, 0x00, 0x00, 0x01, // Version 1.00.
+    1, 2, 0, 1, // Strings for maker and product, no serial number; one configuration.
 };
 
 #define HID_DESCRIPTOR 9, kHid, 0x11, 0x01, 0, 1, kReport, sizeof kReportDescriptor, 0
 
 static uint8_t const kConfigurationDescriptor[] PROGMEM = {
-    9, kConfiguration, 34, 0, 1, 1, 0, 0x80, 50, // Fed by the bus, 100 mA.
+    9, kConfiguration, 34, 0, 1, 1, 0, 0x80, 50, // Bus-powered, 100 mA.
     9, 4, 0, 0, 1, 3, 0, 0, 0, // A HID interface with one endpoint.
     HID_DESCRIPTOR,
-    7, 5, 0x81, 3, 8, 0, 1, // IN 1, interrupt, 8 bytes, asked each millisecond.
+    7, 5, 0x81, 3, 8, 0, 1, // Endpoint IN 1, interrupt, 8 bytes, polled each millisecond.
 };
 
 static uint8_t const kHidDescriptor[] PROGMEM = { HID_DESCRIPTOR };

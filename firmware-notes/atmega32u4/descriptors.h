@@ -2,12 +2,13 @@
 
 #include <stdint.h>
 
-// The sensor's USB descriptors, as ../height-sensor.md lists them.
+// USB descriptors of the sensor, as listed in ../height-sensor.md.
 
 struct descriptor {
     uint8_t const* bytes; // In program memory; null if there is none.
     uint16_t size;
 };
 
-// The answer to GET_DESCRIPTOR with this wValue: its high byte is the kind, its low byte the index.
+// Returns the answer to GET_DESCRIPTOR with this wValue: the high byte is the type, the low byte
+// the index.
 struct descriptor find_descriptor(uint16_t value);

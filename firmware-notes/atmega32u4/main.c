@@ -1,5 +1,5 @@
-// The height sensor of ../height-sensor.md on an ATmega32U4: ends of the potentiometer at 5 V and
-// GND, wiper at A0 (PF7, ADC7).
+// The height sensor of ../height-sensor.md on an ATmega32U4, with the potentiometer's ends at 5 V
+// and GND, and its wiper at A0 (PF7, ADC7).
 
 #include "slider.h"
 #include "usb.h"
@@ -9,7 +9,7 @@
 #include <string.h>
 #include <util/atomic.h>
 
-// Written by the interrupt, taken by the main loop.
+// Written by the interrupt, read by the main loop.
 static uint8_t fresh_report[kSliderReportBytes];
 static volatile bool is_fresh;
 
@@ -20,13 +20,14 @@ ISR(ADC_vect)
         is_fresh = true;
 }
 
-// 9,615 conversions a second: 16 MHz / 128 is the quickest clock of the converter that the data
-// sheet allows for all ten bits, and a conversion takes 13 of its cycles. 300 readings a second.
+// Starts 9,615 conversions a second: 16 MHz / 128 is the fastest converter clock that the data
+// sheet allows for all ten bits, and a conversion takes 13 cycles. This gives 300 readings a
+// second.
 static void start_converter(void)
 {
-    DIDR0 = 1 << ADC7D; // No digital input at the pin.
-    ADMUX = 1 << REFS0 | 7; // Against the supply, on which the potentiometer hangs; ADC7.
-    ADCSRB = 0; // Free running.
+    DIDR0 = 1 << ADC7D; // Disables the digital input at the pin.
+    ADMUX = 1 << REFS0 | 7; // Reference is the supply, as for the potentiometer; input is ADC7.
+    ADCSRB = 0; // Free-running conversions.
     ADCSRA = 1 << ADEN | 1 << ADATE | 1 << ADIE | 1 << ADPS2 | 1 << ADPS1 | 1 << ADPS0;
     ADCSRA |= 1 << ADSC;
 }
@@ -47,7 +48,7 @@ static bool take_report(uint8_t report[kSliderReportBytes])
 int main(void)
 {
     static uint8_t report[kSliderReportBytes] = { kSliderReport };
-    CLKPR = 1 << CLKPCE; // The full 16 MHz, whatever the fuses say.
+    CLKPR = 1 << CLKPCE; // Selects the full 16 MHz, whatever the fuses are.
     CLKPR = 0;
     usb_start();
     start_converter();

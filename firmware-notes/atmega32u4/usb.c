@@ -7,7 +7,8 @@
 
 enum { kEndpoint = 1, kPacketBytes = 64 };
 
-// The high byte is bmRequestType, the low one bRequest (USB 2.0 section 9.4, HID 1.11 section 7).
+// Request codes: bmRequestType in the high byte, bRequest in the low byte (USB 2.0, section 9.4;
+// HID 1.11, section 7).
 enum {
     kGetDeviceStatus = 0x8000,
     kGetInterfaceStatus = 0x8100,
@@ -26,7 +27,7 @@ enum {
 };
 
 struct setup {
-    uint16_t request; // One of those above.
+    uint16_t request; // One of the codes above.
     uint16_t value;
     uint16_t length;
 };
@@ -46,7 +47,7 @@ static void send_packet(void)
     UEINTX = (uint8_t) ~(1 << TXINI);
 }
 
-// An answer without data.
+// Sends an empty packet as the answer.
 static void acknowledge(void)
 {
     send_packet();
@@ -62,8 +63,8 @@ static uint8_t byte_at(uint8_t const *bytes, bool is_in_flash)
     return is_in_flash ? pgm_read_byte(bytes) : *bytes;
 }
 
-// At most as much as was asked for. A packet that is not full ends it, so after a full one that is
-// the last an empty one follows, unless the host knows.
+// Sends an answer of at most the requested size. A packet that is not full ends the transfer, so if
+// the last one is full, an empty one follows, unless the host knows the size.
 static void answer(uint8_t const *bytes, uint16_t size, bool is_in_flash, uint16_t asked)
 {
     if (size > asked)
@@ -75,7 +76,7 @@ static void answer(uint8_t const *bytes, uint16_t size, bool is_in_flash, uint16
             ready = UEINTX & (1 << TXINI | 1 << RXOUTI);
         } while (!ready);
         if (ready & 1 << RXOUTI)
-            return; // The host wants no more.
+            return; // The host has ended the transfer.
         count = size < kPacketBytes ? (uint8_t)size : kPacketBytes;
         for (uint8_t i = 0; i < count; ++i)
             UEDATX = byte_at(bytes++, is_in_flash);
@@ -106,7 +107,7 @@ static struct setup read_setup(void)
     uint8_t const type = next_byte();
     setup.request = (uint16_t)type << 8 | next_byte();
     setup.value = next_word();
-    next_word(); // wIndex: there is one interface and one endpoint.
+    next_word(); // Skips wIndex, since there is only one interface and one endpoint.
     setup.length = next_word();
     UEINTX = (uint8_t) ~(1 << RXSTPI | 1 << RXOUTI | 1 << TXINI);
     return setup;
@@ -118,8 +119,8 @@ static void open_endpoint(void)
 {
     UENUM = kEndpoint;
     UECONX = 1 << EPEN;
-    UECFG0X = 1 << EPTYPE1 | 1 << EPTYPE0 | 1 << EPDIR; // Interrupt, IN.
-    UECFG1X = 1 << ALLOC; // 8 bytes, one bank.
+    UECFG0X = 1 << EPTYPE1 | 1 << EPTYPE0 | 1 << EPDIR; // Type interrupt, direction IN.
+    UECFG1X = 1 << ALLOC; // Size 8 bytes, one bank.
     UERST = 1 << kEndpoint;
     UERST = 0;
     UENUM = 0;
@@ -128,7 +129,8 @@ static void open_endpoint(void)
 static void set_address(struct setup setup)
 {
     acknowledge();
-    wait_for_room(); // The host has taken it: from now on the new address holds.
+    // The new address applies only after the host has received the acknowledgement.
+    wait_for_room();
     UDADDR = (uint8_t)(1 << ADDEN | setup.value);
 }
 
@@ -194,7 +196,7 @@ static void handle(struct setup setup, uint8_t const *report, uint8_t size)
     case kGetInterface:
     case kGetIdle:
         return answer_byte(0, setup.length);
-    case kSetIdle: // Each reading is sent, changed or not.
+    case kSetIdle: // Accepted without effect: every reading is sent, changed or not.
         return acknowledge();
     case kGetReport:
         return answer(report, size, false, setup.length);
@@ -206,18 +208,18 @@ static void open_control(void)
 {
     UENUM = 0;
     UECONX = 1 << EPEN;
-    UECFG0X = 0; // Control.
-    UECFG1X = 1 << EPSIZE1 | 1 << EPSIZE0 | 1 << ALLOC; // 64 bytes, one bank.
+    UECFG0X = 0; // Type control.
+    UECFG1X = 1 << EPSIZE1 | 1 << EPSIZE0 | 1 << ALLOC; // Size 64 bytes, one bank.
 }
 
 void usb_start(void)
 {
-    UHWCON = 1 << UVREGE; // The pads' regulator.
+    UHWCON = 1 << UVREGE; // Enables the USB pad regulator.
     USBCON = 1 << USBE | 1 << FRZCLK;
-    PLLCSR = 1 << PINDIV | 1 << PLLE; // 48 MHz out of 16.
+    PLLCSR = 1 << PINDIV | 1 << PLLE; // Generates 48 MHz from 16 MHz.
     while (!(PLLCSR & 1 << PLOCK)) { }
     USBCON = 1 << USBE | 1 << OTGPADE;
-    UDCON = 0; // Attached, full speed.
+    UDCON = 0; // Attaches to the bus at full speed.
 }
 
 void usb_serve(uint8_t const *report, uint8_t size)

@@ -3,15 +3,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-// The chip's USB as a HID device with one endpoint. Everything runs in the main loop; no interrupt
-// is used (ATmega16U4/32U4 data sheet, chapters 21 and 22).
+// The chip's USB interface as a HID device with one endpoint. Everything runs in the main loop,
+// without interrupts (ATmega16U4/32U4 data sheet, chapters 21 and 22).
 
-// Shows the device to the host.
+// Connects the device to the host.
 void usb_start(void);
 
-// Does what the host has asked for since the last call. `report` is what GET_REPORT answers.
+// Handles the host's requests since the last call. `report` is the answer to GET_REPORT.
 void usb_serve(uint8_t const* report, uint8_t size);
 
-// Offers a report to the host. It is dropped where the host has not fetched the one before, and
-// before the host has configured the device.
+// Offers a report to the host. It is dropped if the host has not fetched the previous one, or has
+// not configured the device yet.
 void usb_send(uint8_t const* report, uint8_t size);

@@ -1,4 +1,4 @@
-// Decodes what the firmware sent in simavr: see usb_host.c.
+// Decodes the reports that the firmware sent in simavr: see usb_host.c.
 #include "drivers/height_decoders.h"
 #include "drivers/logs/log.h"
 #include "tests/drivers/bytes.h"
@@ -12,7 +12,7 @@
 namespace tractus {
 namespace {
 
-constexpr std::size_t kHalf = 32; // Conversions from reading to reading.
+constexpr std::size_t kHalf = 32; // Number of conversions between readings.
 
 drivers::Log firmware_log()
 {
@@ -34,7 +34,8 @@ std::vector<std::int32_t> decoded(drivers::Log const& log)
     return counts;
 }
 
-// Returns what the readings should be, from what the converter was fed with: 64 conversions over 8.
+// Returns the expected readings, computed from the converter's input: the sum of 64 conversions
+// divided by 8.
 std::vector<std::int32_t> expected()
 {
     std::ifstream in(TRACTUS_FIRMWARE "/conversions.txt");
@@ -64,7 +65,7 @@ TEST(Firmware, SendsEachReadingToTheBit)
     ASSERT_EQ(counts.size(), 400u);
     EXPECT_EQ(counts.front(), 0);
     EXPECT_EQ(*std::max_element(counts.begin(), counts.end()), 8184);
-    // Frames that came before the host was there are not among them; from then on none is missing.
+    // The first readings, before the host was ready, are missing; later ones must be complete.
     constexpr std::size_t kMostBefore = 10;
     std::size_t before = 0;
     while (before < kMostBefore

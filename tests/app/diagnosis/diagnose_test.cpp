@@ -245,8 +245,8 @@ std::string pen_report(bool touches, int x, int pressure)
                        x & 0xff, x >> 8, pressure & 0xff, pressure >> 8);
 }
 
-// Returns a reading of ten strokes of 40 reports; between them the pen hovers, or presses with
-// `resting`.
+// Returns a reading of strokes of 40 reports with pauses of ten, in which the pen hovers or presses
+// with `resting`.
 DeviceReading reading_of_strokes(bool lifts, int resting, int pressing)
 {
     DeviceMonitor monitor(drivers::simple_pen());

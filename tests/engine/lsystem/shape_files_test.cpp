@@ -219,7 +219,7 @@ TEST(ColorFiles, BecomeColorsOfTheView)
         "model.v", "material: 0 soil kind=solid color=0.5,0.4,0.3\n" + *materials + *map, {});
     ASSERT_TRUE(view) << view.error().message;
     ASSERT_EQ(view->materials.size(), 3u);
-    // Mentioned before the file, as in the reverse case.
+    // The explicit material overrides the one in the file, in either order.
     EXPECT_EQ(view->materials.at(0).name, "soil");
     auto const& orange = view->materials.at(1);
     EXPECT_LT((orange.base_color - Vec3f(1, 0.502f, 0)).norm(), 1e-3f);
