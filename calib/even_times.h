@@ -79,7 +79,8 @@ private:
     bool is_evened_ = false;
 
     static constexpr std::int64_t kShortestFit_ns = 500'000'000;
-    std::int64_t to_learn_ns_ = kShortestFit_ns; // Doubles whenever counting has failed.
+    // Learning time in nanoseconds; doubles whenever counting has failed.
+    std::int64_t to_learn_ns_ = kShortestFit_ns;
     bool is_line_known_ = false; // True if the period is known, from now or from before a silence.
     double period_ns_ = 0;
     double offset_ns_ = 0; // Height of the line at index 0.

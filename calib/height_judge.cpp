@@ -14,8 +14,9 @@ constexpr double kNoises = 4; // Deviations up to this multiple of the usual one
 constexpr std::size_t kRemembered = 64;
 constexpr std::size_t kFewRemembered = 15; // Fewer readings determine neither rate nor noise.
 constexpr double kPause_s = 0.1;  // Longer intervals are pauses, and do not count for the rate.
-constexpr double kTrack_s = 0.02; // Time over which the speed is measured, …
-constexpr std::size_t kTrackReadings = 4; // … or this number of readings, if they take longer.
+constexpr double kTrack_s = 0.02; // Time over which the speed is measured; see kTrackReadings.
+// The speed is measured over this number of readings if they take longer.
+constexpr std::size_t kTrackReadings = 4;
 constexpr std::size_t kMostReadings = 64;
 // Ratio of the median to the lower quartile of a normal distribution's absolute values.
 constexpr double kMedianPerQuartile = 2.117;

@@ -302,7 +302,7 @@ std::optional<double> mm_per_count_at(HeightModel const& model, double counts)
     if (below && above)
         return (*above - *below) / (2 * kStep_counts);
     if (here
-        && (below || above)) // One of the two is missing where the string is as short as it can be.
+        && (below || above)) // At the string's shortest length, one of the two values is missing.
         return (above ? *above - *here : *here - *below) / kStep_counts;
     return std::nullopt;
 }

@@ -71,7 +71,8 @@ struct StringHeight {
         = 0.1; // String length per count; not 0, negative if readings fall with the length.
     double zero_length_mm = 0; // String length L at reading 0.
     double offset_mm = 0;      // Horizontal distance of the spool; 0 or more.
-    double base_mm = 0;        // r at height zero; its negative if the spool is above.
+    // Height r of the string's end at height zero; its negative if the spool is above.
+    double base_mm = 0;
     Spool spool = Spool::Below;
     TrackBend bend {};
 };

@@ -163,7 +163,7 @@ void HeightMonitor::watch_jump(drivers::HeightSample const& sample)
     if (doubted_ && !all_were_right)
         see(*doubted_);
     if (verdict == HeightJudge::Verdict::Step)
-        path_.clear(); // So that the jump is not reported as a slow step as well.
+        path_.clear(); // Otherwise the jump would be reported as a slow step as well.
     doubted_.reset();
     doubts_ = 0;
 }

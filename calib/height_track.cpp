@@ -243,7 +243,7 @@ std::optional<HeightTrack::Estimate> HeightTrack::newest_at(Timestamp time, Dura
 {
     constexpr double kLeeway_mm = 0.2; // Margin for noise, by which a fit may exceed the readings.
     if (empty() || time <= newest() || time - newest() > max_age)
-        return at(time, max_age); // Also inside a bridged gap.
+        return at(time, max_age); // Times inside a bridged gap are interpolated, too.
     auto const& last = readings_.back();
     auto const reached
         = std::min(time, last.time + std::max({ kCarriedOn, usual_spacing() * 3 / 2, deliveries }));

@@ -109,8 +109,10 @@ UsbSetup request_of(usb_ctrlrequest const& setup)
     return {
         .request_type = setup.bRequestType,
         .request = setup.bRequest,
-        .value = setup.wValue, // The kernel's fields are little-endian like the wire,
-        .index = setup.wIndex, // as are PCs and Raspberry Pis.
+        // Little-endian in the kernel's structure, as PCs and Raspberry Pis are.
+        .value = setup.wValue,
+        // Little-endian in the kernel's structure, as PCs and Raspberry Pis are.
+        .index = setup.wIndex,
         .length = setup.wLength,
     };
 }

@@ -162,7 +162,8 @@ std::vector<std::byte> HeightSensorModel::bos_descriptor() const
 {
     Bytes bytes;
     put(bytes, { 5, 15, 33, 0, 1 }); // Binary object store with one capability:
-    put(bytes, { 28, 16, 5, 0 });    // a platform capability, {D8DD60DF-4589-4CC7-9CD2-…}.
+    // Platform capability with the UUID {D8DD60DF-4589-4CC7-9CD2-…}.
+    put(bytes, { 28, 16, 5, 0 });
     put(bytes, { 0xDF, 0x60, 0xDD, 0xD8, 0x89, 0x45, 0xC7, 0x4C });
     put(bytes, { 0x9C, 0xD2, 0x65, 0x9D, 0x9E, 0x64, 0x8A, 0x9F });
     put_windows_version(bytes);

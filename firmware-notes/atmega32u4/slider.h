@@ -20,7 +20,7 @@ enum {
     kSliderFullScale = 2u * kSliderHalf * 1023u >> kSliderShift, // Greatest reading, 8184.
 };
 
-// Must be initialised to zero.
+// State of the averaging; initialise it to zero.
 struct slider {
     uint16_t sum;      // Sum of the conversions since the last reading, at most 32 * 1023.
     uint16_t previous; // Sum of the 32 conversions before those.

@@ -27,7 +27,7 @@ enum {
 };
 
 struct setup {
-    uint16_t request; // One of the codes above.
+    uint16_t request; // Request code, such as kGetDeviceStatus.
     uint16_t value;
     uint16_t length;
 };

@@ -61,7 +61,8 @@ std::set<State> our_states(Log const& log)
         EXPECT_TRUE(sample) << sample.error().message;
         if (!sample || !*sample)
             continue;
-        // There, the kernel's BTN_TOUCH is only the tip; the eraser's contact is not included.
+        // The kernel's BTN_TOUCH is only the tip in this recording, so the eraser's contact is
+        // excluded.
         auto const& pen = **sample;
         states.insert({ pen.raw_x, pen.raw_y, pen.touching && !pen.eraser });
     }

@@ -301,7 +301,7 @@ TEST(Recordings, HaveBothButtonsWhereSomebodyPressedThem)
         std::uint32_t pressed = 0;
         for (auto const& sample : pen.samples)
             pressed |= sample.buttons;
-        // This tablet, switched as Linux does it, sends only two buttons.
+        // The New 1060 Plus, switched as Linux does it, sends only two buttons.
         EXPECT_EQ(pressed, pen.file.starts_with("Huion_New_1060_Plus") ? 2u : 3u) << pen.file;
     }
 }

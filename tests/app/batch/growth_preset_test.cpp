@@ -102,7 +102,7 @@ TEST_P(Presets, GoFromTheTamestToTheWildest)
     EXPECT_LT(usual.sway, radians(15));
     EXPECT_GT(winding.sway, 1.5 * usual.sway);
     EXPECT_GT(wild.sway, 1.5 * winding.sway);
-    // These presets have no preferred direction.
+    // The presets calm, usual and winding have no preferred direction.
     for (auto const& plant : { calm, usual, winding }) {
         EXPECT_LT((plant.tips - drawn_.tips).norm(), 0.1);
         EXPECT_GT(plant.height, 0.9);

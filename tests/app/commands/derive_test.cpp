@@ -69,7 +69,7 @@ TEST_F(DeriveCommand, ReadsIncludesFromTheModelsFolderOnly)
     EXPECT_NE(outcome.err.find("outside the model's folder"), std::string::npos) << outcome.err;
 }
 
-// Such files are arguments of cpfg's command line.
+// Colour files are arguments of cpfg's command line.
 TEST_F(DeriveCommand, FindsColorsBesideTheModel)
 {
     auto const path = write("m.l", kRules);
@@ -226,7 +226,7 @@ TEST_F(DeriveCommand, AsksAnEnvironment)
     auto const model = write("m.l", "Lsystem: 1\nAxiom: ?E(0,1)?E(0,1)\nendlsystem\n");
     EXPECT_EQ(run({ "derive", model, "--string" }).out, "?E(0,1)?E(0,1)\n");
     EXPECT_EQ(run({ "derive", model, "--string", "--environment", "space" }).out,
-              // Both are at one place, so they count as one organ that asks again.
+              // Both queries are at one place, so they count as one organ that asks again.
               "?E(1,1)?E(1,1)\n");
     EXPECT_EQ(run({ "derive", model, "--string", "--environment", "light:shade=0.25" }).out,
               "?E(0.75,1)?E(0.75,1)\n");

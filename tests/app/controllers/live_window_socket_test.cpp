@@ -47,7 +47,7 @@ TEST_F(LiveWindowSocket, TellsWhatIsDrawn)
     EXPECT_EQ(count("stroke"), 1);
 }
 
-// What was sent before a request to close must not be sent again.
+// Data sent before a request to close must not be sent again.
 TEST_F(LiveWindowSocket, TellsItOnceHoweverOftenItIsAskedToClose)
 {
     auto drawing = window();

@@ -75,7 +75,7 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     fs::remove(path);
 }
 
-// Otherwise a live drawing would differ, in some bits, from the replay of its recording.
+// Without this, a live drawing would differ in some bits from the replay of its recording.
 TEST(LiveDevices, CutTimesToMicrosecondsAsLogsHaveThem)
 {
     auto report = arrived(0, pen_report(50, 50, true));
@@ -110,8 +110,8 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
         advance_to_end(window);
         window.perform(view::NextVariation {});
         window.perform(view::Undo {});
-        window.perform(view::Undo {}); // Removes the stroke,
-        window.perform(view::Redo {}); // and restores it.
+        window.perform(view::Undo {}); // Removes the stroke.
+        window.perform(view::Redo {}); // Restores the stroke.
         window.perform(view::PickVariation { 42 });
         window.settle();
         drawn = window.scene();

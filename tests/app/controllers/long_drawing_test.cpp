@@ -127,7 +127,8 @@ TEST_F(LongDrawing, ShowsInkUntilTheStrokeIsInThePlant)
     controller_.show(station_, at_ms(now_ms_));
     auto const& state = controller_.view().state();
     EXPECT_GE(state.live_ink.size() + state.strokes.size(), 1u) << "it is seen all the time";
-    draw_across(station_, now_ms_ + 1000); // It may end before the first stroke is saved.
+    // The second stroke may end before the first one is saved.
+    draw_across(station_, now_ms_ + 1000);
     controller_.show(station_, at_ms(now_ms_));
     EXPECT_GE(state.live_ink.size() + state.strokes.size(), 2u);
     controller_.settle(station_, at_ms(now_ms_ + 2000));

@@ -161,7 +161,7 @@ TEST(MouseStall, NoWheelIsFasterThanAHand)
         calib::HeightMonitor monitor(MouseRig::rig());
         std::optional<drivers::HeightSample> last;
         for (int i = 0; i < 3000; ++i) {
-            if (random.uniform() < 0.1) // One notch of the wheel is 5 mm.
+            if (random.uniform() < 0.1) // A notch of the wheel is 5 mm.
                 mouse.move_surface(5 * std::round(40 * (random.uniform() - 0.5)));
             now += random.uniform() < 0.002 ? Duration(5s) : Duration(16ms);
             while (auto const report = surface->read(Duration::zero()).value()) {

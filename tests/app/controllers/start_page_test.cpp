@@ -165,7 +165,7 @@ TEST_F(StartPage, BeginsAnEmptySheetWhoseFirstStrokeIsAPlantThatIsKept)
     ASSERT_EQ(kept.edits.size(), 2u);
     EXPECT_TRUE(kept.edits[0].edit.get<session::BeginEmpty>());
     EXPECT_TRUE(kept.edits[1].edit.get<sketch::GrowAlongStroke>());
-    // Sessions with an unknown beginning also start with an empty sheet.
+    // A session whose beginning is unknown must also start with an empty sheet.
     auto const others = methods::all_methods().edits;
     std::vector<scene::EditKind const*> fewer(others.begin(), others.end());
     std::erase(fewer, &session::BeginEmpty::kKind);

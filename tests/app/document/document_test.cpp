@@ -114,7 +114,7 @@ TEST_F(DocumentTest, DoesWhatIsWantedInItsOrder)
     document.make(seeded(3));
     document.undo();
     document.make(seeded(4));
-    document.redo(); // There is nothing to redo.
+    document.redo(); // Redo must have no effect, since there is nothing to redo.
     document.settle();
     EXPECT_EQ(document.newest()->scene.growth.seed, 124u);
     EXPECT_EQ(document.newest()->scene.associations.size(), 1u);
@@ -175,7 +175,7 @@ TEST_F(DocumentTest, DrawsOnWhileTheDiskIsFullAndKeepsAllAfterwards)
     }
     auto const seen = document.newest();
     document.pass_time(
-        timestamp_ns(1000'000'000)); // It is tried again one second after the failure.
+        timestamp_ns(1000'000'000)); // Saving is tried again one second after the failure.
     document.pass_time(timestamp_ns(1900'000'000));
     document.settle();
     EXPECT_EQ(document.newest()->unkept, 3u);

@@ -112,7 +112,7 @@ TEST_F(DeviceParts, BeginAnewUntilTheyAreAskedToStop)
     pen.on_send = [&] { stop = sent.size() >= 5; };
     play.then = DevicePlay::Then::Repeat;
     EXPECT_TRUE(play_parts(play, stop));
-    sent.resize(5); // One more may have been due at the same time.
+    sent.resize(5); // Another report may have been due at the same time.
     EXPECT_EQ(sent, (Sent { "pen:10", "pen:12", "pen:10", "pen:12", "pen:10" }));
 }
 

@@ -164,7 +164,7 @@ TEST_F(RendererTest, ShowsLightThroughLeaves)
     auto mesh = post_with_leaves();
     mesh.surfaces.clear();
     Stage stage;
-    stage.sun.direction = Vec3f(0, 1, 0.3f); // From behind.
+    stage.sun.direction = Vec3f(0, 1, 0.3f); // The sun shines from behind.
     auto const green = [&](float translucency) {
         mesh.materials[kLeafMaterial].translucency = translucency;
         GpuMesh const leaves(mesh);

@@ -191,7 +191,7 @@ TEST_F(KilledDrawing, LosesNoFinishedStrokeAndOpensAgain)
             draw, std::chrono::microseconds(random() % static_cast<std::uint64_t>(whole_us)));
         SCOPED_TRACE(fmt::format("{} strokes were done when it was killed", done));
         if (done < 0 && !fs::exists(session()))
-            continue; // It had not begun, and left no incomplete file under that name.
+            continue; // The drawing had not begun, and left no incomplete file under that name.
         auto const contents = read_session(session(), methods::all_methods().edits);
         ASSERT_TRUE(contents) << contents.error().message;
         // More steps may have been saved than were shown.

@@ -127,7 +127,7 @@ drivers::LogTool least_extents(std::string words, std::size_t position)
     return { {}, "least", std::move(words), position };
 }
 
-// Of the log's strokes one selects, one draws and one indicates.
+// The log has one stroke that selects, one that draws and one that indicates.
 TEST(LogReplay, LeavesOutStrokesThatGetLessFarThanTheLogSays)
 {
     auto log = recorded_log();

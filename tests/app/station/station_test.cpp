@@ -61,7 +61,7 @@ TEST(Station, MakesAStrokeOfWhatThePenTouches)
 
 TEST(Station, ScalesAPenThatDoesNotTellItsSizeToTheMeasuredSurface)
 {
-    // Both axes range to 32767, without a size.
+    // A pen whose axes both range to 32767, without a size.
     drivers::DeviceInfo const pen {
         .name = "Tablet",
         .vendor_id = 0x1234,
@@ -332,7 +332,8 @@ TEST(Station, APenThatRestsInSilenceGoesOnWithItsStroke)
 {
     auto station = station_with_mouse();
     touch_with_mouse(station, 0);
-    station.pass_time(at_ms(60'000)); // It reports only changes.
+    // The tablet reports only changes, so its silence means nothing.
+    station.pass_time(at_ms(60'000));
     EXPECT_TRUE(station.pen_in_range());
     EXPECT_TRUE(station.strokes().empty());
     station.push(0, at_ms(60'005), drivers::bytes("01 01 6a 00 32 00 ff 0f"));

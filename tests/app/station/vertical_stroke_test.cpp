@@ -207,7 +207,7 @@ TEST_P(VerticalStroke, IsLiveInkAtOnce)
 
 TEST_P(VerticalStroke, SinksAsItRises)
 {
-    // The same rise with a sensor that counts down.
+    // Compares with the same rise and a sensor that counts down.
     auto const rise = rise_of(150);
     auto const up = draw(GetParam(), rise);
     StationOptions options;

@@ -137,7 +137,7 @@ TEST_F(LineServerTest, DoesNotCountWhatWaitsForAReaderThatTakesNothing)
     }
     EXPECT_EQ(server.waiting_bytes(), 0u);
     EXPECT_EQ(server.reader_count(), 2u);
-    // It reads again, and has lost nothing.
+    // The stuck reader reads again, and has lost nothing.
     auto const late = stuck.read_now();
     server.serve(now);
     EXPECT_GT(server.waiting_bytes(), 0u);

@@ -111,8 +111,8 @@ TEST_F(StreamSocket, NeverStopsTheDrawing)
     EXPECT_EQ(text.substr(text.size() - end_line().size()), end_line());
 }
 
-// One reader reads everything and another one nothing: the first must receive the end. Time passes
-// only by waiting.
+// Of two readers, one reads everything and the other nothing: the first must receive the end. Time
+// passes only by waiting.
 TEST_F(StreamSocket, EndsThoughAReaderNeverReads)
 {
     std::ostringstream text;

@@ -489,7 +489,7 @@ TEST(ErasePartTool, TakesAStrokeWholeOfWhichNothingIsLeftThatShapes)
 
 TEST(ErasePartTool, TakesTheSameOfAllBranchesOfTheTopmostStroke)
 {
-    auto scene = scene_with_two_strokes(); // Its strokes have a tip every 10 mm.
+    auto scene = scene_with_two_strokes(); // The second stroke has a tip every 10 mm.
     auto const drawn = document::draw(stroke_through({ { -20, -30, 100 }, { -20, 30, 100 } }),
                                       kErasePart, scene);
     ASSERT_EQ(drawn.edits.size(), 1u);

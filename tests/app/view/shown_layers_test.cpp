@@ -80,7 +80,7 @@ TEST_F(ShownLayersTest, FadeAfterAChangeAndComeBackWithTheNext)
     ASSERT_EQ(seen_in(layers_), "stays fades ");
     EXPECT_EQ(layers_.seen()[1].strength, 0.5);
     EXPECT_EQ(layers_.seen()[0].strength, 1);
-    layers_.show(next, drawing_); // The same plant, so there is no change.
+    layers_.show(next, drawing_); // The plant is the same, so there is no change.
     layers_.pass(from_seconds(3), drawing_);
     EXPECT_EQ(seen_in(layers_), "stays ");
     layers_.show(changed(next), drawing_);

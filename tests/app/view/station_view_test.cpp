@@ -58,7 +58,8 @@ TEST(StationView, LetsTheBranchFollowThePen)
     EXPECT_EQ(trunk.points_mm.size(), 7u);
     auto const revision = view.state().preview_revision;
     auto const skeletons = view.state().skeleton_revision;
-    view.show(station, station.document()); // There is nothing new.
+    // Showing again without new data must not change the preview.
+    view.show(station, station.document());
     view.settle();
     EXPECT_EQ(view.state().preview_revision, revision);
     end_stroke(station);
@@ -190,7 +191,7 @@ TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
     }
 }
 
-// This must also work with the pen's other end, while its tip would draw.
+// Erasing must restore the branch, also with the pen's other end while its tip would draw.
 TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
 {
     auto station = station_on(small_scene(), tools::DrawInOrderTool {});
@@ -298,7 +299,7 @@ TEST(StationView, ShowsTheSurfaceMoveUnderAPenThatRests)
     double const low_mm = view.state().surface_height_mm;
     EXPECT_NEAR(static_cast<double>(view.state().pen.tip_mm.z()), low_mm, 1e-4);
 
-    move_surface(200, 2000); // There is no report from the pen, which is still there.
+    move_surface(200, 2000); // The resting pen sends no reports, and still counts as in range.
     EXPECT_TRUE(view.state().pen.in_range);
     EXPECT_GT(view.state().surface_height_mm, low_mm + 10);
     EXPECT_NEAR(static_cast<double>(view.state().pen.tip_mm.z()), view.state().surface_height_mm,

@@ -81,7 +81,8 @@ TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
         for (bool const is_down : { false, true, false })
             moments.push_back({ middle, is_down });
     }
-    moments[1].input.presses.push_back({ 'C' }); // This would be a tool's key elsewhere.
+    // The key C would choose a tool if the panel were closed.
+    moments[1].input.presses.push_back({ 'C' });
     work(size, moments, model, ask, [](Layout& layout) {
         EXPECT_FALSE(layout.bench().asked_name) << "the panel closes when it is done";
     });

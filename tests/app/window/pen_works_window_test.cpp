@@ -290,7 +290,7 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     ASSERT_EQ(window.scene().associations.size(), 1u);
     auto const& tips = window.scene().associations[0].what.stroke.tips;
     EXPECT_NEAR(tips.front().position_mm.x(), -36,
-                0.1); // There is a tip every 4 mm.
+                0.1); // The line has a tip every 4 mm, so its ends are at -36 and 36 mm.
     EXPECT_NEAR(tips.back().position_mm.x(), 36, 0.1);
 
     auto const log = drivers::read_log(folder_ / "again.tractus-log").value();
@@ -319,7 +319,7 @@ TEST_F(PenWorksWindow, LeavesCalibratingForDrawing)
 TEST_F(PenWorksWindow, RestsOnTheTabletToCapture)
 {
     PenScript script(simple_rig());
-    script.tap(760, 400); // There is no button at this position.
+    script.tap(760, 400); // Rests at a position without buttons.
     script.rest(760, 400, 800);
     script.wait(500);
     auto window = window_of(script, false, true);
@@ -353,10 +353,10 @@ TEST_F(PenWorksWindow, SetsNumbersOfATool)
     script.tap(220, 392);            // Button "Angle 45°", whose panel is above the bar.
     script.tap(316, 140);            // Button "more by 5".
     script.tap(80, 392);             // Button "Laterals 2", which accepts 0 to 8.
-    script.tap(676, 247);            // Key 3,
-    script.tap(676, 42);             // then "Set".
-    script.tap(676, 115);            // Key 9,
-    script.tap(676, 42);             // then "Set".
+    script.tap(676, 247);            // Presses key 3.
+    script.tap(676, 42);             // Presses "Set".
+    script.tap(676, 115);            // Presses key 9.
+    script.tap(676, 42);             // Presses "Set".
     auto window = window_of(script);
     run(window, script);
     auto const words = tools::words_for(window.state().hand);
@@ -369,9 +369,9 @@ TEST_F(PenWorksWindow, SetsNumbersOfATool)
 TEST_F(PenWorksWindow, FillsTheDisplay)
 {
     PenScript script;
-    script.tap(942, 524); // Opens the menu,
-    script.tap(920, 42);  // its page Window,
-    script.tap(760, 126); // and chooses "Full screen".
+    script.tap(942, 524); // Opens the menu.
+    script.tap(920, 42);  // Opens the menu's page Window.
+    script.tap(760, 126); // Chooses "Full screen".
     script.wait(300);
     auto window = window_of(script);
     run(window, script);

@@ -77,7 +77,8 @@ TEST(PadCurves, DashWhatWasRefused)
     auto const first = find(dashed, { 0, 50, 150 }, render::Curve::WidthUnit::Pixels);
     EXPECT_TRUE(first.points.back().position_mm.isApprox(Vec3f(4, 50, 150)));
     EXPECT_NE(first.points[0].color, theme::palette().ink);
-    state.hand = silhouette::OutlineTool {}; // It draws on the sheet, where that stroke was not.
+    // The outline tool draws on the sheet, where that stroke was not drawn.
+    state.hand = silhouette::OutlineTool {};
     EXPECT_EQ(pad_live_curves(state).size(), before);
 }
 

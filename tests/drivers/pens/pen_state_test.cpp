@@ -385,7 +385,7 @@ TEST(PenState, ATouchFarFromWhereItFellSilentIsAnother)
     EXPECT_EQ(fast.push(kContact), 'C');
     EXPECT_EQ(fast.push(far, 5ms), 'C') << "there was no silence";
 
-    Pen telling; // This pen would have reported leaving.
+    Pen telling; // A pen whose tablet reports leaving.
     EXPECT_EQ(telling.push(kContact), 'C');
     EXPECT_EQ(telling.push(far, 101ms), 'C');
 }

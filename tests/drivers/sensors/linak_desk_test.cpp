@@ -23,7 +23,7 @@ struct LinakDesk : testing::Test {
             if (command.size() == 1)
                 return desk.get_feature(std::to_integer<std::uint8_t>(command[0])).value();
             EXPECT_TRUE(desk.set_feature(command));
-            // There is no answer: a packet that is not expected.
+            // An unexpected packet, which counts as no answer.
             return Bytes { std::byte { 0x99 } };
         };
     }

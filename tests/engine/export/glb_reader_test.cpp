@@ -187,7 +187,8 @@ TEST(GlbReader, ReadsEveryPictureAndHowMuchItCounts)
     EXPECT_EQ(textures.base_color->bytes, "\xff\xd8 of a JPEG file");
     EXPECT_EQ(textures.normal->bytes, "normal");
     EXPECT_EQ(textures.roughness->bytes, "roughness");
-    EXPECT_EQ(textures.occlusion, textures.roughness); // One picture, not two equal ones.
+    // The file has one picture for both, not two equal ones.
+    EXPECT_EQ(textures.occlusion, textures.roughness);
     EXPECT_EQ(textures.translucency->bytes, "passes");
     EXPECT_FLOAT_EQ(textures.normal_strength, 0.5f);
     EXPECT_FLOAT_EQ(textures.occlusion_strength, 0.25f);

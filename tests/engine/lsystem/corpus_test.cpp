@@ -176,7 +176,7 @@ TEST(PublishedModels, AreAllComparedWithCpfg)
         left.insert(entry["saved"].get<std::string>());
     for (auto const& name : published_models())
         EXPECT_EQ(left.erase(name), 1u) << name;
-    // These models draw random numbers; they have separate tests below.
+    // Models that draw random numbers, which have separate tests below.
     EXPECT_EQ(left,
               std::set<std::string>(
                   { "10-manuals__11-CPFG__RandomMoss", "10-manuals__11-CPFG__WeepingBirch" }));

@@ -66,7 +66,7 @@ TEST(LightEnvironment, CastsShadeInAPyramidBelow)
     EXPECT_FLOAT_EQ(found[3][0], 1);
     EXPECT_FLOAT_EQ(found[4][0], 0.95F);
     EXPECT_FLOAT_EQ(found[5][0], 1);
-    EXPECT_GT(found[3][2], 0.8F); // There is more light away from the shade.
+    EXPECT_GT(found[3][2], 0.8F); // The light increases away from the shade.
 }
 
 // Compares with the definition, by summing the shades one by one.
@@ -116,8 +116,8 @@ TEST(SpaceEnvironment, GivesABallToTheFirstThatAsks)
     EXPECT_EQ(first[3][0], 1);
     auto const later = space.ask(1, { { 0, 0.5, 0 }, { 0, 0, 0 }, { 0, 9, 0 }, { 0, 6.9, 0 } },
                                  { 1, 1, 2, 0.05F });
-    EXPECT_EQ(later[0][0], 0); // Occupied in the previous step,
-    EXPECT_EQ(later[1][0], 1); // by this module.
+    EXPECT_EQ(later[0][0], 0); // The place was taken in the previous step by the next module.
+    EXPECT_EQ(later[1][0], 1); // The module keeps the place that it took in the previous step.
     EXPECT_EQ(later[2][0], 1);
     EXPECT_EQ(later[3][0], 1);
     EXPECT_EQ(space.ask(0, { { 0.5, 0, 0 } })[0][0], 1); // Another derivation begins.

@@ -42,7 +42,7 @@ TEST(TimeLimit, EndsLoopsInRulesAndBlocks)
     EXPECT_EQ(error_of_time("Axiom: A\nA : {x=1; while (x) {x=1;}} 1 --> B"), message("step 1"));
     EXPECT_EQ(error_of_time("Start: {x=1; do {x=1;} while (x);}\nAxiom: A"), message("the start"));
     EXPECT_EQ(error_of_time("EndEach: {x=1; while (x) {x=1;}}\nAxiom: A", 5), message("step 1"));
-    // None of the loops is long by itself.
+    // Each loop is short, and only all of them together take long.
     EXPECT_EQ(error_of_time("Axiom: A(30)\ndecomposition\nmaximum depth: 100\n"
                             "A(n) : {i=0; while (i<1000) {i=i+1;}} n>0 --> A(n-1)A(n-1)"),
               message("step 1"));
@@ -184,7 +184,7 @@ TEST(DrawingLimits, HoldForWhatIsPlanned)
     EXPECT_NE(plant.error().message.find("needs more than 2 MB"), std::string::npos);
 }
 
-// These rules produce nothing, so only their own memory counts.
+// Rules that produce no modules, so only their own memory counts.
 TEST(MemoryLimit, CountsRulesThatRewriteEachOthersModules)
 {
     DeriveOptions options;

@@ -112,7 +112,7 @@ TEST(Model, GivesFunctionsItLacksTheValuesThatModelsExpect)
                                 "vvScale(1), play(\"bell\"), inblob(1,0,0,0), stop(1)+1)\n"
                                 "endlsystem\n");
     EXPECT_EQ(to_string(model, *derive(model)), "A(7,2,0,0,0,0,2)");
-    // One warning is for the window, whatever the query, and one for blobs.
+    // The warnings: one for the window, whatever the query, and one for blobs.
     ASSERT_EQ(model.warnings.size(), 2u);
     EXPECT_EQ(model.warnings[1],
               "model.l:2:68: inblob() is not supported; its value is 0, as outside of all blobs");

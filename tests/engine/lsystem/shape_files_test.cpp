@@ -95,7 +95,7 @@ TEST(Surfaces, StandInTheTurtlesFrame)
     EXPECT_EQ(patch.control[0], Vec3(-3, 6, 0)); // Size 3 is scaled to 6.
     EXPECT_EQ(patch.control[15], Vec3(3, 0, 0));
     EXPECT_EQ(upright->end_point, Vec3(0, 6, 0));
-    EXPECT_GT(patch.normal_at(0.5, 0.5).z(), 0); // Its front is the turtle's upper side.
+    EXPECT_GT(patch.normal_at(0.5, 0.5).z(), 0); // The patch's front is the turtle's upper side.
     // If it is modelled with its length along -x, the y direction becomes the right.
     auto const lying = parse_surface(
         "leaf.s", square_surface("HEADING  X: -1 Y: 0 Z: 0\nUP  X: 0 Y: 0 Z: -1\n"), 3);

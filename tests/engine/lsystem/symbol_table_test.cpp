@@ -181,7 +181,7 @@ TEST(TurtleSymbols, AreLeftOutWithOneSentence)
     };
     for (auto const& [symbols, warning] : cases)
         EXPECT_EQ(warnings_about(symbols), std::vector<std::string> { warning });
-    // These symbols concern cpfg's ray tracer, or other programs.
+    // Symbols for cpfg's ray tracer, or for other programs, must give no warning.
     EXPECT_TRUE(warnings_about("@mo(1,2,3)@I(\"a\",2)@J(1,2,3)@Z@Y").empty());
     for (auto const& row : kRows) {
         auto const model

@@ -206,10 +206,10 @@ std::vector<std::string> warnings_of(std::string const& axiom, std::string const
 TEST(Turtle, CarriesItsSidesWhereATropismBends)
 {
     auto const view = "tropism: T: 0,1,0 E: 0.3\n";
-    // Pitched forward and rolled: the roll is lost when the tropism bends …
+    // With pitch and roll, the roll is lost when the tropism bends the turtle.
     auto const lost = drawn("&(90)F/(40)F^(90)G", view);
     EXPECT_NEAR(tip(lost).x(), 0, 1e-9);
-    // … unless @Tf keeps it.
+    // With @Tf, the roll is kept when the tropism bends the turtle.
     auto const kept = drawn("&(90)F/(40)@TfF^(90)G", view);
     EXPECT_GT(std::abs(tip(kept).x()), 0.3);
     // @Tp does this without any tropism.
@@ -246,7 +246,7 @@ TEST(Turtle, DrawsFlatDiscsAndCircles)
     auto const& organ = disc.organs[0];
     EXPECT_EQ(organ.scale.x(), 4);
     EXPECT_LT(organ.scale.y(), 0.01f);
-    // Its front is the upper side, which faces up when the turtle heads away.
+    // The disc's front is the upper side, which faces up when the turtle heads away.
     expect_near(organ.orientation * Vec3::UnitY(), { 0, 0, 1 });
     auto const ring = drawn("!(0.2)&(90)@bc(4)@bo(2)");
     ASSERT_EQ(ring.axes.size(), 2u);
@@ -404,7 +404,7 @@ TEST(Turtle, BranchesGeneralisedCylinders)
 {
     auto const plant = drawn("F@Gs f(4)@Gc(2)[+(45)f(4)@Ge(2)F]-(45)f(4)@Ge(2)");
     ASSERT_EQ(plant.axes.size(), 4u);
-    EXPECT_EQ(plant.axes[1].segment_count, 4u); // Both pieces outside the brackets.
+    EXPECT_EQ(plant.axes[1].segment_count, 4u); // The axis has both pieces outside the brackets.
     EXPECT_EQ(plant.axes[1].parent_axis, 0u);
     EXPECT_EQ(plant.axes[2].parent_segment, 2u); // On the second ring of the first piece.
     expect_near(plant.positions(plant.axes[2])[0], { 0, 0, 5 });

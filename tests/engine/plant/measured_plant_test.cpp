@@ -33,7 +33,7 @@ TEST(MeasuredPlant, PutsAxesTogether)
     ASSERT_EQ(plant->axes.size(), 3u);
     EXPECT_EQ(plant->axes[0].segment_count, 2u);
     EXPECT_EQ(plant->axes[1].parent_segment,
-              kNone); // It is on the base, where no segment ends.
+              kNone); // The branch is on the base, where no segment ends.
     EXPECT_EQ(plant->axes[2].parent_segment, 0u);
     EXPECT_EQ(plant->axes[2].order, 1u);
     expect_near(plant->node_position_mm[0], { 0, 0, 0 });
@@ -91,7 +91,7 @@ TEST(Qsm, ReadsTreeQsmsColumns)
     EXPECT_EQ(tree->axes[1].parent_segment, 0u);
     expect_near(tree->node_position_mm[2], { 0, 0, 3000 });
     expect_near(tree->node_position_mm[4],
-                { 1200, 0, 1000 }); // From the end of the stem's cylinder.
+                { 1200, 0, 1000 }); // The branch begins at the end of the stem's cylinder.
     EXPECT_EQ(tree->node_radius_mm[0], 200);
     EXPECT_EQ(tree->node_radius_mm[3], 50);
 }

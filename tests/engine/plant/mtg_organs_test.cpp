@@ -209,9 +209,10 @@ TEST(MtgOrgans, StandOnTheGroundWhereNoSegmentEnds)
 
 TEST(MtgOrgans, ThatCannotBePlacedAreCountedAndNamed)
 {
-    auto const read = with_table("\t+Leaf1\t1\t0\t2\n"            // Without direction and length.
-                                 "\t+Leaf2\t\t\t\t1\t0\t0\t1\n"   // Without position,
-                                 "\t+Leaf3\t1\t\t2\t1\t0\t0\t1\n" // or with an incomplete one.
+    auto const read = with_table("\t+Leaf1\t1\t0\t2\n"          // Without direction and length.
+                                 "\t+Leaf2\t\t\t\t1\t0\t0\t1\n" // An organ without a position.
+                                 // An organ with an incomplete position.
+                                 "\t+Leaf3\t1\t\t2\t1\t0\t0\t1\n"
                                  "\t+Fruit1\t1\tNA\t2\t1\t0\t0\t1\n"
                                  "\t+Fruit2\t1\t0\t2\t1\t0\t0\t0\n" // Without direction.
                                  "\t+L1\t1\t0\t2\t1\t0\t0\t1\n");

@@ -108,7 +108,7 @@ TEST(SelectionView, LooksFromWhereOneStands)
     auto const plant = small_plant();
     auto const side = fit_selection_view(plant, { .azimuth_deg = 90 });
     EXPECT_GT(side.tablet_of_plant({ 0, 50, 0 }).x(), side.tablet_of_plant({ 0, -50, 0 }).x());
-    // This is also true from above.
+    // The far side is farther up on the tablet when seen from above, too.
     auto const high = fit_selection_view(plant, { .elevation_deg = 80 });
     EXPECT_GT(high.tablet_of_plant({ 0, 50, 0 }).y(), high.tablet_of_plant({ 0, -50, 0 }).y());
 

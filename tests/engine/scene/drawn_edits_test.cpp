@@ -111,7 +111,7 @@ TEST(DrawnEdits, TakingAStrokeAwayBringsTheEarlierBack)
 TEST(DrawnEdits, RedrawingAPartMovesThePlant)
 {
     auto const scene = drawn_branch();
-    Stroke over; // From the stroke's middle to another place.
+    Stroke over; // A stroke from the first stroke's middle to another place.
     for (int i = 0; i <= 20; ++i)
         over.tips.push_back({ .time = timestamp_ns(i * 5'000'000),
                               .position_mm = Vec3(15, 10, 75) + i * Vec3(-5, 2, 0),
@@ -240,7 +240,7 @@ TEST(DrawnEdits, AMeasuredTreeIsAPlantLikeAnother)
     auto const bare = after({ measured() });
     EXPECT_EQ(bare.model_name, "tree.csv");
     ASSERT_EQ(bare.base->axes.size(), 2u);
-    // It is two metres high, and shown at the height of the drawing volume.
+    // The tree is two metres high, and shown at the height of the drawing volume.
     EXPECT_NEAR(bare.placement.scale * 2000, DrawingVolume().height_mm, 1e-6);
 
     auto const scene = after(

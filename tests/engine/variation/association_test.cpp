@@ -50,7 +50,7 @@ TEST(Association, BendsThePathAsDrawn)
     // Radius of the quarter circle, scaled to the pole's length of 1000 mm.
     double const radius_mm = 1000 / (kPi / 2);
     Vec3 const tip = bent.node_position_mm.back();
-    // Its start tangent is that of its first twentieth, which is off by 2.25 degrees.
+    // The stroke's start tangent is that of its first twentieth, which is off by 2.25 degrees.
     Quat const turn(Eigen::AngleAxisd(-radians(2.25), Vec3::UnitY()));
     EXPECT_LT((tip - turn * Vec3(radius_mm, 0, radius_mm)).norm(), 2);
 }
@@ -170,7 +170,8 @@ TEST(Association, TheLaterOneWinsWhereTheyMeet)
     EXPECT_NEAR(bend_deg(plant, bent, 3), 7.5, 0.1);
     for (SegmentId const straight : { 4u, 5u, 6u })
         EXPECT_NEAR(bend_deg(plant, bent, straight), 0, 1e-5);
-    EXPECT_NEAR(bend_deg(plant, bent, 8), 7.5, 0.1); // It follows the middle with its own shape.
+    // The segment follows the middle with its own shape.
+    EXPECT_NEAR(bend_deg(plant, bent, 8), 7.5, 0.1);
     auto const other_way = shaped(plant, { middle, all });
     EXPECT_NEAR(bend_deg(plant, other_way, 5), 7.5, 0.1);
 }

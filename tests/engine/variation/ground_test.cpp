@@ -42,7 +42,8 @@ TEST(Ground, CountsWhatStrokesHaveBentBelowItAndNotRoots)
     auto const base = rooted_plant();
     EXPECT_TRUE(segments_underground(base, base).empty());
     auto const bent = hanging(base);
-    // From 50 mm up, with segments of 25 mm: the last segment of the branch, and the twig.
+    // The branch begins 50 mm up and has segments of 25 mm, so its last segment and the twig are
+    // below the ground.
     EXPECT_EQ(segments_underground(bent, base), (std::vector<SegmentId> { 7, 8, 9 }));
     EXPECT_EQ(describe_underground(3, base), "3 of 12 segments are below the ground");
     EXPECT_EQ(describe_underground(1, base), "1 of 12 segments is below the ground");

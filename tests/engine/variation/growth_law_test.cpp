@@ -32,7 +32,7 @@ TEST(GrowthLaw, TwoExactStepsAreOneOverBothLengths)
     for (double const gain : { 0.0, 0.2, 0.5, 0.9 }) {
         for (double const memory : { 0.0, 0.5, 0.8 }) {
             if (gain == 0 && memory > 0)
-                continue; // A random walk only approximates its memory.
+                continue; // Skipped, since a random walk only approximates its memory.
             GrowthParameters const p { .gain = gain, .noise_memory = memory };
             auto const first = exact_step(p, 0.3);
             auto const second = exact_step(p, 1.1);

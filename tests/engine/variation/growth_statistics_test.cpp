@@ -41,7 +41,7 @@ double variance(GrowthPlan const& plan, SegmentId segment, int plants = 4000)
             = grower.grow({ .seed = 17, .plant_index = static_cast<std::uint32_t>(i) });
         Vec3 const direction = direction_of(plant, segment);
         double const angle = std::acos(std::clamp(direction.z(), -1.0, 1.0));
-        sum += angle * angle / 2; // Both components together.
+        sum += angle * angle / 2; // The angle includes both components.
     }
     return sum / plants;
 }

@@ -61,9 +61,10 @@ TEST(LocalInfluence, LightDrawsEveryBranchTowardsItself)
     auto const light = influence(plant, { lamp });
     for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
         EXPECT_NEAR(light.local[segment].norm(), 1, 1e-12);
-    EXPECT_GT(light.local[10].normalized().x(), 0.9); // Left of the light, towards the right;
-    EXPECT_LT(light.local[3].z(), -0.4);              // above it, down;
-    EXPECT_GT(light.local[0].z(), 0.4);               // below it, up.
+    // A branch left of the light bends to the right.
+    EXPECT_GT(light.local[10].normalized().x(), 0.9);
+    EXPECT_LT(light.local[3].z(), -0.4); // A branch above the light bends down.
+    EXPECT_GT(light.local[0].z(), 0.4);  // A branch below the light bends up.
 }
 
 TEST(LocalInfluence, BendsTheBranchesThatItActsOnAndNoOther)

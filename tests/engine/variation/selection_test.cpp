@@ -267,12 +267,14 @@ TEST(ProjectedSkeleton, CutsWhatIsBehindTheEye)
     Eigen::Matrix4d clip;
     clip << 1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, -1, 0, 1, 0, 0;
     Plant plant;
-    add_axis(plant, { { 10, -100, 0 }, { 10, 100, 0 } }); // From behind to the front.
+    // A line from behind the eye to its front.
+    add_axis(plant, { { 10, -100, 0 }, { 10, 100, 0 } });
     add_axis(plant, { { 0, -5, 0 }, { 0, -9, 0 } });
     ProjectedSkeleton const skeleton(plant, view_in_pixels(clip, { 200, 200 }));
     ASSERT_EQ(skeleton.lines().size(), 1u);
     EXPECT_NEAR(skeleton.lines()[0].to.x(), 110, 1e-3);
-    EXPECT_NEAR(skeleton.lines()[0].from.x(), 400, 1e-3); // One window width beside the window.
+    // The clipped end is one window width beside the window.
+    EXPECT_NEAR(skeleton.lines()[0].from.x(), 400, 1e-3);
     EXPECT_EQ(skeleton.pick({ 150, 100 }), 0u);
     EXPECT_EQ(skeleton.pick({ 50, 100 }), std::nullopt);
 }

@@ -49,8 +49,8 @@ TEST_F(ConstructCommand, TheExportedTextGivesTheSamePlant)
     }
 }
 
-// This must also hold for leaves that are surfaces drawn in three views, with their file in the
-// folder.
+// The exported text must give the same plant if leaves are surfaces drawn in three views, whose
+// file is in the folder.
 TEST_F(ConstructCommand, TheExportedTextOfOrgansInThreeViewsGivesTheSamePlant)
 {
     for (std::string const pattern : { "distichous", "decussate", "spiral", "whorled(3)" }) {
@@ -466,7 +466,7 @@ TEST_F(ConstructCommand, TakesStrokesAsTheyAreDrawn)
     EXPECT_EQ(told["leaf_tips"].size(), 2U * 9); // Two rows of the pen's eight nodes plus one.
 }
 
-// One sketch, as a drawing and as numbers.
+// The same sketch must be read from a drawing and from numbers.
 TEST_F(ConstructCommand, ReadsAnSvgDrawing)
 {
     std::ofstream(folder_ / "drawn.svg")

@@ -112,7 +112,7 @@ TEST(LineTool, DrawsSeveralStemsOfOnePlant)
     EXPECT_EQ(axes[0].parent_axis, kNone);
     EXPECT_EQ(axes[1].parent_axis, 0U) << "the lateral axis";
     EXPECT_EQ(axes[2].parent_axis, kNone);
-    // It is vertical at the drawn position.
+    // The stem is vertical at the drawn position.
     Vec3 const top_mm = after.placement.world_of_plant(after.base->positions(axes[2]).back());
     EXPECT_NEAR((top_mm - Vec3(58, 0, 100)).norm(), 0, 0.5);
     EXPECT_EQ(kStemLayer.lines(after).size(), 2U);

@@ -75,7 +75,7 @@ TEST(DressPlant, SaysWhichLeavesThereAre)
         methods::dressing_edits(scene, scene.state.active, { .leaves = "/nowhere/my.leaf" }));
 }
 
-// From a drawing over its grammar to a tree with the leaf.
+// A drawing over a grammar becomes a grammar, which a tree then wears.
 TEST(SketchLeaf, MakesAGrammarThatPlantsWear)
 {
     auto const folder = fs::temp_directory_path() / fmt::format("tractus_sketch_{}", ::getpid());

@@ -121,7 +121,7 @@ TEST(EraseLeafTool, TakesLinesAwayThatItTouches)
               "the eraser touched nothing of the leaf: move it over a line of its drawing");
 }
 
-// From the pen to a tree with the leaf, through a file, as in the window.
+// A leaf drawn by pen is kept in a file, and worn by a tree, as in the window.
 TEST(DrawnLeaves, AreKeptAndWorn)
 {
     auto const folder = fs::temp_directory_path() / fmt::format("tractus_drawn_{}", ::getpid());

@@ -250,7 +250,7 @@ TEST_F(EveryTool, MeansTheSameWhateverReplaysIt)
                 check_stream(log);
             }
     }
-    // These tools need a leaf with more lines, a crown in space, or a plant on another; they have
+    // Tools that need a leaf with more lines, a crown in space, or a plant on another; they have
     // separate tests.
     std::set<std::string> const needs_more { "erase_crown", "erase_leaf", "graft_plant",
                                              "take_off" };

@@ -18,7 +18,7 @@ using nlohmann::json;
 
 void expect_as_reference(json const& grown, json const& expected)
 {
-    constexpr double kPlace = 1.1e-9; // Both sides are rounded to nine decimals.
+    constexpr double kPlace = 1.1e-9; // Tolerance, since both sides are rounded to nine decimals.
     EXPECT_EQ(grown["steps"], expected["steps"]);
     EXPECT_EQ(grown["strahler"], expected["strahler"]);
     EXPECT_NEAR(grown["total_length"].get<double>(), expected["total_length"].get<double>(), 1e-7);

@@ -87,7 +87,7 @@ TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
     auto const plain
         = json::parse(commands::run({ "silhouette", path("part.json"), "--report" }).out);
     EXPECT_FALSE(plain.contains("refined"));
-    // From the end of the branch in the part's upper lobe.
+    // A line from the end of the branch in the part's upper lobe.
     json const twig = { { 62, 34 }, { 58, 36 }, { 56, 40 } };
     drawing["parts"].push_back(twig);
     std::ofstream(folder_ / "deep.json") << drawing;
@@ -106,7 +106,8 @@ TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
     EXPECT_TRUE(file_bytes(path("out/deep.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
 
-// From the branch with an outline of its own across the next ones, which then follow it, as by pen.
+// A line from the branch with an outline of its own across the next branches makes these follow it,
+// as by pen.
 TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
 {
     auto drawing = crown();

@@ -65,7 +65,7 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     auto const tools = methods::all_methods().tools;
     EXPECT_EQ(tools::parse_tool(tools, "outline", "").value(), tools::Tool(tool_of_old_logs()));
     EXPECT_EQ(tools::words_for(tool_of_old_logs()).arguments, "");
-    // Then, lines belonged only to the trunk's branches.
+    // In old logs, lines belonged only to the trunk's branches.
     auto const of_branches = tools::parse_tool(tools, "outline", "of_nearest siblings").value();
     EXPECT_EQ(of_branches,
               tools::Tool(OutlineTool { .branches = OutlineTool::Branches::OfNearest,
@@ -75,9 +75,8 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     auto const line = line_from_branch(*silhouette::outlined_tree(*tree.drawn));
     EXPECT_EQ(meant(line, tree, *of_branches.get<OutlineTool>()).search,
               silhouette::Search::OnTrunk);
-    // Of other kinds, only these have other defaults than their logs without arguments: crowns with
-    // complete nodes, construction lines with depths that are read together, strokes laid by
-    // heading.
+    // Only these kinds have other defaults than logs without arguments: crowns with complete nodes,
+    // construction lines with depths that are read together, strokes laid by heading.
     constexpr auto kLeastTwist = variation::StrokeLaying::LeastTwist;
     for (auto const* const kind : tools) {
         auto const begun = kind == &OutlineTool::kKind ? tools::Tool(tool_of_old_logs())
@@ -219,8 +218,8 @@ TEST(OutlineTool, DrawsABranchOnABranch)
     EXPECT_EQ(nodes(), before);
 }
 
-// From the outlined lobe to the one at the upper left, and back: it must be undoable, and the edit
-// must be written and read unchanged.
+// A style is carried from the outlined lobe to the one at the upper left, and back. It must be
+// undoable, and the edit must be written and read unchanged.
 TEST(OutlineTool, CarriesAStyle)
 {
     document::Document document({}, document::Document::Working::AtOnce);

@@ -23,7 +23,7 @@ struct GustTool {
 
     enum class Towards { End, Start };
     Towards towards = Towards::End;
-    double strength = 1; // From 0.1 to 5.
+    double strength = 1; // Multiple of the stroke's length, from 0.1 to 5.
 };
 
 // Layer that shows the reach of the gusts.

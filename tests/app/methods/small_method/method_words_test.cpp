@@ -96,11 +96,11 @@ bool is_another_language(std::string const& path, std::string const& word)
     static std::set<std::pair<std::string, std::string>> const others {
         { "sim/gesture_script.cpp", "select" }, // In scripts of a simulated hand.
         { "sim/gesture_script.cpp", "draw" },
-        { "app/commands/window.cpp", "draw" }, // In "tractus draw",
-        // and in "tractus leaves draw".
+        { "app/commands/window.cpp", "draw" }, // The word in "tractus draw".
+        // The word in "tractus leaves draw".
         { "app/methods/leaves/commands/leaves_command.cpp", "draw" },
         { "engine/methods/leaves/read_directive.cpp", "outline" }, // A block in a leaf's grammar.
-        // Also a word of the tool line "calibrate".
+        // The tool line "calibrate" uses this word, too.
         { "app/controllers/calibration_panel_controller.cpp", "press" },
         { "app/calibration/calibration_controller.cpp", "press" },
     };

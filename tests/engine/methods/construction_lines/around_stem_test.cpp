@@ -8,7 +8,7 @@ namespace tractus::lines {
 namespace {
 
 constexpr double kAcross_mm = 40; // Half-axes of the cross-section: in the sheet
-constexpr double kDeep_mm = 25;   // and towards the viewer.
+constexpr double kDeep_mm = 25;   // Half-axis of the cross-section towards the viewer.
 
 double on_ellipse(double azimuth_deg)
 {

@@ -253,7 +253,7 @@ TEST(BoundariesInSpace, AreDrawnWhileTheSurfaceMoves)
     EXPECT_NEAR(construction.around[3].azimuth_deg, 270, 3);
     EXPECT_NEAR(construction.around[3].sizes[2] / construction.around[1].sizes[2], 4.0 / 3, 0.05);
     EXPECT_EQ(drawing.organs(), 6U);
-    // It can be changed to another role and back, like any line.
+    // The line can be changed to another role and back, like any line.
     auto const back = drawing.sketch().lines.back().id;
     drawing.apply(SetLineRole { drawing.plant(), back, Role::Unsure });
     EXPECT_EQ(line_sketch(drawing.sketch())->around.size(), 1U);
@@ -295,7 +295,7 @@ TEST(DepthByPressure, BringsTheStemTowardsTheViewer)
     for (std::size_t i = 0; i < tips.size(); ++i)
         tips[i].pressure = 0.25 + 0.5 * (tips[i].position_mm.y() + 60) / 120;
     tips.front().pressure = 0; // Pen-down and
-    tips.back().pressure = 0;  // pen-up.
+    tips.back().pressure = 0;  // The pen is lifted.
     stroke.tips = SharedVector<TipSample>(std::move(tips));
     Drawing drawing;
     drawing.apply(AddLine { .stroke = stroke, .depth_by = DepthBy::Pressure });

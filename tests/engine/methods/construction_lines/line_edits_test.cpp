@@ -40,7 +40,7 @@ TEST(AddLine, TheOnlyInclinationLineHoldsAllAlong)
     auto const construction = measure_sketch(lines, Missing::Guessed).value();
     ASSERT_EQ(construction.inclinations.size(), 2U);
     EXPECT_EQ(construction.inclinations[0].left_deg, construction.inclinations[1].left_deg);
-    // From (0, -40) to (-50, -20), where it meets the boundary.
+    // The ray from (0, -40) meets the boundary at (-50, -20).
     EXPECT_NEAR(construction.inclinations[0].left_deg, 90 - degrees(std::atan2(20, 50)), 1.5);
     EXPECT_EQ(measure_sketch(lines).error().message.substr(0, 35),
               "there is only one inclination line:");

@@ -55,11 +55,11 @@ struct Species {
     Line half {};
     double stalk = 0.2;
     std::vector<double> mains {}; // Angles on one side.
-    int pairs = 0;                // Pairs of side veins on the midrib, …
-    double first = 0.1;           // … position of the first pair,
-    double last = 0.8;            // position of the last pair,
-    double angle = 45;            // angle at the base,
-    double angle_at_tip = 38;     // angle at the tip.
+    int pairs = 0;                // Pairs of side veins on the midrib.
+    double first = 0.1;           // Position of the first pair, as a share of the midrib.
+    double last = 0.8;            // Position of the last pair, as a share of the midrib.
+    double angle = 45;            // Angle of the side veins at the base.
+    double angle_at_tip = 38;     // Angle of the side veins at the tip.
     double turn = 0;              // Forward bend of the veins.
     // Displacement of the veins on the left relative to those on the right, in intervals.
     double alternate = 0;

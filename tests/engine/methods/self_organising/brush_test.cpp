@@ -107,9 +107,10 @@ TEST(BrushGrowth, WaitsOutsideTheBrush)
 {
     Habit const habit;
     auto sweep = bent_sweep(20);
-    sweep.balls.resize(61); // First upwards,
+    sweep.balls.resize(61); // The brush first moves upwards.
     for (int i = 0; i < 60; ++i)
-        sweep.balls.push_back({ 3 + 0.05 * i, Vec3(0, 0, 1e5), 400 }); // and then far away.
+        // Then the brush is far away.
+        sweep.balls.push_back({ 3 + 0.05 * i, Vec3(0, 0, 1e5), 400 });
     auto tree = plant_seed(Vec3::Zero());
     ASSERT_TRUE(grow_along(tree, sweep, habit, 1));
     auto waiting = plant_seed(Vec3::Zero());

@@ -143,7 +143,8 @@ TEST(SilhouetteArrangement, PatternsComeOut)
                 for (std::size_t j = 0; j < i; ++j, ++pairs)
                     sum += misfit(pattern, node_distance(pattern, 24), places[i], places[j]);
         }
-        EXPECT_LT(sum / pairs, 0.06) << name_of(pattern); // It would be 1/4 for random positions.
+        // For random positions the mean would be 1/4.
+        EXPECT_LT(sum / pairs, 0.06) << name_of(pattern);
         auto const snapped = arrange({}, { .pattern = pattern, .count = 24 }, { .seed = 1 }).places;
         for (auto const& place : snapped) {
             double const nodes = place.u / node_distance(pattern, 24) - 0.5;
@@ -172,7 +173,7 @@ TEST(SilhouetteArrangement, WhorlsHaveTheirBranches)
                 double const gaps = (thetas[i] - thetas[j]) / (360.0 / kWhorl);
                 of_gap += std::fabs(gaps - std::round(gaps));
             }
-    EXPECT_LT(of_gap / pairs, 0.06); // It would be 1/4 for random angles.
+    EXPECT_LT(of_gap / pairs, 0.06); // For random angles the mean would be 1/4.
 }
 
 using Nodes = ArrangementOptions::Nodes;

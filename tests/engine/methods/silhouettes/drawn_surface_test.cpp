@@ -57,9 +57,10 @@ TEST(CrownLine, IsKnownByItsShape)
 {
     EXPECT_EQ(kind_of(ring(40, 25, 60)).value(), CrownLineKind::Ring);
     EXPECT_EQ(kind_of(ring(40, 6, 60)).value(), CrownLineKind::Ring);
-    EXPECT_EQ(kind_of(ring(40, 40, 60, 0.85)).value(), CrownLineKind::Ring); // Not quite closed,
+    // A ring that is not quite closed.
+    EXPECT_EQ(kind_of(ring(40, 40, 60, 0.85)).value(), CrownLineKind::Ring);
     EXPECT_EQ(kind_of(ring(40, 40, 60, 1.2)).value(),
-              CrownLineKind::Ring); // or beyond its beginning.
+              CrownLineKind::Ring); // A ring that continues beyond its beginning.
     EXPECT_EQ(kind_of(cone_climb(4)).value(), CrownLineKind::Climb);
     EXPECT_EQ(kind_of(cone_climb(1.4)).value(), CrownLineKind::Climb);
     for (double const azimuth : { 0.0, 35.0, 90.0, 150.0 }) {
@@ -127,7 +128,7 @@ TEST(DrawnSurface, AClimbOnAConeGivesTheCone)
     EXPECT_NEAR(surface.heights(90).y(), 120, 2);
 }
 
-// From another side, the other half-axis is visible.
+// A second outline, seen from the side, gives the other half-axis of the ellipses.
 TEST(DrawnSurface, TwoOutlinesGiveTheEllipsesBetweenThem)
 {
     auto const surface = surface_of({ side(0, 40, 50, 80), side(90, 25, 50, 80) });

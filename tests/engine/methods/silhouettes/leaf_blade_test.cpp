@@ -66,7 +66,7 @@ std::vector<Vec3> corners_of(Plant const& plant, Organ const& organ)
     return corners;
 }
 
-// One organ on a petiole: at the line's position and size, and nothing else.
+// The tree must be one organ on a petiole, at the line's position and size, and nothing else.
 TEST(LeafBlade, OfACrownIsTheWholeTree)
 {
     auto drawing = ellipse(30, 50);
@@ -79,7 +79,8 @@ TEST(LeafBlade, OfACrownIsTheWholeTree)
     EXPECT_EQ(tree.plant.organs.size(), 1u);
     EXPECT_EQ(tree.leaves, 1u);
     EXPECT_EQ(tree.sprays, 0u);
-    // It is drawn 100 mm high on a stem that begins 10 mm below: one millimetre becomes one metre.
+    // The leaf is drawn 100 mm high on a stem that begins 10 mm below; one millimetre becomes one
+    // metre.
     Vec2 const foot = drawing.trunk.front();
     for (auto const& corner : corners_of(tree.plant, tree.plant.organs[0])) {
         EXPECT_NEAR(corner.y(), 0, 1e-3);

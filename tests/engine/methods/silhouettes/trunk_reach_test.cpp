@@ -54,7 +54,7 @@ TEST(TrunkReach, IsOfTrunksThatPointIntoTheCrown)
     EXPECT_FALSE(reach_into_crown(std::vector { Vec2(side - Vec2(0, 60)), side }, round_crown()));
     EXPECT_FALSE(reach_into_crown(std::vector { Vec2(0, -2), Vec2(0, -60) }, round_crown()));
     EXPECT_FALSE(reach_into_crown(std::vector { Vec2(28, -50), Vec2(28, 18) }, round_crown()));
-    // From below at an angle, as for leaning trunks.
+    // A trunk from below at an angle, like leaning trunks.
     EXPECT_TRUE(reach_into_crown(std::vector { Vec2(-25, -50), Vec2(-1, -2) }, round_crown()));
 }
 
@@ -63,9 +63,10 @@ TEST(TrunkReach, IsOfTrunksThatPointIntoTheCrown)
 TEST(TrunkReach, LooksAtTheOutlineAsItIsRead)
 {
     auto open = round_crown();
-    std::rotate(open.begin(), open.begin() + 150, open.end()); // Beginning at its lowest point,
+    // The outline begins at its lowest point.
+    std::rotate(open.begin(), open.begin() + 150, open.end());
     ASSERT_LT(open.front().y(), 0.1);
-    open.resize(open.size() - 6); // and ending 5 mm before it.
+    open.resize(open.size() - 6); // The outline ends 5 mm before its beginning.
     EXPECT_TRUE(reach_into_crown(trunk_below(-3), open));
 }
 

@@ -109,7 +109,7 @@ TEST(DrawnAxis, TurnsByTheLeastRotation)
     EXPECT_NEAR(axis.turns[2].bend_deg, 90, 1e-4);
 }
 
-// From the end of a half circle upwards: asin(l / 2R) first, then twice that.
+// The expected bends on a half circle are asin(l / 2R) first, then twice that.
 TEST(DrawnAxis, BendsEvenlyOnACircle)
 {
     auto const axis = axis_of({ .length_ratio = 1 }, half_circle(50));

@@ -95,7 +95,7 @@ MeantTwig random_twig(std::uint64_t seed)
     meant.order = chooser.chance(0.3) ? 2 : 1;
     meant.nodes = 4 + static_cast<int>(chooser.below(4));
     meant.bow = chooser.between(-6, 6);
-    // Of the equivalent rotations by multiples of 360/k, the one nearest to 0 is chosen.
+    // A rotation is equivalent to its sums with multiples of 360/k; the one nearest to 0 is chosen.
     double const half_deg = 180.0 / meant.laterals;
     meant.twist_deg = chooser.between(-half_deg, half_deg);
     return meant;
