@@ -22,8 +22,8 @@ struct StepWords {
 // Returns the words for a step done after `strokes_before` strokes of the log.
 StepWords words_for(DoneStep const& step, std::size_t strokes_before);
 
-// Parses a step's words. Returns nullopt for a name that is no step's. Fails, as the user's fault,
-// if the arguments do not have the form above. Edits whose kind is not among `kinds` become
+// Parses a step's words. Returns nullopt for a name that is no step's. Fails with a user error if
+// the arguments do not have the form above. Edits whose kind is not among `kinds` become
 // UnknownEdits, which are refused when the step is done.
 std::optional<Result<LoggedStep>> parse_step(std::string_view name, std::string_view arguments,
                                              scene::EditKinds kinds);

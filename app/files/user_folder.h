@@ -15,7 +15,7 @@ std::filesystem::path user_folder();
 // ~/.cache/tractus. Empty if the user has no home folder. It may not exist yet.
 std::filesystem::path user_cache_folder();
 
-// Creates user_folder() if necessary and returns it. Fails, as the user's fault, if it cannot be
+// Creates user_folder() if necessary and returns it. Fails with a user error if it cannot be
 // created; the message ends with `instead`, which says what to do.
 Result<std::filesystem::path> make_user_folder(std::string_view instead);
 

@@ -20,7 +20,7 @@ CLI::Option* add_rig_option(CLI::App& command, std::string& file);
 // Adds "--height MM|MOVEMENT": a height that replaces the height sensor's.
 CLI::Option* add_height_option(CLI::App& command, std::string& height);
 
-// Parses --height for commands that read devices. Fails, as the user's fault, for a movement,
+// Parses --height for commands that read devices. Fails with a user error for a movement,
 // because the length of a live recording is not known in advance.
 Result<double> constant_height_mm(std::string const& height);
 

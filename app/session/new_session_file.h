@@ -8,7 +8,7 @@
 namespace tractus::session {
 
 // Creates a session's file atomically: `write` writes it under a temporary name beside it. Creates
-// its folder if necessary. Fails, as the user's fault, if the file exists or cannot be written;
+// its folder if necessary. Fails with a user error if the file exists or cannot be written;
 // then nothing is left behind.
 Result<void>
 make_session_file(std::filesystem::path const& path,

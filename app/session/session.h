@@ -33,7 +33,7 @@ SessionOptions session_by_the_clock(scene::EditKinds kinds, scene::MakeLoadOptio
 class Session {
 public:
     // Begins a session in a new file, created atomically. `edits`, at least one and usually the
-    // loading of a plant, are the beginning, where undo ends. Fails, as the user's fault, if the
+    // loading of a plant, are the beginning, where undo ends. Fails with a user error if the
     // file exists or cannot be written, and if an edit fails.
     static Result<Session> create(std::filesystem::path const& path, SessionOrigin const& origin,
                                   std::span<scene::Edit const> edits,
@@ -89,8 +89,8 @@ public:
     Result<void> undo();
     Result<void> redo();
 
-    // The name that the user gave the session; empty if none. Setting it is not a step. Fails, as
-    // the user's fault, if it cannot be written, as without a file.
+    // The name that the user gave the session; empty if none. Setting it is not a step. Fails with
+    // a user error if it cannot be written, as without a file.
     std::string const& name() const { return name_; }
     Result<void> set_name(std::string name);
 

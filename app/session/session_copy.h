@@ -12,7 +12,7 @@ namespace tractus::session {
 std::string session_name(std::filesystem::path const& path);
 
 // Copies a session to a new file, created atomically, and gives the copy a name. This or another
-// program may be drawing in the original. Fails, as the user's fault, if the new file exists or
+// program may be drawing in the original. Fails with a user error if the new file exists or
 // cannot be written; fails also like the database.
 Result<void> copy_session(std::filesystem::path const& path, std::filesystem::path const& copy,
                           std::string const& name);

@@ -88,7 +88,7 @@ struct SessionSummary {
 };
 
 // Reads a session without changing it; another program may be drawing in it. Edits whose kind is
-// not among `kinds` become UnknownEdits. Fails like open_session() and, as the user's fault, if the
+// not among `kinds` become UnknownEdits. Fails like open_session() and with a user error if the
 // file is not a session, is damaged, or is newer than this program.
 Result<SessionContents> read_session(std::filesystem::path const& path, scene::EditKinds kinds);
 
@@ -112,8 +112,8 @@ struct EditRow {
     std::chrono::sys_seconds made {};
 };
 
-// Writes rows as a new session, created atomically; `step` is the current step. Fails, as the
-// user's fault, if the file exists or cannot be written.
+// Writes rows as a new session, created atomically; `step` is the current step. Fails with a user
+// error if the file exists or cannot be written.
 Result<void> write_new_session(std::filesystem::path const& path, SessionOrigin const& origin,
                                std::span<EditRow const> rows, std::size_t step);
 

@@ -24,7 +24,7 @@ struct SalvagedSession {
 };
 
 // Reads every intact edit of a session, wherever it is in the file, even if SQLite calls the file
-// malformed; changes nothing. Fails, as the user's fault, if there is none, or if the file cannot
+// malformed; changes nothing. Fails with a user error if there is none, or if the file cannot
 // be read or is larger than 4 GiB.
 Result<SalvagedSession> salvage_session(std::filesystem::path const& path, scene::EditKinds kinds);
 
@@ -33,7 +33,7 @@ Result<SalvagedSession> salvage_session(std::filesystem::path const& path, scene
 SessionContents contents_of(SalvagedSession const& session);
 
 // Writes the salvaged edits as a new session, created atomically, after the edits of `beginning`,
-// which replace a lost plant. Fails, as the user's fault, if the file exists or cannot be written.
+// which replace a lost plant. Fails with a user error if the file exists or cannot be written.
 Result<void> write_repaired(SalvagedSession const& session,
                             std::vector<scene::Edit> const& beginning,
                             std::filesystem::path const& path);

@@ -12,7 +12,7 @@ namespace tractus::session {
 // The tables of a session's file (session_file.h). A file may come from an untrusted source, so its
 // schema is checked against those that tractus writes before anything else is read or written.
 
-// Opens an existing file. Fails, as the user's fault and in a sentence with the file's name, like
+// Opens an existing file. Fails with a user error that names the file, like
 // Database::open(); if it is not a session or has a newer format; and if its schema has anything
 // besides a session's tables, such as a view, a trigger, an index or an extra column.
 Result<Database> open_session(std::filesystem::path const& path, Database::Access access);

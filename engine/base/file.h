@@ -11,17 +11,17 @@
 
 namespace tractus {
 
-// Returns the whole file as bytes. Fails with Fault::User if the file cannot be opened or read or
+// Returns the whole file as bytes. Fails with a user error if the file cannot be opened or read or
 // is larger than `max_bytes`.
 Result<std::string> read_file(std::filesystem::path const& path,
                               std::size_t max_bytes = std::size_t { 1 } << 30);
 
-// Reads a text file in UTF-8 or ASCII. Fails like read_file(), and with Fault::User if the text is
+// Reads a text file in UTF-8 or ASCII. Fails like read_file(), and with a user error if the text is
 // in UTF-16 or UTF-32, which editors on other systems write.
 Result<std::string> read_text_file(std::filesystem::path const& path,
                                    std::size_t max_bytes = std::size_t { 1 } << 30);
 
-// Fails with Fault::User if the bytes begin as UTF-16 or UTF-32 text does. `name` is the file's
+// Fails with a user error if the bytes begin as UTF-16 or UTF-32 text does. `name` is the file's
 // name, for the message.
 Result<void> refuse_wide_text(std::string_view bytes, std::string_view name);
 
@@ -30,12 +30,12 @@ Result<void> refuse_wide_text(std::string_view bytes, std::string_view name);
 Result<void> read_file_in_pieces(std::filesystem::path const& path, std::size_t max_bytes,
                                  std::function<Result<void>(std::string_view piece)> const& take);
 
-// Creates a folder and its missing parents. Fails with Fault::User.
+// Creates a folder and its missing parents. Fails with a user error.
 Result<void> make_folder(std::filesystem::path const& folder);
 
 // Checks whether write_file() could write to `path`, for callers that want to know before long
 // work: its folder, or the nearest existing folder above it, must accept new files. Changes
-// nothing. Fails with Fault::User.
+// nothing. Fails with a user error.
 Result<void> check_writable(std::filesystem::path const& path);
 
 // Replaces the file at `path` atomically: calls `write` with a stream to a temporary file in the
@@ -53,7 +53,7 @@ Result<void> write_file(std::filesystem::path const& path,
 void flush_name_to_disk(std::filesystem::path const& path);
 
 // Flushes a file's contents to the disk, renames it from `from` to `to`, replacing a file of that
-// name, and flushes the rename. On failure returns Fault::User and leaves both files as they were.
+// name, and flushes the rename. On failure returns a user error and leaves both files as they were.
 Result<void> rename_on_disk(std::filesystem::path const& from, std::filesystem::path const& to);
 
 // Makes the signals that end the program (Ctrl-C, SIGTERM, SIGHUP) first remove the temporary files

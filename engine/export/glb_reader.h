@@ -14,7 +14,7 @@ namespace tractus::exports {
 // Materials are read as described in read_materials.h. Skins, animations, points and lines are
 // ignored.
 //
-// Fails with Fault::User if the file is not a .glb, is truncated or inconsistent, requires an
+// Fails with a user error if the file is not a .glb, is truncated or inconsistent, requires an
 // unsupported extension that changes geometry, or expands to more than 67 million vertices. Safe
 // for arbitrary bytes.
 Result<mesh::Mesh> read_glb(std::string_view bytes);

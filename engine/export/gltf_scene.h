@@ -13,7 +13,7 @@ namespace tractus::exports {
 
 // Functions shared by the readers of glTF files.
 
-// Returns an error with Fault::User and the readers' common introduction.
+// Returns a user error that begins with the readers' common introduction.
 tl::unexpected<Error> fail_reading(std::string const& reason);
 
 // Parses the JSON and the buffer of a binary glTF 2.0 file; pictures are not decoded. Fails if the

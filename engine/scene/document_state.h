@@ -94,7 +94,7 @@ struct DocumentState {
 // Returns the index of a plant in the document's list, or no value if no plant has this id.
 std::optional<std::size_t> find_plant(DocumentState const& state, ItemId id);
 
-// Like find_plant(), but fails with Fault::User if there is none.
+// Like find_plant(), but fails with a user error if there is none.
 Result<std::size_t> plant_number(DocumentState const& state, ItemId id);
 
 // Returns null if the document has no plant.

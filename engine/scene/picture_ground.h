@@ -8,7 +8,7 @@
 
 namespace tractus::scene {
 
-// Fails with Fault::User if a value is not finite or out of range, the top is not above the foot,
+// Fails with a user error if a value is not finite or out of range, the top is not above the foot,
 // or the foot is not below the horizon.
 Result<void> check_ground(PictureGround const& ground);
 
@@ -26,7 +26,7 @@ struct GroundPlace {
 // angle of view, which is not known and taken as 53 degrees, that of a standard lens. Without a
 // horizon everything is at the distance of the object of known height.
 //
-// Returns no value if no height is known. Fails with Fault::User if the foot is not below the
+// Returns no value if no height is known. Fails with a user error if the foot is not below the
 // horizon.
 Result<std::optional<GroundPlace>> place_on_ground(BackPicture const& picture, Vec2 const& foot_mm);
 

@@ -22,7 +22,7 @@ struct Season {
 };
 
 // Parses a month: a number from 1 to below 13, an English month name (its middle), or one of buds,
-// spring, summer, autumn, fall, winter and bare. Fails with Fault::User, listing these.
+// spring, summer, autumn, fall, winter and bare. Fails with a user error, listing these.
 Result<double> parse_month(std::string_view text);
 
 // Returns a description of the month, such as "mid-October".

@@ -31,7 +31,7 @@ Result<Construction> construction_of(PenSketch const& sketch);
 // Rotates one half of an inclination line about its crossing with the stem, so that organs along it
 // have the angle `angle_deg` to the stem, as seen on the sheet (Inclination). `number` is the
 // line's index in the construction. If only the other half is drawn, that one is rotated. Fails
-// with Fault::User if the line is not drawn, or if the sketch would give no plant.
+// with a user error if the line is not drawn, or if the sketch would give no plant.
 Result<BentLine> with_angle(PenSketch const& whole, std::size_t number, StemSide side,
                             double angle_deg);
 
@@ -52,7 +52,7 @@ constexpr double kGreatestHeading_deg = 90; // Maximum heading to either side.
 // Bends a stem so that at one of kHeadingPlaces it has the heading `heading_deg` on the sheet,
 // measured from up and positive to the left. The heading at the neighbouring places is unchanged.
 // The sheet bends with the stem: lines cross it where they did and reach as far, and stems attached
-// to it keep their shape. Foot and length are unchanged. Fails with Fault::User if the line is no
+// to it keep their shape. Foot and length are unchanged. Fails with a user error if the line is no
 // stem, or if the sketch would give no plant.
 Result<PenSketch> with_heading(PenSketch sketch, scene::ItemId stem, std::size_t place,
                                double heading_deg);

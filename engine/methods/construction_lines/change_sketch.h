@@ -17,7 +17,7 @@ struct FoundSketch {
     PenSketch sketch;
 };
 
-// Finds the sketch of a plant. Fails with Fault::User if there is no such plant, or if it is not
+// Finds the sketch of a plant. Fails with a user error if there is no such plant, or if it is not
 // drawn with construction lines.
 Result<FoundSketch> find_sketch(scene::DocumentState const& state, scene::ItemId plant);
 
@@ -25,7 +25,7 @@ Result<FoundSketch> find_sketch(scene::DocumentState const& state, scene::ItemId
 // that all lines stay in place.
 void put_sketch(scene::DocumentState& state, FoundSketch found);
 
-// Returns the line that owns a layer. Fails with Fault::User if there is none.
+// Returns the line that owns a layer. Fails with a user error if there is none.
 Result<SketchLine*> find_layer(PenSketch& sketch, scene::ItemId line);
 
 // Position on the tablet at which the pen came down to draw a line.
@@ -36,7 +36,7 @@ Vec2 foot_on_sheet(PenSketch const& sketch);
 
 void list(scene::Fields& fields, Pattern& pattern);
 
-// Checks a pattern. Fails with Fault::User if a number is out of range.
+// Checks a pattern. Fails with a user error if a number is out of range.
 Result<void> check_pattern(Pattern const& pattern);
 
 std::string describe(Pattern const& pattern);

@@ -42,7 +42,7 @@ constexpr std::size_t kMostComposedLeaves = 100'000; // Maximum number of leaves
 // its place, so its top is on the boundary. Surfaces are files (.s) named in the view, with the
 // length of leaves.
 //
-// Fails with Fault::User if there are too many sketches, surfaces or leaves, an organ does not
+// Fails with a user error if there are too many sketches, surfaces or leaves, an organ does not
 // exist, or a sketch with several stems has plants of sketches as organs or is such an organ.
 Result<LineModel> write_composed_model(ComposedSketch const& sketch, std::string const& name);
 

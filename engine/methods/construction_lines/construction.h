@@ -46,7 +46,7 @@ struct LineSketch {
 constexpr double kSameAzimuth_deg = 5;
 
 constexpr std::size_t kMostPoints = 20'000; // Maximum number of points in all lines of a sketch.
-// Fails with Fault::User if the number of points exceeds kMostPoints.
+// Fails with a user error if the number of points exceeds kMostPoints.
 Result<void> check_point_count(std::size_t points);
 
 // A half of an inclination line shorter than this share of the stem's length counts as missing.
@@ -142,7 +142,7 @@ bool has_boundary(LineSketch const& sketch);
 // Measures a sketch. The result is invariant to scaling and to the drawing direction of boundaries
 // and inclination lines; a mirrored sketch gives a mirrored result.
 //
-// Fails with Fault::User, saying what to draw or to change, if the stem, both boundaries or a
+// Fails with a user error, saying what to draw or to change, if the stem, both boundaries or a
 // second inclination line are missing; an inclination line does not cross the stem exactly once, or
 // meets a boundary on the wrong side; boundaries in space run along the stem itself or beside each
 // other; numbers of nodes do not match the lines; there are more points or nodes than the limits

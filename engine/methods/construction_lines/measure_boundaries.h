@@ -12,7 +12,7 @@
 
 namespace tractus::lines {
 
-// Returns a line's points without repeated ones. Fails with Fault::User, saying what to draw, if
+// Returns a line's points without repeated ones. Fails with a user error, saying what to draw, if
 // there are fewer than two, or if the line is far away.
 template<typename Point>
 Result<std::vector<Point>> line_points(std::vector<Point> const& points, std::string const& name,

@@ -47,7 +47,7 @@ SideName side_named(Side side);
 SideName azimuth_named(double azimuth_deg);
 
 // Interpolates missing sizes linearly between the nearest nodes that have one, and reports this in
-// the notes. Fails with Fault::User if none has a size.
+// the notes. Fails with a user error if none has a size.
 Result<void> fill_sizes(std::vector<SideNode>& nodes, SideName const& name,
                         std::vector<std::string>& notes);
 

@@ -8,7 +8,7 @@
 namespace tractus::lines {
 
 // Returns the sketch with an additional organ. The first is assigned to the whole plant, later ones
-// to the topmost layer of the current stem. Fails with Fault::User if there are too many, or the
+// to the topmost layer of the current stem. Fails with a user error if there are too many, or the
 // sketch would give no plant.
 Result<PenSketch> with_organ(PenSketch sketch, SketchOrgan organ);
 

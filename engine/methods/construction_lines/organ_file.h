@@ -20,7 +20,7 @@ struct OrganFile {
     std::shared_ptr<std::string const> picture {}; // A PNG file, see OrganSurface::picture.
 };
 
-// Parses a colour "#rrggbb". Fails with Fault::User for other text.
+// Parses a colour "#rrggbb". Fails with a user error for other text.
 Result<Vec3> parse_color(std::string_view text);
 
 // Reads text in this format, in millimetres as in OrganViews; -- begins a comment:
@@ -33,7 +33,7 @@ Result<Vec3> parse_color(std::string_view text);
 //   section 0 0  6 -1  12 0
 //   picture iVBORw0KGgo…      -- a PNG file in base64, in place of the colour
 //
-// Lines may be missing, except that one side is required. Fails with Fault::User if the text is
+// Lines may be missing, except that one side is required. Fails with a user error if the text is
 // invalid; the message gives `name`, the number of the line and what to write. Also fails if the
 // views give no surface, or one without breadth.
 Result<OrganFile> parse_organ(std::string_view text, std::string const& name);

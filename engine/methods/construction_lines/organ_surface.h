@@ -55,7 +55,7 @@ struct OrganSurface {
 //
 // In millimetres, with the middle of the two bases at the origin, that of the tips on y, x to the
 // right, and z out of the upper side. s of a patch is along the organ, t from left to right;
-// patches are listed row by row, kAcross in each. Fails with Fault::User if the views give no
+// patches are listed row by row, kAcross in each. Fails with a user error if the views give no
 // surface.
 Result<std::vector<BezierPatch>> organ_surface(OrganViews const& views);
 

@@ -36,7 +36,7 @@ std::string surface_rules(std::span<LineOrgan const> organs, std::size_t before,
                           std::string const& place);
 
 // Adds the surfaces of organs to the model: their files, named after the model with _organ_1.s and
-// so on, and their entries in the view. Fails with Fault::User if there are more than
+// so on, and their entries in the view. Fails with a user error if there are more than
 // kMostSurfaces.
 Result<void> add_surfaces(LineModel& model, std::span<LineOrgan const> organs, std::size_t before);
 

@@ -9,7 +9,7 @@ namespace tractus::lines {
 // Replaces the rules and the view of a sketch's model by user-written ones. Everything that depends
 // on the sketch is still inserted: the functions, the number of steps, the values defined by
 // #define, and the arrays, at the positions where the written rules have them.
-// Fails with Fault::User if the written rules lack an array of the sketch, for example after a
+// Fails with a user error if the written rules lack an array of the sketch, for example after a
 // change for which the generated rules use more arrays.
 Result<LineModel> with_own_rules(LineModel model, scene::SourceRules const& rules);
 

@@ -46,7 +46,7 @@ extern scene::SourceKind const kPenSketch;
 // its depth is to be used and the surface has moved while drawing by more than a twentieth of the
 // length of the stem drawn last.
 //
-// Fails with Fault::User if the line is a dot, the stem is too short, there are too many lines, or
+// Fails with a user error if the line is a dot, the stem is too short, there are too many lines, or
 // the sketch would give no plant (measure_sketch()).
 Result<PenSketch> with_line(PenSketch sketch, SketchLine line);
 
@@ -54,12 +54,12 @@ Result<PenSketch> with_line(PenSketch sketch, SketchLine line);
 Result<PenSketch> with_stem(PenSketch sketch, SketchLine line);
 
 // Returns the sketch with a user-assigned role for a line. The line of the same stem that had this
-// role becomes Unsure, except for inclination lines, of which there can be many. Fails with
-// Fault::User if there is no such line, no stem would be left, or the sketch would give no plant.
+// role becomes Unsure, except for inclination lines, of which there can be many. Fails with a user
+// error if there is no such line, no stem would be left, or the sketch would give no plant.
 Result<PenSketch> with_role(PenSketch sketch, scene::ItemId line, Role role);
 
-// Returns the sketch with another stroke for a line, drawn on the same sheet. Fails with
-// Fault::User if there is no such line, or the sketch would give no plant.
+// Returns the sketch with another stroke for a line, drawn on the same sheet. Fails with a user
+// error if there is no such line, or the sketch would give no plant.
 Result<PenSketch> with_other_stroke(PenSketch sketch, scene::ItemId line, Stroke stroke);
 
 // Returns the sketch with a line reversed. Reversing a stem exchanges foot and top, and left and

@@ -72,7 +72,7 @@ struct SketchLine {
 // viewer by half of its length on the sheet if the pressure exceeds that at its base by the full
 // range. Pressure is averaged over a twentieth of the stem, and at its ends, where it is
 // unreliable, that at a twentieth from the end is used. Returns at least two points, no two
-// neighbours coinciding on the sheet. Fails with Fault::User if the line is a dot.
+// neighbours coinciding on the sheet. Fails with a user error if the line is a dot.
 Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line);
 
 } // namespace tractus::lines

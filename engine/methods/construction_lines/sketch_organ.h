@@ -49,7 +49,7 @@ struct SketchOrgan {
 };
 
 // Returns the leaf with one more line. A side replaces the existing side that it is next to; a
-// midrib or section replaces the existing one. Fails with Fault::User if the line is a dot, or the
+// midrib or section replaces the existing one. Fails with a user error if the line is a dot, or the
 // lines give no surface.
 Result<SketchOrgan> with_organ_line(SketchOrgan organ, SketchOrgan::Line line);
 
