@@ -35,7 +35,7 @@ struct HeightRecord {
     double linearity_percent = 0;
     std::optional<HeightModelKind> asked_kind {};
 
-    // Results.
+    // Results of the fit.
     std::string reason {};
     std::vector<double> errors {}; // Standard errors of the model's parameters, in their order.
     std::vector<std::size_t> slipped {}; // Indices of captures that were left out as slipped.

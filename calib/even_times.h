@@ -75,7 +75,7 @@ private:
     std::size_t bursts_ = 0;       // Number of these samples that are the last of a burst.
     std::size_t joined_ = 0;       // Number of these samples that join a burst.
     std::size_t counted_anew_ = 0; // Number of these samples at which a step was found.
-    Timestamp last_time_ {};       // The time returned last.
+    Timestamp last_time_ {};       // Time returned by the last add().
     bool is_evened_ = false;
 
     static constexpr std::int64_t kShortestFit_ns = 500'000'000;

@@ -42,7 +42,7 @@ constexpr std::array<std::string_view, 3> kNames { "linear", "string", "monotone
 struct RobustFit {
     HeightModelKind kind = HeightModelKind::Linear;
     ModelFit fit {};
-    std::vector<std::size_t> slipped {}; // Indices in rising order.
+    std::vector<std::size_t> slipped {}; // Indices of slipped captures, in rising order.
     std::size_t used = 0;
 
     std::size_t parameters() const

@@ -46,7 +46,7 @@ std::optional<double> variance_mm2(Captures captures)
 
 // Captures that are left out, and how well the rest fits without them.
 struct LeftOut {
-    std::vector<std::size_t> set {}; // Indices in rising order.
+    std::vector<std::size_t> set {}; // Indices of the captures left out, in rising order.
     double variance_mm2 = std::numeric_limits<double>::infinity();
 };
 

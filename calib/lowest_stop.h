@@ -42,7 +42,7 @@ private:
     std::optional<Moved> let_down(Timestamp time, double height_mm);
 
     std::optional<Timestamp> rests_since_ {};
-    double rest_mm_ = 0; // Mean height since then.
+    double rest_mm_ = 0; // Mean height since rests_since_.
     std::size_t rest_count_ = 0;
     bool is_rest_told_ = false;
     double highest_mm_ = 0; // Highest height since it was last let down.

@@ -11,9 +11,9 @@ namespace {
 // Report ids, contents of the reports, and their lengths including the id (AN495, section 5).
 // Outputs, push-pull outputs, special functions, clock.
 constexpr std::uint8_t kGpioConfiguration = 2;
-constexpr std::uint8_t kGetLines = 3; // Levels of the lines.
-constexpr std::uint8_t kSetLines = 4; // Levels and mask.
-constexpr std::uint8_t kVersion = 5;  // Part number and version.
+constexpr std::uint8_t kGetLines = 3; // Report with the levels of the lines.
+constexpr std::uint8_t kSetLines = 4; // Report with levels and a mask.
+constexpr std::uint8_t kVersion = 5;  // Report with part number and version.
 constexpr std::uint8_t kBusConfiguration = 6;
 constexpr std::size_t kSetLinesBytes = 3;
 constexpr std::size_t kOutputs = 1; // Offset of the outputs in report 2.

@@ -97,7 +97,7 @@ struct GestureScript {
     double coil_height_mm = 0;
     std::optional<Vec2> lean_deg {};
     Vec2 leaned_around_deg = Vec2::Zero();
-    std::vector<Gesture> gestures; // At least one gesture.
+    std::vector<Gesture> gestures; // The script has at least one gesture.
 };
 
 // Parses a script. Fails, as the user's fault, naming `file`, the line and the key.

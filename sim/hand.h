@@ -106,8 +106,8 @@ public:
 
 private:
     enum class Doing {
-        Absent, // Resting out of range.
-        Hover,  // Resting in range.
+        Absent, // The hand rests out of range.
+        Hover,  // The hand rests in range.
         Move,
         Draw,
     };

@@ -101,7 +101,7 @@ HeightSensorModel::HeightSensorModel(Options const& options)
 std::vector<std::byte> HeightSensorModel::device_descriptor() const
 {
     Bytes bytes;
-    put(bytes, { 18, 1 });       // Device descriptor.
+    put(bytes, { 18, 1 });       // Length and type of the device descriptor.
     put_u16(bytes, 0x0210);      // USB 2.1, since the device has a BOS descriptor.
     put(bytes, { 0, 0, 0, 64 }); // Class defined by the interface; endpoint 0 has 64-byte packets.
     put_u16(bytes, kVendorId);
@@ -115,7 +115,7 @@ std::vector<std::byte> HeightSensorModel::configuration_descriptor(UsbSpeed spee
 {
     auto const interface = interface_descriptors(speed, kInterfaceString);
     Bytes bytes;
-    put(bytes, { 9, 2 }); // Configuration descriptor.
+    put(bytes, { 9, 2 }); // Length and type of the configuration descriptor.
     put_u16(bytes, 9 + interface.size());
     put(bytes, { 1, 1, 0, 0x80, 50 }); // One interface; bus-powered, 100 mA.
     bytes.insert(bytes.end(), interface.begin(), interface.end());
@@ -208,8 +208,8 @@ std::optional<std::vector<std::byte>> HeightSensorModel::answer(UsbSetup const& 
         return std::nullopt;
     } else if (setup.request
                == static_cast<std::uint8_t>(drivers::HeightSensorRequest::GetIdentity)) {
-        put(bytes, { 1, 0 });   // Protocol 1.0.
-        put_u16(bytes, 0x0100); // Firmware 1.00.
+        put(bytes, { 1, 0 });   // Version 1.0 of the protocol.
+        put_u16(bytes, 0x0100); // Version 1.00 of the firmware.
         put_u16(bytes, options_.full_scale);
         put(bytes, { 12, 1 }); // Bits of the converter; conversions per reading.
         put_u16(bytes, kShortestPeriodUs);

@@ -113,8 +113,8 @@ std::vector<std::byte> LabJackU3Model::answer_config_io(std::span<std::byte cons
 std::vector<std::byte> LabJackU3Model::answer_config_u3() const
 {
     Bytes reply(32);
-    put_u16(reply, 3, 0x012E); // Firmware 1.46.
-    put_u16(reply, 7, 0x011E); // Hardware 1.30.
+    put_u16(reply, 3, 0x012E); // Version 1.46 of the firmware.
+    put_u16(reply, 7, 0x011E); // Version 1.30 of the hardware.
     put_u16(reply, 9, options_.serial_number & 0xFFFF);
     put_u16(reply, 11, options_.serial_number >> 16);
     put_u16(reply, 13, 3);

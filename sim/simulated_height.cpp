@@ -32,7 +32,7 @@ std::vector<std::byte> report_descriptor(std::int32_t full_scale_counts)
         0x85,
         kHeightReportId, //
         0x09,
-        0x36, // Slider.
+        0x36, // Usage Slider.
         0x15,
         0x00,
         0x27,

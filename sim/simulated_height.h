@@ -21,12 +21,12 @@ enum class HeightWire { HidSlider, Frames };
 struct HeightOptions {
     std::uint64_t seed = 1;
     DeviceTiming timing {
-        .period = std::chrono::milliseconds(2), // 500 Hz.
+        .period = std::chrono::milliseconds(2), // A rate of 500 Hz.
         .latency = std::chrono::milliseconds(3),
         .jitter = std::chrono::microseconds(200),
     };
     HeightWire wire = HeightWire::HidSlider;
-    int samples_per_frame = 5; // Only for Frames.
+    int samples_per_frame = 5; // Number of readings per frame; unused for HidSlider.
     // Slowness of the clock in frames, parts per million.
     double clock_drift_ppm = 0;
     double noise_counts = 1;                     // Standard deviation, before rounding.

@@ -24,7 +24,7 @@ struct SimulatedRun {
     SimulatedDevice tablet {};
     SimulatedDevice height {};
     calib::Rig rig {};             // Rig as a perfect calibration would find it.
-    std::vector<TrueTip> truth {}; // One for each report of the tablet.
+    std::vector<TrueTip> truth {}; // True tips, one for each report of the tablet.
 
     // Returns all reports in order of arrival. Device 0 is the tablet, 1 the height sensor.
     std::vector<ArrivedReport> in_order_of_arrival() const;

@@ -67,8 +67,8 @@ std::vector<std::byte> report_descriptor(Vec2 const& size_mm)
     append(bytes, { 0x95, 0x02, 0x81, 0x03 });              // Padding of 2 bits.
     append(bytes, { 0x05, 0x01, 0x75, 0x10, 0x95, 0x01 });  // Generic Desktop page, 16 bits each.
     append(bytes, { 0x65, 0x11, 0x55, 0x0d, 0x35, 0x00 });  // Unit: centimetres, 10^-3, from 0.
-    append_axis(bytes, 0x30, static_cast<int>(counts.x())); // X axis.
-    append_axis(bytes, 0x31, static_cast<int>(counts.y())); // Y axis.
+    append_axis(bytes, 0x30, static_cast<int>(counts.x())); // The X axis.
+    append_axis(bytes, 0x31, static_cast<int>(counts.y())); // The Y axis.
     // Digitizers page, no unit.
     append(bytes, { 0x05, 0x0d, 0x65, 0x00, 0x55, 0x00, 0x45, 0x00 });
     append(bytes, { 0x09, 0x30, 0x26, 0xff, 0x1f, 0x75, 0x0d, 0x81, 0x02 }); // Tip pressure.

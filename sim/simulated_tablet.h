@@ -27,7 +27,7 @@ namespace tractus::sim {
 struct TabletOptions {
     std::uint64_t seed = 1;
     DeviceTiming timing {
-        .period = std::chrono::milliseconds(5), // 200 Hz
+        .period = std::chrono::milliseconds(5), // A rate of 200 Hz.
         .latency = std::chrono::milliseconds(8),
         .jitter = std::chrono::microseconds(400),
     };
@@ -37,13 +37,13 @@ struct TabletOptions {
 // The true tip at the time of measurement.
 struct TrueTip {
     Timestamp time {};
-    Vec3 position_mm = Vec3::Zero(); // World frame.
+    Vec3 position_mm = Vec3::Zero(); // Position of the tip, world frame.
     bool touching = false;
 };
 
 struct SimulatedTablet {
     SimulatedDevice device;
-    std::vector<TrueTip> truth; // One for each report.
+    std::vector<TrueTip> truth; // True tips, one for each report.
 };
 
 // Simulates the tablet of a rig while a hand draws on it. The reported position is that below the

@@ -81,7 +81,7 @@ Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input)
 Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
                                                     std::function<void()> told_to_move)
 {
-    auto const desk = std::make_shared<LinakDeskModel>(); // Shared by both functions.
+    auto const desk = std::make_shared<LinakDeskModel>(); // The model is shared by both functions.
     UhidAnswers answers;
     answers.get_feature = [desk, input = std::move(input)](std::uint8_t id) {
         auto const tenths_mm

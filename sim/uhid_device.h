@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-struct uhid_event; // See linux/uhid.h.
+struct uhid_event; // Declared in linux/uhid.h.
 
 namespace tractus::sim {
 

@@ -8,7 +8,7 @@ namespace tractus::sim {
 struct UsbSetup {
     // Field bmRequestType; bit 7 set means that the device sends the data.
     std::uint8_t request_type = 0;
-    std::uint8_t request = 0; // Field bRequest.
+    std::uint8_t request = 0; // Field bRequest of the USB specification.
     std::uint16_t value = 0;
     std::uint16_t index = 0;
     std::uint16_t length = 0;

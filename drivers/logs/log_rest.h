@@ -20,7 +20,7 @@ struct LogRest {
     LogRest(LogRest const&) = delete;
     LogRest& operator=(LogRest const&) = delete;
 
-    int file; // Open for reading; owned.
+    int file; // Descriptor of the log file, open for reading; owned.
     LogPlace place {};
     LogTotals totals {}; // Totals of the whole log.
 };

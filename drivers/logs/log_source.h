@@ -16,7 +16,7 @@ public:
 
     DeviceInfo const& info() const override { return log_.devices[device_]; }
 
-    // Fails like LogCursor.
+    // Returns the device's next report. Fails like LogCursor.
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
 private:

@@ -43,7 +43,7 @@ std::optional<Timestamp> parse_time(std::string_view text)
 
 // The head of a block written by usbhid-dump.
 struct DumpHead {
-    std::string interface_name {}; // "003:005:001": bus, device, interface.
+    std::string interface_name {}; // Name such as "003:005:001": bus, device, interface.
     int interface_number = 0;
     bool is_descriptor = false;
     Timestamp time {};

@@ -452,12 +452,12 @@ constexpr PenFamily kWacomFamilies[] = {
       .has_tilt = true,
       .has_eraser = true,
       .frames = kIntuosProBluetooth.frames,
-      .frame_interval = 5ms }, // 200 samples a second.
+      .frame_interval = 5ms }, // Equals 200 samples a second.
     { .name = "wacom-intuos-bluetooth",
       .decode = decode_intuos_bluetooth,
       .has_eraser = true,
       .frames = kIntuosBluetooth.frames,
-      .frame_interval = 7500us }, // 133 samples a second.
+      .frame_interval = 7500us }, // Equals 133 samples a second.
     { .name = "wacom-dtu", .decode = decode_dtu, .has_eraser = true },
     { .name = "wacom-dtus",
       .decode = decode_dtus,

@@ -118,6 +118,6 @@ Result<DeviceAddress> parse_device_address(std::string_view text);
 
 // Prints an address as parse_device_address() reads it.
 std::string print_device_address(DeviceAddress const& address);
-std::string print_usb_port(UsbPort const& port); // Prints "1-2.3".
+std::string print_usb_port(UsbPort const& port); // Prints a port such as "1-2.3".
 
 } // namespace tractus::drivers

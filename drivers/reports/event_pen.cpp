@@ -17,7 +17,7 @@ namespace tractus::drivers {
 namespace {
 
 constexpr std::string_view kEventPath = "evdev:";
-constexpr std::byte kEventPenReport { 1 }; // Report id.
+constexpr std::byte kEventPenReport { 1 }; // Report id of all reports made by EventPen.
 
 // Tools that draw. A puck is not one of them.
 constexpr std::array<std::uint16_t, 4> kDrawingTools { BTN_TOOL_PEN, BTN_TOOL_BRUSH,
@@ -33,8 +33,8 @@ constexpr unsigned kTipBit = 0, kFirstButtonBit = 1, kEraserTouchBit = 4, kInver
                    kInRangeBit = 6;
 constexpr std::array<PenSwitch, 7> kPenSwitches { {
     { kTipBit, 0x0D, 0x42 },
-    { kFirstButtonBit, 0x0D, 0x44 },     // Barrel Switch.
-    { kFirstButtonBit + 1, 0x0D, 0x5A }, // Secondary Barrel Switch.
+    { kFirstButtonBit, 0x0D, 0x44 },     // HID usage Barrel Switch.
+    { kFirstButtonBit + 1, 0x0D, 0x5A }, // HID usage Secondary Barrel Switch.
     { kFirstButtonBit + 2, 0xFF0D,
       0x5D }, // Wacom's usage for a third barrel switch; the usage tables have none.
     { kEraserTouchBit, 0x0D, 0x45 },
@@ -144,7 +144,7 @@ void write_switches(DescriptorWriter& out, EventAbilities const& abilities)
         }
         out.item(kInputItem, is_told ? kData : kConstant);
     }
-    out.item(kInputItem, kConstant); // Padding: the eighth bit.
+    out.item(kInputItem, kConstant); // Pads the switches to eight bits.
 }
 
 } // namespace

@@ -41,7 +41,7 @@ struct PenLayout {
 
     Vec2 mm_per_count = Vec2::Ones();
     Vec2 size_mm = Vec2::Zero();            // Size of the active area.
-    Vec2 tilt_rad_per_count = Vec2::Zero(); // Times the logical value.
+    Vec2 tilt_rad_per_count = Vec2::Zero(); // Factor from the logical value to radians.
 
     // Origin of the size: the descriptor's physical range (Declared), or a guess if that is missing
     // or implausible (a side outside 20 to 800 mm, or more than 1000 counts per mm). The guess is,

@@ -51,7 +51,7 @@ struct TabletIdentifier {
     std::optional<int> interface_number {}; // If set, matches only this USB interface.
 };
 
-// A tablet model.
+// A tablet model with its properties.
 struct Tablet {
     std::string name {}; // Name with its maker, such as "Huion HS610".
     Vec2 size_mm = Vec2::Zero();

@@ -22,7 +22,7 @@ public:
     {
     }
 
-    // Behaves like TabletPort::read_string().
+    // Reads a string descriptor like TabletPort::read_string().
     Result<std::string> read(int index);
 
 private:

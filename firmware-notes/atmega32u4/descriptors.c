@@ -25,9 +25,9 @@ static uint8_t const kReportDescriptor[] PROGMEM = {
 
 // Ids 1209:0001, which pid.codes reserves for private tests.
 static uint8_t const kDeviceDescriptor[] PROGMEM = {
-    18, kDevice, 0x00, 0x02, // USB 2.0
+    18, kDevice, 0x00, 0x02, // Specification USB 2.0.
     0, 0, 0, 64, // Class defined by the interface; endpoint 0 has 64-byte packets.
-    0x09, 0x12, 0x01, 0x00, 0x00, 0x01, // Version 1.00.
+    0x09, 0x12, 0x01, 0x00, 0x00, 0x01, // Device version 1.00.
     1, 2, 0, 1, // Strings for maker and product, no serial number; one configuration.
 };
 

@@ -27,7 +27,7 @@ static void start_converter(void)
 {
     DIDR0 = 1 << ADC7D; // Disables the digital input at the pin.
     ADMUX = 1 << REFS0 | 7; // Reference is the supply, as for the potentiometer; input is ADC7.
-    ADCSRB = 0; // Free-running conversions.
+    ADCSRB = 0; // Selects free-running conversions.
     ADCSRA = 1 << ADEN | 1 << ADATE | 1 << ADIE | 1 << ADPS2 | 1 << ADPS1 | 1 << ADPS0;
     ADCSRA |= 1 << ADSC;
 }

@@ -13,7 +13,7 @@
 // calibration finds.
 
 enum {
-    kSliderReport = 1,      // Report id.
+    kSliderReport = 1,      // Report id of the slider's report.
     kSliderReportBytes = 3, // Report id, low byte, high byte.
     kSliderHalf = 32,       // Number of conversions between readings.
     kSliderShift = 3,

@@ -119,7 +119,7 @@ static void open_endpoint(void)
 {
     UENUM = kEndpoint;
     UECONX = 1 << EPEN;
-    UECFG0X = 1 << EPTYPE1 | 1 << EPTYPE0 | 1 << EPDIR; // Type interrupt, direction IN.
+    UECFG0X = 1 << EPTYPE1 | 1 << EPTYPE0 | 1 << EPDIR; // Endpoint type interrupt, direction IN.
     UECFG1X = 1 << ALLOC; // Size 8 bytes, one bank.
     UERST = 1 << kEndpoint;
     UERST = 0;
@@ -208,7 +208,7 @@ static void open_control(void)
 {
     UENUM = 0;
     UECONX = 1 << EPEN;
-    UECFG0X = 0; // Type control.
+    UECFG0X = 0; // Endpoint type control.
     UECFG1X = 1 << EPSIZE1 | 1 << EPSIZE0 | 1 << ALLOC; // Size 64 bytes, one bank.
 }
 

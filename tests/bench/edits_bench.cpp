@@ -36,7 +36,7 @@ class RandomSteps {
 public:
     RandomSteps()
     {
-        batch::return_large_blocks(); // As in the window.
+        batch::return_large_blocks(); // The program's window calls this, too.
         while (seconds_.size() < kSteps) {
             auto const segments = segment_count(document_.newest()->scene);
             if (segments < kSegments)

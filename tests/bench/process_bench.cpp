@@ -119,7 +119,8 @@ void whole_tree(benchmark::State& state)
 }
 void whole_signals(benchmark::State& state)
 {
-    derive_and_count(state, model("signals.l", kSignals), 9'239'061); // Modules after 60 steps.
+    // Number of modules after 60 steps.
+    derive_and_count(state, model("signals.l", kSignals), 9'239'061);
 }
 void whole_row(benchmark::State& state)
 {

@@ -63,7 +63,7 @@ double length_mm(sketch::SketchTool const& tool)
 // drawn at 200 samples a second, after its first half second.
 void sketch_sample_p99(benchmark::State& state)
 {
-    batch::return_large_blocks(); // As in the window.
+    batch::return_large_blocks(); // The program's window calls this, too.
     constexpr int kSamples = 600;
     constexpr int kFirst = 100;
     auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));

@@ -76,7 +76,7 @@ public:
         : document_(std::move(scene), document::Document::Working::OnItsThread)
         , view_(station_, document_)
     {
-        batch::return_large_blocks(); // As in the window.
+        batch::return_large_blocks(); // The program's window calls this, too.
     }
 
     struct Took {

@@ -230,7 +230,7 @@ Heights told(Scenario const& scenario, Dice& dice)
 struct Trial {
     std::optional<double> rms_mm {}; // No value if the fit was refused.
     std::string refusal {};
-    std::vector<double> deviations {}; // Error over standard error.
+    std::vector<double> deviations {}; // Errors divided by their standard errors.
     bool is_unreadable = false;        // True if the rig's file cannot be read.
     // True if readings of heights from 0 to 400 mm have no height.
     bool lacks_heights = false;

@@ -20,7 +20,7 @@ struct Sampling {
     double pen_hz = 133;
     double noise_counts = 1;
     double gap_from_s = 0; // Beginning of a gap without readings.
-    double gap_to_s = 0;   // End of the gap.
+    double gap_to_s = 0;   // End of the gap without readings.
     double spike_part = 0; // Share of isolated readings that are off by 30 mm.
     // Interval of bursts in which readings and pen samples arrive together; 0: one by one.
     double burst_s = 0;

@@ -20,8 +20,8 @@ struct Faults {
     double nonlinearity = 0;     // Greatest deviation of the track, as a share of its length.
     // Resistance of the track divided by that of the converter's input.
     double loading = 0;
-    double noise_counts = 0.5;     // White noise.
-    double hum_counts = 0;         // Hum at 50 Hz.
+    double noise_counts = 0.5;     // Standard deviation of white noise.
+    double hum_counts = 0;         // Amplitude of hum at 50 Hz.
     double drift_counts_per_s = 0; // Drift of the supply as it warms up.
     double hysteresis_mm = 0;      // The string's end lags behind the table by half of this.
 };

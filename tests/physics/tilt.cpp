@@ -60,7 +60,7 @@ NibWay dent(double moved_mm, Holding const& holding, Dice& dice)
 }
 
 struct TipErrors {
-    double live_mm = 0; // Root mean squares.
+    double live_mm = 0; // Errors of live and settled tips, as root mean squares.
     double settled_mm = 0;
 };
 

@@ -107,7 +107,7 @@ play_recording() {
     case $way in
     uhid) tractus sim uhid "$file" --device $devices >player.log 2>&1 & ;;
     gadget)
-        devices=0 # Counts only the pens.
+        devices=0 # Only the pens are counted.
         tractus sim gadget pen "$file" >player.log 2>&1 &
         ;;
     esac

@@ -14,7 +14,7 @@ namespace {
 // Properties required of a fully grown model.
 struct Expected {
     std::string name;
-    int steps; // Derivation length.
+    int steps; // Derivation length of the model.
     std::size_t min_segments;
     std::size_t min_organs;
     // Least number of segments of the longest axis, so that a stroke can bend it.

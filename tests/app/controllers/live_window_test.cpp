@@ -101,7 +101,7 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     fs::remove(path);
     auto options = live_options();
     options.recording = path;
-    options.now = [] { return at_ms(0); }; // All reports are later.
+    options.now = [] { return at_ms(0); }; // The clock stands at 0, so all reports are later.
     scene::Scene drawn;
     {
         auto window = LiveWindow::create(drawing_devices(true), std::move(options)).value();
@@ -158,7 +158,7 @@ TEST(LiveWindow, ASlipOfTheHandDoesNothingAndIsToldOnce)
     fs::remove(path);
     auto options = live_options();
     options.recording = path;
-    options.now = [] { return at_ms(0); }; // All reports are later.
+    options.now = [] { return at_ms(0); }; // The clock stands at 0, so all reports are later.
     std::size_t drawn = 0;
     std::size_t told = 0;
     {

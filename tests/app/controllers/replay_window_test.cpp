@@ -151,7 +151,7 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
               .value();
     play(window);
     EXPECT_EQ(session::read_session(path, methods::all_methods().edits)->last_step(),
-              3u); // Includes the selecting step.
+              3u); // The number includes the selecting step.
     EXPECT_EQ(window.state().layers.size(), 1u);
     window.perform(view::Undo {});
     window.settle();

@@ -48,7 +48,8 @@ TEST(UdevRules, PermitPensByUsageAndTabletsByMaker)
     constexpr auto kPen = "05 0d 09 02 a1 01 09 20 a1 00 c0 c0", kMouse = "05 01 09 02 a1 01 c0";
     EXPECT_TRUE(permits(0x18, 0x2d1f, 0x0001, kPen)); // Pens of makers that no rule names.
     EXPECT_TRUE(permits(0x03, 0x2179, 0x0053, kPen));
-    EXPECT_TRUE(permits(0x18, 0x2d1f, 0x0001, "06 0d ff 09 01 a1 01 c0")); // Wacom's page.
+    // A pen described on Wacom's own page.
+    EXPECT_TRUE(permits(0x18, 0x2d1f, 0x0001, "06 0d ff 09 01 a1 01 c0"));
     EXPECT_FALSE(permits(0x03, 0x045e, 0x0001, kMouse));
     EXPECT_FALSE(permits(0x03, 0x2179, 0x0053, "05 0d 09 04 a1 01 c0")); // A touch screen.
     EXPECT_TRUE(permits(0x03, 0x256c, 0x006d, "06 00 ff 09 01 a1 01 c0"));

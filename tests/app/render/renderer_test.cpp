@@ -126,7 +126,7 @@ TEST_F(RendererTest, MetalMirrorsInsteadOfScattering)
              .base_color = { 0.9f, 0.6f, 0.2f },
              .roughness = 0.9f };
     Stage stage;
-    stage.sun.direction = Vec3f(0, -1, 0.6f); // On the visible side.
+    stage.sun.direction = Vec3f(0, -1, 0.6f); // The sun shines on the visible side.
     auto const front = [&](float metalness) {
         post.metalness = metalness;
         GpuMesh const pot(mesh);

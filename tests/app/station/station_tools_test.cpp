@@ -254,7 +254,7 @@ TEST(StationTools, ErasesWithThePensOtherEnd)
     touch_along(station, 0, { 50, 50 }, { 150, 50 });
     ASSERT_EQ(station.strokes().size(), 1u);
     EXPECT_EQ(station.scene().indicators.size(), 1u);
-    erase_across(station, 300, 100, 70); // Beside the line.
+    erase_across(station, 300, 100, 70); // The eraser passes beside the line.
     ASSERT_EQ(station.strokes().size(), 2u);
     EXPECT_NE(station.strokes()[1].refusal, "");
     EXPECT_EQ(station.scene().indicators.size(), 1u);

@@ -113,7 +113,7 @@ Station station_of(drivers::DeviceInfo const& pen)
 
 struct Drawn {
     std::vector<tools::ToolStroke> strokes;
-    std::vector<PenMoment> moments; // Live moments.
+    std::vector<PenMoment> moments; // Pen moments of the live ink.
     std::size_t tips_in_silence = 0;
 };
 

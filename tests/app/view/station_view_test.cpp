@@ -112,7 +112,8 @@ TEST(StationView, KeepsTheSkeletonAsStrokesBendIt)
 // A stroke without effect stays visible beside the reason, until the next one begins.
 TEST(StationView, KeepsARefusedStrokeInSight)
 {
-    auto station = station_on(small_scene(), tools::DrawTool {}); // Nothing is selected.
+    // No branch is selected, so the stroke is refused.
+    auto station = station_on(small_scene(), tools::DrawTool {});
     StationView view(station, station.document());
     auto const draw = [&] {
         begin_stroke(station);

@@ -12,7 +12,7 @@
 namespace tractus::window {
 namespace {
 
-// Shows the calibration.
+// A window that shows a calibration.
 class StillWindow : public view::WindowModel {
 public:
     void advance(Duration) override { }

@@ -41,7 +41,7 @@ std::vector<Box> boxes_of(CardGrid const& grid)
 
 void check_grid(std::vector<view::StartCards> const& groups, float width, float scale)
 {
-    constexpr float kPenHits_px = 56; // Equal to theme::kButtonHeight_px.
+    constexpr float kPenHits_px = 56; // Least size for a pen, equal to theme::kButtonHeight_px.
     auto const grid = arrange_cards(groups, width, scale);
     std::set<std::pair<std::size_t, std::size_t>> shown;
     for (auto const& place : grid.places)
@@ -102,7 +102,8 @@ TEST(CardGrid, ShowsTheNewestBesideTheEmptySheetAndTheOthersLast)
     EXPECT_EQ(grid.places[3].top, grid.places[0].top);
     EXPECT_EQ(grid.places.back().group, 1u);
     EXPECT_EQ(grid.places.back().card, 11u);
-    auto const narrow = arrange_cards(groups_of(12), 480, 1); // Three columns.
+    // The narrow window has three columns.
+    auto const narrow = arrange_cards(groups_of(12), 480, 1);
     EXPECT_GT(narrow.titles[1].top, narrow.places[2].top);
 }
 

@@ -171,7 +171,7 @@ struct DrawnFrame {
         Box visible;
     };
     std::vector<Button> buttons {};
-    std::vector<Box> pictures {}; // Boxes of the views.
+    std::vector<Box> pictures {}; // Boxes of the window's views.
 };
 
 constexpr ImU32 kWithoutAlpha = ~IM_COL32_A_MASK;

@@ -108,7 +108,7 @@ private:
     // Bits of the simple pen's report.
     static constexpr int kTouching = 0x01;
     static constexpr int kBarrel = 0x02;
-    static constexpr int kErasing = 0x18; // The other end touches.
+    static constexpr int kErasing = 0x18; // Bits for the pen's other end touching.
     static constexpr int kInRange = 0x20;
 
     void send(double x_px, double y_px, int flags)
@@ -230,7 +230,7 @@ TEST_F(PenWorksWindow, OpensTheRingForATouchThatRests)
     script.rest(500, 195, 700);
     script.hover(500, 195);
     script.wait(100);
-    script.tap(500 + 120, 195 - 39); // Button "Lean".
+    script.tap(500 + 120, 195 - 39); // Taps "Lean".
     script.draw(350, 150, 600, 150);
     script.choose(500, 195, kEraseChoice);
     script.draw(450, 60, 450, 220);
@@ -275,9 +275,9 @@ TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
 TEST_F(PenWorksWindow, ErasesWhatItTouches)
 {
     PenScript script;
-    script.draw(300, 195, 700, 215); // The first branch.
+    script.draw(300, 195, 700, 215); // Draws the first branch.
     script.choose(500, 195, kEraseChoice);
-    script.tap(306, 458); // Button "What it touches".
+    script.tap(306, 458); // Taps "What it touches".
     script.draw(700, 150, 700, 250);
     script.choose(500, 300, kDrawChoice);
     script.erase(300, 150, 300, 250);
@@ -306,7 +306,7 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
 TEST_F(PenWorksWindow, LeavesCalibratingForDrawing)
 {
     PenScript script(simple_rig());
-    script.tap(826, 42); // Button "Back to drawing".
+    script.tap(826, 42); // Taps "Back to drawing".
     script.choose(500, 195, kLeanChoice);
     script.draw(350, 195, 600, 195);
     auto window = window_of(script, false, true);
@@ -334,7 +334,7 @@ TEST_F(PenWorksWindow, PressesAButtonForLongWithoutCapturing)
     PenScript script(simple_rig());
     script.hover(64, 212);
     script.wait(50);
-    script.rest(64, 212, 800); // Button "-10".
+    script.rest(64, 212, 800); // Rests on the button "-10".
     script.hover(64, 212);
     script.wait(100);
     auto window = window_of(script, false, true);
@@ -351,7 +351,7 @@ TEST_F(PenWorksWindow, SetsNumbersOfATool)
     script.choose(500, 195, kSketchChoice);
     script.draw(973, 340, 973, 480); // Scrolls the bar's rows to their end.
     script.tap(220, 392);            // Button "Angle 45°", whose panel is above the bar.
-    script.tap(316, 140);            // Button "more by 5".
+    script.tap(316, 140);            // Taps "more by 5".
     script.tap(80, 392);             // Button "Laterals 2", which accepts 0 to 8.
     script.tap(676, 247);            // Presses key 3.
     script.tap(676, 42);             // Presses "Set".

@@ -11,7 +11,7 @@ namespace tractus::window {
 
 namespace {
 
-// Records the requests.
+// A window that records the requests made to it.
 class AskedModel : public view::WindowModel {
 public:
     AskedModel()

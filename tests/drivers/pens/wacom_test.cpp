@@ -377,7 +377,8 @@ TEST(Wacom, GraphireReadsItsPenOverBluetooth)
     EXPECT_EQ(pen.buttons, 1u);
     EXPECT_FALSE(tablet.sample("03 00 00 00 00 00 00 00").in_range);
     EXPECT_TRUE(tablet.sample("03 a0 d0 07 e8 03 00 00").eraser);
-    EXPECT_FALSE(tablet.sample("03 c0 d0 07 e8 03 00 00").in_range); // A mouse.
+    // A mouse on the tablet, which is not a pen.
+    EXPECT_FALSE(tablet.sample("03 c0 d0 07 e8 03 00 00").in_range);
     EXPECT_EQ(tablet.report("02 81 d0 07 e8 03 04 00"), std::nullopt);
 }
 
@@ -417,7 +418,8 @@ TEST(Wacom, PlTakesThePenForTheEraserIfItComesWithTheBit)
 {
     Tablet tablet("wacom-pl", 511);
     EXPECT_FALSE(tablet.sample("02 40 4e 10 00 13 44 40").eraser);
-    EXPECT_EQ(tablet.sample("02 40 4e 10 20 13 44 40").buttons, 2u); // The pen's second button.
+    // The bit is the pen's second button.
+    EXPECT_EQ(tablet.sample("02 40 4e 10 20 13 44 40").buttons, 2u);
     tablet.sample("02 00 00 00 00 00 00 00");
     auto const eraser = tablet.sample("02 40 4e 10 28 13 44 7f");
     EXPECT_TRUE(eraser.eraser && eraser.touching);

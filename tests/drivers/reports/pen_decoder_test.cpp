@@ -117,9 +117,9 @@ TEST_F(PenDecoderTest, ErasesWithEitherWayOfSayingSo)
 {
     auto const eraser = sample(with_flags("30")); // Eraser, without invert or tip.
     EXPECT_TRUE(eraser.eraser && eraser.touching);
-    auto const inverted = sample(with_flags("29")); // Invert and tip.
+    auto const inverted = sample(with_flags("29")); // The flags invert and tip.
     EXPECT_TRUE(inverted.eraser && inverted.touching);
-    auto const hovering = sample(with_flags("28")); // Only invert.
+    auto const hovering = sample(with_flags("28")); // The flag invert alone.
     EXPECT_TRUE(hovering.eraser && hovering.in_range);
     EXPECT_FALSE(hovering.touching);
 }

@@ -112,7 +112,7 @@ TEST(PenLayout, GuessesASizeWhereTheDescriptorHasNone)
     ASSERT_EQ(usual.size(), 1u);
     EXPECT_NEAR(usual[0].size_mm.x(), 100, 1e-9);
     EXPECT_NEAR(usual[0].size_mm.y(), 50, 1e-9);
-    auto const coarse = pen_with_axes("26 e8 03", "26 f4 01"); // 1000 x 500 counts.
+    auto const coarse = pen_with_axes("26 e8 03", "26 f4 01"); // A range of 1000 x 500 counts.
     ASSERT_EQ(coarse.size(), 1u);
     EXPECT_NEAR(coarse[0].size_mm.x(), 250, 1e-9);
 }

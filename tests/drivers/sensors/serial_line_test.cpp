@@ -108,7 +108,7 @@ TEST(SerialLine, WaitsForTheNextLine)
     auto const source = open_board(board);
     ASSERT_TRUE(source);
     board.print("0\n7\n");
-    auto const report = source->read(60s); // Returns at once.
+    auto const report = source->read(60s); // The read returns at once.
     ASSERT_TRUE(report && *report);
     EXPECT_EQ(text_of(**report), "7");
 }

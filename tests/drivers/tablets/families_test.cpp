@@ -78,7 +78,7 @@ Expected const kReports[] {
     { "uclogic-v2", "08 80 67 55 c2 3f 00 00 00 00 00 00", 0x5567, 0x3fc2 },
     { "uclogic-v2", "08 84 af 9c 45 48 00 00 00 00 00 00", 0x9caf, 0x4845, 0, kNear, kUp, kPen, 2 },
     { "uclogic-v2", "08 00 70 c6 06 7c 00 00 00 00 00 00", 50800, 31750, 0, kGone },
-    // Coordinates of 24 bits.
+    // A report with coordinates of 24 bits.
     { "uclogic-v2", "08 80 ed 73 35 d1 00 00 01 02 00 00", 0x173ed, 0x2d135 },
     { "uclogic-v2", "08 a1 ed 73 35 d1 01 00 00 00 00 00", 0x73ed, 0xd135, 1, kNear, kDown,
       kEraser },
@@ -250,7 +250,7 @@ TEST_P(OtherReport, IsNoPens)
 
 NoPen const kOthers[] {
     { "uclogic-v1", "07 e0 01 01 01 00 00 00" },             // A report of keys.
-    { "uclogic-v1", "09 80 43 04 00 10 00 00" },             // Another report id.
+    { "uclogic-v1", "09 80 43 04 00 10 00 00" },             // A report with another id.
     { "uclogic-v1-upright", "07 e0 01 10 01 00 00 00" },     // A report of a wheel.
     { "uclogic-v2", "08 f0 01 01 00 05 00 00 00 00 dd 10" }, // A report of an HS610's dial.
     { "uclogic-v2", "08 e0 01 01 01 00 00 00 00 00 00 00" }, // A report of keys.

@@ -21,7 +21,7 @@ namespace {
 struct Rule {
     bool is_for_usb = false; // The rule is for the USB device itself, not for its hidraw nodes.
     std::string vendors;     // Alternatives such as "0458|056a".
-    std::string products;    // Empty for all products.
+    std::string products;    // Empty if the rule applies to all products.
 };
 
 std::string match_of(std::string const& line, char const* key)

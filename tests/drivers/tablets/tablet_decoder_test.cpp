@@ -321,7 +321,7 @@ TEST(TabletDecoder, KnowsATabletOverBluetooth)
 
 struct Recorded {
     char const* file;
-    Vec2 size_mm = Vec2::Zero(); // Published size.
+    Vec2 size_mm = Vec2::Zero(); // Published size of the active area.
     // Published maxima, if the owner drew around the edges and pressed fully; otherwise 0.
     std::int32_t x_reached = 0;
     std::int32_t y_reached = 0;

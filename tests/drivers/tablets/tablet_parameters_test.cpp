@@ -82,8 +82,8 @@ TEST(Parameters, MustMakeSense)
     auto const with = [](std::string_view text) {
         return parse_parameters(100, string_descriptor_text(bytes(text)));
     };
-    EXPECT_FALSE(with("40 9c a8 61 00 00 00 00 a0 0f")); // Without pressure.
-    EXPECT_FALSE(with("40 9c a8 61 00 00 ff 07 00 00")); // Without resolution.
+    EXPECT_FALSE(with("40 9c a8 61 00 00 00 00 a0 0f")); // Parameters without pressure.
+    EXPECT_FALSE(with("40 9c a8 61 00 00 ff 07 00 00")); // Parameters without resolution.
     EXPECT_FALSE(with("40 9c a8 61 00 00 ff 07 64 00")); // A width of 10 m.
     EXPECT_FALSE(with("00 08 00 08 00 00 ff 07 a0 0f")); // A width of 13 mm.
 }

@@ -233,7 +233,7 @@ TEST(GlbWriter, TriesAgainWhenLaterPlantsNeedMoreJsonThanTheFirst)
 {
     mesh::Mesh const small = mesh::make_mesh(mesh::single_axis(1, 1, 1));
     mesh::Mesh large = mesh::make_mesh(mesh::sample_tree(1));
-    for (int i = 0; i < 20; ++i) { // Twenty different shapes.
+    for (int i = 0; i < 20; ++i) { // Twenty organ shapes that all differ.
         large.organs.push_back(large.organs[0]);
         large.organs.back().prototype.positions_mm[0].x() += static_cast<float>(i + 1);
     }

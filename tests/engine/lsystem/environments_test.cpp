@@ -112,7 +112,7 @@ TEST(SpaceEnvironment, GivesABallToTheFirstThatAsks)
     auto const first = space.ask(0, { { 0, 0, 0 }, { 1.5, 0, 0 }, { 2, 0, 0 }, { 0, 0, 3 } });
     EXPECT_EQ(first[0][0], 1);
     EXPECT_EQ(first[1][0], 0);
-    EXPECT_EQ(first[2][0], 1); // The balls touch.
+    EXPECT_EQ(first[2][0], 1); // Balls that touch do not overlap.
     EXPECT_EQ(first[3][0], 1);
     auto const later = space.ask(1, { { 0, 0.5, 0 }, { 0, 0, 0 }, { 0, 9, 0 }, { 0, 6.9, 0 } },
                                  { 1, 1, 2, 0.05F });
@@ -120,7 +120,8 @@ TEST(SpaceEnvironment, GivesABallToTheFirstThatAsks)
     EXPECT_EQ(later[1][0], 1); // The module keeps the place that it took in the previous step.
     EXPECT_EQ(later[2][0], 1);
     EXPECT_EQ(later[3][0], 1);
-    EXPECT_EQ(space.ask(0, { { 0.5, 0, 0 } })[0][0], 1); // Another derivation begins.
+    // Step 0 begins another derivation, so all places are free.
+    EXPECT_EQ(space.ask(0, { { 0.5, 0, 0 } })[0][0], 1);
     EXPECT_EQ(space.ask(1, { { NAN, 0, 0 } })[0][0], 0);
 }
 

@@ -338,7 +338,7 @@ TEST(Preprocessor, BoundsWhatHostileMacrosCost)
         chain += "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + "\n";
     EXPECT_NE(preprocessed(chain + "A300\n").find("nested deeper"), std::string::npos);
     EXPECT_EQ(preprocessed(chain + "A150\n"), "x");
-    std::string empty = "#define A0\n"; // Doubles without producing text.
+    std::string empty = "#define A0\n"; // A macro that doubles without producing text.
     for (int i = 1; i < 60; ++i)
         empty += "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + " A"
             + std::to_string(i - 1) + "\n";

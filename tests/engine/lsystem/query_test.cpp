@@ -112,7 +112,7 @@ TEST(Environment, PrunesGrowthInABox)
     };
     auto const pruned = derive(model, options);
     ASSERT_TRUE(pruned) << pruned.error().message;
-    EXPECT_EQ(calls, 13); // Includes the axiom.
+    EXPECT_EQ(calls, 13); // The environment is also asked about the axiom.
     auto const plant = interpret(model, *pruned, { .unit_mm = 1 });
     ASSERT_TRUE(plant) << plant.error().message;
     EXPECT_GT(plant->segment_count(), 50u);

@@ -182,7 +182,7 @@ TEST(TriangleSurfaces, LieInTheFrameOfOrgans)
     ASSERT_EQ(surface->patches.size(), 2u);
     auto const& patch = surface->patches[0];
     EXPECT_EQ(patch.at(0, 0), Vec3(0, 0, 0));
-    EXPECT_EQ(patch.at(1, 0), Vec3(-10, 0, 0)); // Towards the left.
+    EXPECT_EQ(patch.at(1, 0), Vec3(-10, 0, 0)); // The point is on the left.
     EXPECT_EQ(patch.at(0, 1), Vec3(0, 20, -5));
     EXPECT_EQ(patch.at(1, 1), Vec3(0, 20, -5));
     EXPECT_EQ(surface->end_point, Vec3::Zero());
@@ -228,7 +228,7 @@ TEST(ColorFiles, BecomeColorsOfTheView)
     EXPECT_LT((red.base_color - Vec3f(1, 0.2f, 0.2f)).norm(), 1e-3f);
     EXPECT_EQ(red.kind, Material::Kind::Leaf);
     EXPECT_NEAR(red.translucency, 0.2, 1e-3);
-    EXPECT_NEAR(red.roughness, std::sqrt(0.02), 1e-3); // An exponent of 98.
+    EXPECT_NEAR(red.roughness, std::sqrt(0.02), 1e-3); // Roughness for an exponent of 98.
 }
 
 TEST(ColorFiles, SayWhatTheyShouldBe)

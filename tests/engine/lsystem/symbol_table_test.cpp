@@ -19,8 +19,8 @@ struct Row {
     std::size_t segments = 0;
     std::size_t organs = 0;
     std::size_t polygons = 0;
-    float radius = 0.5f;       // Radius of the F.
-    char const* color = "one"; // Colour of the F.
+    float radius = 0.5f;       // Radius of the final F.
+    char const* color = "one"; // Colour of the final F.
 };
 
 std::string const kSymbolsView
@@ -43,7 +43,7 @@ std::vector<Row> const kRows {
     { "f(3)", { 0, 0, 4 } },
     { "G(3)", { 0, 0, 4 }, 1 },
     { "g(3)", { 0, 0, 4 } },
-    // Rotations.
+    // Symbols for rotations.
     { "+", { -1, 0, 0 } },
     { "+(45)", { -kHalf, 0, kHalf } },
     { "-", { 1, 0, 0 } },
@@ -57,12 +57,12 @@ std::vector<Row> const kRows {
     { "\\+", { 0, -1, 0 } },
     { "\\(45)+", { -kHalf, -kHalf, 0 } },
     { "|", { 0, 0, -1 } },
-    // Branches and cuts.
+    // Symbols for branches and cuts.
     { "[+F]", { 0, 0, 1 }, 1 },
     { "[F%FF]", { 0, 0, 1 }, 1 },
     { "[F@mc(1)FF]", { 0, 0, 1 }, 1 },
     { "[F@mc(0)FF]", { 0, 0, 1 }, 3 },
-    // Widths and colours.
+    // Symbols for widths and colours.
     { "#(4)", { 0, 0, 1 }, 0, 0, 0, 2 },
     { "!(4)", { 0, 0, 1 }, 0, 0, 0, 2 },
     { "##!", { 0, 0, 1 }, 0, 0, 0, 1 },
@@ -80,7 +80,7 @@ std::vector<Row> const kRows {
     { "{(4)F+F+F+F}(1)", { 1, 0, 0 }, 16 },
     { "@Gsf@Gc(2)f@Ge(3)", { 0, 0, 3 }, 5 },
     { "@Gt(1,2)@Gr(10,1)@Gr(1)@#@!(5)@Gsf@Ge(4)", { 0, 0, 2 }, 4 },
-    // Organs.
+    // Symbols for organs.
     { "~l", { 0, 0, 1 }, 0, 1 },
     { "~l(2)", { 0, 0, 1 }, 0, 1 },
     { "~l(2,3,4)", { 0, 0, 1 }, 0, 1 },
@@ -102,7 +102,7 @@ std::vector<Row> const kRows {
     { "@Di", { 0, 0, 2 } },
     { "@Di(3)@Di(2)", { 0, 0, 6 } },
     { "@D(6)@Dd(4)@Dd", { 0, 0, 0.75 } },
-    // Tropisms.
+    // Symbols for tropisms.
     { "@Ts(1,0.5)", kBent },
     { "@Ts(1,9)@Ts(1)", { 0, 0, 1 } },
     { "@Ti(1,0.5)", kBent },
@@ -160,7 +160,8 @@ std::vector<std::string> warnings_about(std::string const& symbols)
     auto const model = compiled(with_header("Axiom: F" + symbols + "F", 0), kSymbolsView);
     auto const result = interpret_with_warnings(model, derive(model).value());
     EXPECT_TRUE(result) << result.error().message;
-    EXPECT_TRUE(result && result->plant.segment_count() == 2) << symbols; // Drawing continues.
+    // The rest of the string must still be drawn.
+    EXPECT_TRUE(result && result->plant.segment_count() == 2) << symbols;
     return result ? result->warnings : std::vector<std::string>();
 }
 

@@ -136,8 +136,10 @@ TEST(Turtle, PlacesOrgansInTheirFrame)
     auto const& organ = plant.organs[0];
     EXPECT_EQ(organ.segment, 0u);
     expect_near(organ.position_mm, { 0, 0, 1 });
-    expect_near(organ.orientation * Vec3::UnitY(), { -1, 0, 0 }); // Along the heading.
-    expect_near(organ.orientation * Vec3::UnitZ(), { 0, -1, 0 }); // The turtle's upper side.
+    // The organ's y axis points along the heading.
+    expect_near(organ.orientation * Vec3::UnitY(), { -1, 0, 0 });
+    // The organ's z axis points to the turtle's upper side.
+    expect_near(organ.orientation * Vec3::UnitZ(), { 0, -1, 0 });
     EXPECT_EQ(organ.scale, Vec3f(2, 2, 2));
     auto const& shape = plant.organ_shapes[organ.shape];
     EXPECT_EQ(shape.length_mm, 2);

@@ -81,7 +81,8 @@ TEST(Extrusion, FillsAClosedOutline)
 TEST(Extrusion, GivesASheetTwoSides)
 {
     auto const mesh = mesh_of(extruded(ribbon()));
-    EXPECT_EQ(mesh.triangle_count(), 2u * 2 * 2 * 16); // Sides, segments, triangles, strips.
+    // Factors: sides, segments, triangles, strips.
+    EXPECT_EQ(mesh.triangle_count(), 2u * 2 * 2 * 16);
     EXPECT_EQ(open_edge_count(mesh), 0u);
     for (auto const& position : mesh.positions_mm)
         EXPECT_NEAR(position.x(), 0, 1e-4f); // The ribbon lies across its normal, x.

@@ -127,7 +127,7 @@ TEST(MakeMesh, NormalsLeanWithTheTaper)
         auto const& position = tubes.positions_mm[i];
         auto const& normal = tubes.normals[i];
         if (position.z() < 1 || position.z() > 199)
-            continue; // Skips base and dome.
+            continue; // Skips vertices of the base and the dome.
         EXPECT_NEAR(normal.z() / Vec2f(normal.x(), normal.y()).norm(), expected, 0.01);
         EXPECT_GT(normal.head<2>().dot(position.head<2>()), 0);
     }

@@ -209,12 +209,13 @@ TEST(MtgOrgans, StandOnTheGroundWhereNoSegmentEnds)
 
 TEST(MtgOrgans, ThatCannotBePlacedAreCountedAndNamed)
 {
-    auto const read = with_table("\t+Leaf1\t1\t0\t2\n"          // Without direction and length.
+    // An organ without direction and length.
+    auto const read = with_table("\t+Leaf1\t1\t0\t2\n"
                                  "\t+Leaf2\t\t\t\t1\t0\t0\t1\n" // An organ without a position.
                                  // An organ with an incomplete position.
                                  "\t+Leaf3\t1\t\t2\t1\t0\t0\t1\n"
                                  "\t+Fruit1\t1\tNA\t2\t1\t0\t0\t1\n"
-                                 "\t+Fruit2\t1\t0\t2\t1\t0\t0\t0\n" // Without direction.
+                                 "\t+Fruit2\t1\t0\t2\t1\t0\t0\t0\n" // An organ without direction.
                                  "\t+L1\t1\t0\t2\t1\t0\t0\t1\n");
     EXPECT_EQ(read.plant.organs.size(), 1u);
     ASSERT_EQ(read.warnings.size(), 1u);

@@ -31,7 +31,7 @@ TEST(PipeModel, ConservesWoodAtTheFork)
 TEST(PipeModel, KeepsTheRadiusUpToATerminalFork)
 {
     auto plant = small_plant();
-    plant.axes[1].parent_segment = 2; // At the trunk's tip.
+    plant.axes[1].parent_segment = 2; // The axis now begins at the trunk's tip.
     auto second = plant.axes[1];
     second.first_node = 7;
     second.first_segment = 5;

@@ -123,7 +123,7 @@ TEST(Grafts, AreRefusedWhereTheyMakeNoSense)
 TEST(Grafts, WaitWhereTheirBranchIsGone)
 {
     Two const two;
-    auto scene = after({ two.on(9) }, two.scene); // On the last branch.
+    auto scene = after({ two.on(9) }, two.scene); // The part is on the last branch.
     EXPECT_TRUE(scene.model_warnings.empty());
     LoadModel other { .source = { .name = "other.l",
                                   .text = "Lsystem: 1\nderivation length: 0\nAxiom: F(10)\n"

@@ -51,7 +51,7 @@ Buffer sketch()
         put(data, Buffer(24));
         put<std::uint32_t>(data, 1 << 1 | 1 << 16);
         put<std::uint32_t>(data, 3);
-        put<float>(data, 1);         // Scale.
+        put<float>(data, 1);         // Scale of the stroke.
         put<std::uint32_t>(data, 5); // The unknown extension contains its size.
         put(data, Buffer(5));
         put<std::int32_t>(data, points);
@@ -82,10 +82,10 @@ Buffer deflated(Buffer const& data)
 
 void put_entry_fields(Buffer& to, std::uint16_t method, std::size_t packed, Buffer const& data)
 {
-    put<std::uint16_t>(to, 20); // Version needed.
+    put<std::uint16_t>(to, 20); // Version needed to extract.
     put<std::uint16_t>(to, 0);
     put<std::uint16_t>(to, method);
-    put<std::uint32_t>(to, 0); // Time and date.
+    put<std::uint32_t>(to, 0); // Modification time and date.
     put(to,
         static_cast<std::uint32_t>(
             crc32_z(0, reinterpret_cast<Bytef const*>(data.data()), data.size())));
@@ -109,7 +109,7 @@ Buffer tilt(Buffer const& data, std::uint16_t method)
     put<std::uint16_t>(zip, 20);
     put_entry_fields(zip, method, packed.size(), data);
     put(zip, Buffer(10));
-    put<std::uint32_t>(zip, 0); // Offset of its header.
+    put<std::uint32_t>(zip, 0); // Offset of the entry's header.
     put(zip, std::string("data.sketch"));
     auto const size = zip.size() - directory;
     put<std::uint32_t>(zip, 0x06054b50);

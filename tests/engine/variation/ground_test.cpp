@@ -19,7 +19,7 @@ Plant rooted_plant()
     add_axis(plant, straight({ 0, 0, 0 }, { 0, 0, 100 }, 2));
     add_axis(plant, straight({ 0, 0, 50 }, { 150, 0, 50 }, 6), 0, 0);
     add_axis(plant, straight({ 150, 0, 50 }, { 150, 40, 50 }, 2), 1, 7);
-    add_axis(plant, straight({ 0, 0, 0 }, { 60, 0, -80 }, 2)); // The root.
+    add_axis(plant, straight({ 0, 0, 0 }, { 60, 0, -80 }, 2)); // Adds the root.
     plant.organs = { Organ { .segment = 7, .position_mm = { 150, 0, 50 } },
                      Organ { .segment = 11, .position_mm = { 60, 0, -80 } } };
     return plant;

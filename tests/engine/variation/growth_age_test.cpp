@@ -138,7 +138,7 @@ TEST(GrowthAge, ShootsBearLeavesBeforeTheirTwigsAreThere)
         double top_mm = 0;
         for (auto const& node : young.node_position_mm)
             top_mm = std::max(top_mm, node.z());
-        for (auto const& organ : young.organs) { // On branches.
+        for (auto const& organ : young.organs) { // Organs on branches only.
             EXPECT_GE(organ.position_mm.z(), -1e-9);
             EXPECT_LE(organ.position_mm.z(), top_mm + 1e-9);
         }

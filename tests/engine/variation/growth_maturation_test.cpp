@@ -38,7 +38,8 @@ TEST(Maturation, EndsInTheSteadyStateOfTheLaw)
                                .growth_zone_steps = 1000,
                                .maturation_bending = 0.0005,
                                .maturation_straightening = 0.02 };
-    double const decay_steps = p.maturation_straightening / p.maturation_bending; // Equals 40.
+    // The ratio is 40.
+    double const decay_steps = p.maturation_straightening / p.maturation_bending;
     double const start = radians(89);
     auto const plant = matured(leaning(start, 200), p, { 0, 0, 1 });
     for (int const segment : { 10, 20, 50, 100, 150 }) {

@@ -25,7 +25,7 @@ TEST(Individual, IsThePlantItselfWithoutIndividuality)
 
 TEST(Individual, LosesAndDoublesBranchesAndIsSound)
 {
-    auto const plant = forking_tree(8, 4); // Has 254 lateral axes.
+    auto const plant = forking_tree(8, 4); // A plant with 254 lateral axes.
     double lost = 0;
     double more = 0;
     std::set<std::size_t> counts;

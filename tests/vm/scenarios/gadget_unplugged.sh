@@ -26,7 +26,7 @@ guest() {
     local files recorder worst=0
     tractus sim gadget sensor /files/scribble.tractus-log --repeat &
     wait_until test -e /sys/bus/usb/devices/1-1/1-1:1.0/interface
-    tractus sim uhid /files/scribble.tractus-log --device 0 --rate 18 --stay & # One stroke, drawn slowly.
+    tractus sim uhid /files/scribble.tractus-log --device 0 --rate 18 --stay & # Plays one slowly drawn stroke.
     wait_until test -e /dev/hidraw0
     sed -n 's/^C: //p' /files/scribble.tractus-log >simulated.rig.toml
     tractus record --rig simulated.rig.toml -o got.tractus-log &

@@ -22,7 +22,7 @@ unplug_in_a_stroke() {
     strokes=$(count_lines stroke)
     echo >$port
     wait_until last_trouble_is 'has gone: plug it in again'
-    wait_until has_more stroke $strokes # The stroke in progress.
+    wait_until has_more stroke $strokes # Waits for the stroke in progress.
     [ "$(count_lines stroke)" -eq $((strokes + 1)) ] || fail "there is a stroke that nobody drew" || return
     echo "$1" >$port
     wait_until last_trouble_is 'nothing is wrong'

@@ -99,7 +99,8 @@ TEST_F(EraseLines, AStemGoesWithWhatStandsOnIt)
 {
     draw_frond(document_);
     LineTool another { .plant = LineTool::Plant::AnotherStem, .nodes = 4 };
-    draw({ { -42, 0, 50 }, { 20, 40, 50 }, { 60, 50, 50 } }, another); // On the first stem.
+    // A lateral axis on the first stem.
+    draw({ { -42, 0, 50 }, { 20, 40, 50 }, { 60, 50, 50 } }, another);
     draw({ { 120, -60, 50 }, { 120, 60, 50 } }, another);
     another.plant = LineTool::Plant::GoOn;
     draw({ { 95, -62, 50 }, { 90, 0, 50 }, { 105, 68, 50 } }, another);

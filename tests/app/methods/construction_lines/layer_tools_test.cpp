@@ -175,7 +175,7 @@ TEST_F(LayerTools, AnotherLeafStandsInTheTopmostLayer)
     touch(-20, What::Organ); // The second leaf is used there, too.
     for (auto const& organ : plant().organs)
         EXPECT_EQ(organ.shape, plant().organs.back().shape);
-    touch(-20, What::Organ); // Plain leaves.
+    touch(-20, What::Organ); // The layer gets plain leaves.
     EXPECT_EQ(sketch().lines[3].organ, 0U);
     auto const text = model().source.text;
     EXPECT_NE(text.find("array organ[2] = {0, 2}"), std::string::npos) << text;
@@ -188,7 +188,7 @@ TEST_F(LayerTools, ALayerHasAPatternAndAFaceOfItsOwn)
     auto const count = plant().organs.size();
     touch(-20, What::Pattern); // Alternate: one at each node, as before.
     EXPECT_EQ(plant().organs.size(), count);
-    touch(-20, What::Pattern); // Whorls of three.
+    touch(-20, What::Pattern); // The layer gets whorls of three.
     EXPECT_EQ(plant().organs.size(), count + 2 * static_cast<std::size_t>(below));
     auto const upwards = [&](std::size_t organ) {
         return (plant().organs[organ].orientation * Vec3(0, 0, 1)).z();

@@ -175,7 +175,7 @@ TEST_F(LeafAtlas, WritesSmallerPicturesInWhichLeavesStay)
         return double(count) / double(picture.rgba.size() / 4);
     };
     double const whole = there("page-0-color.png");
-    for (int level = 1; level <= 4; ++level) // Down to 16 pixels.
+    for (int level = 1; level <= 4; ++level) // The smallest picture has 16 pixels.
         EXPECT_NEAR(there("page-0-color-mip" + std::to_string(level) + ".png"), whole, 0.02)
             << level;
     EXPECT_EQ(read(folder("mips/page-0-normal-mip6.png")).side, 4u);

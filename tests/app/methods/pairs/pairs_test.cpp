@@ -82,7 +82,7 @@ TEST_F(Pairs, AreOnePlantWhateverMadeTheTwo)
             EXPECT_TRUE(exported(session.scene()) != file);
             EXPECT_EQ(segments_of_part(session.scene(), guest_), segments_of_part(drawn, guest_));
             EXPECT_FALSE(session.scene().associations[0].what.is_orphaned);
-            // Undone, saved, opened, exported.
+            // The document must be the same after undoing, saving, opening and exporting.
             ASSERT_TRUE(session.undo());
             EXPECT_TRUE(session::same_scene(session.scene(), drawn));
             opened = tl::unexpected(Error {});

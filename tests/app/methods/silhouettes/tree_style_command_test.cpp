@@ -82,7 +82,7 @@ TEST_F(SilhouetteCommand, TakesTheStyleOfAFile)
     }
 }
 
-// As before styles existed.
+// The file must be the same as before styles existed.
 TEST_F(SilhouetteCommand, AFormWithoutStylesIsWrittenWithoutThem)
 {
     using silhouette::FormTree;

@@ -112,7 +112,7 @@ TEST(RuleGlyph, SetsWhatAHandleIsDraggedTo)
     EXPECT_NEAR(rule_of(turned).axis_twist_deg, 90, 1e-9);
     EXPECT_NEAR(rule_of(dragged(tool, "E", top - Vec2(0.3, 0))).axis_twist_deg, -90, 1e-9);
     Vec2 const end = place_of_handle(tool, "A");
-    auto const aside = dragged(tool, "B", end + (end - node)); // A straight continuation.
+    auto const aside = dragged(tool, "B", end + (end - node)); // The handle is dragged straight on.
     EXPECT_NEAR(rule_of(aside).lateral_twist_deg, 0, 1e-9);
     EXPECT_EQ(dragged(tool, "+", {}).laterals, 3);
     EXPECT_EQ(dragged(tool, "-", {}).laterals, 1);

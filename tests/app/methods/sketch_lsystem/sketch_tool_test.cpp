@@ -257,7 +257,7 @@ TEST(SketchTool, DrawsAStrokeAgain)
                              tools::Tool(tool).mean(rising_stroke(), scene::Scene {}).value())
               .value();
     tool.place = SketchTool::Place::Again;
-    tool.laterals = 5; // The plant's rule stays.
+    tool.laterals = 5; // The plant must keep its own rule.
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 150 }, { 60, 0, 200 } });
     auto const edits = tools::Tool(tool).mean(stroke, scene).value();
     ASSERT_EQ(edits.size(), 1u);

@@ -261,7 +261,7 @@ TEST(BoundariesInSpace, AreDrawnWhileTheSurfaceMoves)
     EXPECT_EQ(line_sketch(drawing.sketch())->around.size(), 2U);
 }
 
-// In older sessions.
+// Sessions from before boundaries in space.
 TEST(BoundariesInSpace, LieOnTheSheetWhereTheirDepthDoesNotCount)
 {
     auto flat = whole_sketch();
@@ -294,7 +294,7 @@ TEST(DepthByPressure, BringsTheStemTowardsTheViewer)
     auto tips = stroke.tips.vector();
     for (std::size_t i = 0; i < tips.size(); ++i)
         tips[i].pressure = 0.25 + 0.5 * (tips[i].position_mm.y() + 60) / 120;
-    tips.front().pressure = 0; // Pen-down and
+    tips.front().pressure = 0; // The pen touches.
     tips.back().pressure = 0;  // The pen is lifted.
     stroke.tips = SharedVector<TipSample>(std::move(tips));
     Drawing drawing;

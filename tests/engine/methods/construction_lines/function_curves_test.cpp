@@ -56,7 +56,7 @@ TEST(FunctionCurves, FilesAreWhatCpfgTakes)
 {
     auto sketch = hand_sketch();
     sketch.nodes_per_layer = { 0 };
-    sketch.inclinations[1] = { Vec2(-60, 200), Vec2(40, 200) }; // At the very top.
+    sketch.inclinations[1] = { Vec2(-60, 200), Vec2(40, 200) }; // A line at the very top.
     for (auto const& curve : function_curves(measured(sketch))) {
         EXPECT_GE(curve.points.size(), 4U) << curve.name;
         EXPECT_EQ(curve.points.front().x(), 0) << curve.name;

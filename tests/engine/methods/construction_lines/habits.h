@@ -303,7 +303,7 @@ private:
                  std::vector<std::vector<DrawnStroke>> rest)
     {
         std::vector<std::vector<DrawnStroke>> corrections;
-        if (has(Habit::BoundaryPart)) { // After both boundaries.
+        if (has(Habit::BoundaryPart)) { // A correction after both boundaries.
             corrections.push_back(rest[2]);
             rest.erase(rest.begin() + 2);
         }

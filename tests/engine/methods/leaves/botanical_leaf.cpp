@@ -54,7 +54,7 @@ struct Species {
     std::string name;
     Line half {};
     double stalk = 0.2;
-    std::vector<double> mains {}; // Angles on one side.
+    std::vector<double> mains {}; // Angles of the main veins on one side.
     int pairs = 0;                // Pairs of side veins on the midrib.
     double first = 0.1;           // Position of the first pair, as a share of the midrib.
     double last = 0.8;            // Position of the last pair, as a share of the midrib.
@@ -182,7 +182,7 @@ Species species_of(std::string const& name)
 
 bool has_inside(Line const& ring, Vec2 const& at)
 {
-    int turns = 0; // Winding number.
+    int turns = 0; // Winding number of the ring about the point.
     double const x = at.x();
     double const y = at.y();
     Vec2 const* before = &ring.back();

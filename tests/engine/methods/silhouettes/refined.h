@@ -33,9 +33,9 @@ inline Skeleton skeleton_of_lines(Drawing const& drawing, SkeletonOptions const&
 // Measurements of a parent, made independently of the style's code: positions as lengths along the
 // samples of its trunk, angles between lines.
 struct Seen {
-    std::vector<double> places; // Positions in millimetres.
+    std::vector<double> places; // Positions along the parent, in millimetres.
     double length = 0;
-    double angle_deg = 0; // Mean angle.
+    double angle_deg = 0; // Mean branching angle.
 };
 inline Seen seen_on(BranchingSystem const& system)
 {

@@ -21,7 +21,8 @@ int segments_of(std::vector<Vec3> const& tips, Rule const& rule)
 TEST(StrokeResampler, DividesStraightStrokesAsTheGeometricSeriesSays)
 {
     EXPECT_EQ(segments_of(straight_stroke(100), rule_of(40, 0.8)), 3);
-    EXPECT_EQ(segments_of(straight_stroke(72), rule_of(40, 0.8)), 2); // Exactly 40 + 32.
+    // The stroke's length is exactly 40 + 32.
+    EXPECT_EQ(segments_of(straight_stroke(72), rule_of(40, 0.8)), 2);
     EXPECT_EQ(segments_of(straight_stroke(150), rule_of(30, 0.9)), 6);
     EXPECT_EQ(segments_of(straight_stroke(100), rule_of(25, 1)), 4);
     EXPECT_EQ(segments_of(straight_stroke(99.9), rule_of(25, 1)), 3);
