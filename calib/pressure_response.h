@@ -10,8 +10,8 @@ struct PressureResponse {
     // reports a touch.
     double threshold = 0; // Less than `full`.
     double full = 1;      // Pressure that counts as 1.
-    // Exponent of the curve between the two: 1 is proportional; above 1 the ink stays thin for
-    // longer, below 1 for less long.
+    // Exponent of the curve from the threshold to full pressure: 1 is proportional; above 1 the ink
+    // stays thin for longer, below 1 for less long.
     double exponent = 1; // Greater than 0.
 };
 

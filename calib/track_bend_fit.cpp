@@ -211,7 +211,7 @@ struct BesidesTrial {
     double log_weight = 0;
 };
 
-// Adds the fit with such deviations to the trials, unless it fails.
+// Adds the fit with the given deviations to the trials, unless it fails.
 void try_deviations(HeightModel const& law, Captures captures, LikelyBesides const& deviations,
                     double chance, std::vector<BesidesTrial>& trials)
 {

@@ -48,9 +48,9 @@ std::optional<BentFit> fit_track_bend(HeightModel const& law,
                                       std::span<HeightCapture const> captures,
                                       double ruler_error_mm, double linearity_percent);
 
-// Returns the standard deviation of a capture apart from such a bend: the ruler's, and three tenths
-// of `linearity_percent` of the captures' range for variations too short for a few captures to
-// follow.
+// Returns the standard deviation of a capture apart from the track's bend: the ruler's, and three
+// tenths of `linearity_percent` of the captures' range for variations too short for a few captures
+// to follow.
 double error_beside_bend_mm(std::span<HeightCapture const> captures, double ruler_error_mm,
                             double linearity_percent);
 

@@ -31,8 +31,8 @@ public:
 
     explicit Cp2112Model(Wiring wiring);
 
-    // Returns the device as the kernel sees it: ids, name, and a report descriptor with these
-    // reports.
+    // Returns the device as the kernel sees it: ids, name, and a report descriptor with the
+    // CP2112's feature reports.
     static drivers::DeviceInfo info();
 
     // Returns a feature report; no value for an unknown id, or for the lines' levels while readings

@@ -8,7 +8,8 @@ namespace tractus::sim {
 UhidAnswers remember_features()
 {
     using Store = std::map<std::uint8_t, std::vector<std::byte>>;
-    auto const store = std::make_shared<Store>(); // Shared by the two functions.
+    // The getting and the setting function share the store.
+    auto const store = std::make_shared<Store>();
     return {
         .get_feature = [store](std::uint8_t id) -> std::optional<std::vector<std::byte>> {
             auto const found = store->find(id);

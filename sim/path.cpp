@@ -113,7 +113,8 @@ static std::vector<Vec3> points_of_any(PathShape const& shape)
 bool is_drawable(PathShape const& shape)
 {
     double const length_mm = polyline_length_mm(points_of_any(shape));
-    return length_mm > 0 && length_mm <= kLongest_mm; // This is also false for NaN and infinity.
+    // The comparison is also false for NaN and infinity.
+    return length_mm > 0 && length_mm <= kLongest_mm;
 }
 
 Path make_path(PathShape const& shape)

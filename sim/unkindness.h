@@ -15,7 +15,7 @@ struct Unkindness {
     std::uint64_t seed = 1;
 
     // Length by which the pen continues, on a curve over the tablet, while it leaves the surface.
-    // Chosen at random between the two for each stroke; 0: no hooks.
+    // Chosen at random between the least and the greatest length for each stroke; 0: no hooks.
     double least_hook_mm = 0;
     double most_hook_mm = 0;
 

@@ -162,7 +162,7 @@ bool is_usable(HidField const& field)
         return false;
     auto const usage = standard_usage(field.usage);
     if (usage == kTransducerSerialNumber
-        || usage == kWacomToolType) // These numbers have no logical range.
+        || usage == kWacomToolType) // Serial numbers and tool types have no logical range.
         return true;
     return field.logical_maximum > field.logical_minimum
         && field.logical_maximum <= std::numeric_limits<std::int32_t>::max();

@@ -21,7 +21,7 @@ constexpr std::int32_t kLinakCountsBelow = 100;
 constexpr std::int32_t kLinakFullScale
     = 10'100; // Covers 1,000 mm of travel; desks have 500 to 700 mm.
 
-// True if the ids are those of such a cable.
+// Returns true if the ids are those of LINAK's cable.
 bool is_linak_desk(DeviceInfo const&);
 
 // Opens the cable at `info.location`, a hidraw node, and polls it 50 times a second. A report is

@@ -19,7 +19,7 @@ namespace tractus::drivers {
 // A name with a colon or an equals sign may precede the number, and a unit may follow it. Any other
 // line is refused, so that a board's start-up messages are not taken for heights.
 
-// Conversion of such numbers into counts, from DeviceInfo::settings.
+// Conversion of a sensor's numbers into counts, set in DeviceInfo::settings.
 struct NumberFormat {
     // Counts of the greatest number. "max=4095" or "max=500.00" also sets the decimals that are
     // kept: with two decimals, 23.75 is 2375 counts.
@@ -32,9 +32,9 @@ struct NumberFormat {
 // counts.
 Result<std::optional<NumberFormat>> parse_greatest_number(std::string_view word);
 
-// Makes the decoder for such reports. Values slightly below 0, which differential converters give
-// for a short circuit, become 0. Decoding fails, as the device's fault, for other text, and for
-// numbers above the maximum.
+// Makes the decoder for reports that contain a number. Values slightly below 0, which differential
+// converters give for a short circuit, become 0. Decoding fails, as the device's fault, for other
+// text, and for numbers above the maximum.
 std::unique_ptr<HeightDecoder> make_number_decoder(NumberFormat format);
 
 // Returns the path that is kept in DeviceInfo::physical_path, and so in logs, for an open sensor:

@@ -29,7 +29,7 @@ struct Polling {
     // Prepares the sensor. Called first, and again after a packet that satisfies `spoils`, which
     // shows that another program has changed the settings.
     std::function<Result<void>(PacketLink&)> set_up {};
-    PacketTest spoils {}; // Empty if there are no such packets.
+    PacketTest spoils {}; // Empty if no packet shows that settings have changed.
 };
 
 // Opens a source that polls within read(), and therefore on the thread that reads. A lost reply is

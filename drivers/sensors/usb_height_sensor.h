@@ -38,7 +38,7 @@ Result<UsbHeightSensorOptions> parse_usb_height_sensor_options(std::string_view 
 // fault, when the sensor was unplugged, whatever error libusb reports.
 Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info);
 
-// Communication with such a sensor. Requests go to its interface.
+// Communication with the project's own height sensor. Requests go to the sensor's USB interface.
 class HeightSensorLink {
 public:
     virtual ~HeightSensorLink() = default;
@@ -53,7 +53,8 @@ public:
     virtual Result<std::optional<RawReport>> read(Duration timeout) = 0;
 };
 
-// Opens a sensor over any link. Fails like the function above, except for opening the device.
+// Opens a sensor over any link. Fails like the overload for a DeviceInfo, except for opening the
+// device.
 Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info,
                                                              std::unique_ptr<HeightSensorLink> link,
                                                              UsbHeightSensorOptions const& options);

@@ -7,7 +7,7 @@
 
 namespace tractus {
 
-// While such an object exists, no file of this process may grow beyond a limit, as on a full disk.
+// While a FullDisk exists, no file of this process may grow beyond a limit, as on a full disk.
 class FullDisk {
 public:
     explicit FullDisk(std::size_t most_bytes)

@@ -73,7 +73,7 @@ void grow_a_year(benchmark::State& state)
 }
 BENCHMARK(grow_a_year)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-// Measures a step of the brush among the buds of such a tree and a million markers; the goal is 16
+// Measures a step of the brush among the buds of a grown oak and a million markers; the goal is 16
 // ms.
 void step_of_brush(benchmark::State& state)
 {

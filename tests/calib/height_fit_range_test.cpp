@@ -135,7 +135,7 @@ TEST(HeightFitRange, IsWholeInEveryRigThatIsKept)
         EXPECT_TRUE(has_all_heights(*again)) << "seed " << seed;
         ++kept;
     }
-    // Some captures with such a bend may be refused.
+    // Some captures with a bent track may be refused.
     EXPECT_GE(kept, static_cast<int>(kDrawnRigs * 8 / 10));
 }
 

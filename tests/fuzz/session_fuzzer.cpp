@@ -10,7 +10,8 @@
 #include <fstream>
 #include <unistd.h>
 
-// Returns a file in memory if the system has such a folder.
+// Returns the path of a file in memory if the system has /dev/shm, otherwise in the folder for
+// temporary files.
 static std::filesystem::path own_file()
 {
     std::filesystem::path const memory = "/dev/shm";

@@ -122,7 +122,8 @@ TEST_F(ReplayedWindow, PlaysAgainFromTheBeginning)
     EXPECT_EQ(window.state().status, "The hand begins again");
     play(window);
     EXPECT_EQ(window.state().strokes.size(), 1u);
-    window.perform(view::SetPlaying { true }); // At the end, this also starts again.
+    // At the end of the replay, playing starts again from the beginning.
+    window.perform(view::SetPlaying { true });
     window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
 }

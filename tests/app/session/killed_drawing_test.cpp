@@ -120,7 +120,7 @@ protected:
             goes_on = replay.advance_to(now);
             controller.show(station, now);
             say_done();
-            if (!controller.document().is_settled()) // A frame would take longer.
+            if (!controller.document().is_settled()) // The wait is shorter than a real frame.
                 std::this_thread::sleep_for(std::chrono::microseconds(100));
         }
         // The process is killed during this call.

@@ -30,7 +30,7 @@ protected:
         ASSERT_TRUE(database.execute(sql)) << sql;
     }
 
-    // Returns the error for such a copy, without the file's name.
+    // Returns the error for a copy of the session changed by `sql`, without the file's name.
     std::string refusal_after(std::string const& sql) const
     {
         change("changed", sql);

@@ -302,8 +302,8 @@ TEST(QueriesBehindCuts, AskTheEnvironmentUntilTheyGo)
     EXPECT_EQ(asked, std::vector<std::size_t> { 1 });
 }
 
-// In such cases cpfg leaves unbalanced brackets: a cut part ends at the next %(x) inside, at any
-// depth. Here each part is kept separately, from the outermost on.
+// If a cut branch contains another cut, cpfg leaves unbalanced brackets: it ends a cut part at the
+// next %(x) inside, at any depth. Here each part is kept separately, from the outermost on.
 TEST(KeptCuts, KeepWhatBranchesOfTheCutOnesKeep)
 {
     EXPECT_EQ(derived("Axiom: F[F%(1)F[+(90)F%(2)F?P(9,9,9)]F?P(9,9,9)]F?P(9,9,9)"),

@@ -214,7 +214,7 @@ TEST(Turtle, CarriesItsSidesWhereATropismBends)
     // With @Tf, the roll is kept when the tropism bends the turtle.
     auto const kept = drawn("&(90)F/(40)@TfF^(90)G", view);
     EXPECT_GT(std::abs(tip(kept).x()), 0.3);
-    // @Tp does this without any tropism.
+    // With @Tp, the roll is lost even without a tropism.
     EXPECT_NEAR(tip(drawn("&(90)F&(10)/(40)@Tp^(90)F")).x(), 0, 1e-9);
 }
 

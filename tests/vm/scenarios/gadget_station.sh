@@ -1,5 +1,5 @@
-# Scenario: the whole station on one USB device, a pen and the own height sensor in a gadget, through hidraw and
-# libusb, recorded live. The strokes must be where the hand was.
+# Scenario: the whole station on one USB device, a pen and the project's own height sensor in a gadget, through
+# hidraw and libusb, recorded live. The strokes must be where the hand was.
 modules='dummy_hcd libcomposite usb_f_hid usb_f_fs usbhid hid-generic'
 files='build/vm/scribble.tractus-log tests/vm/scribble.hand.toml app/models/daisy.l app/models/daisy.v'
 

@@ -1,6 +1,6 @@
-# Scenario: the own height sensor is unplugged and plugged in again ten times while a recording runs and the pen
-# draws. It must be found each time, no frame may be corrupt, strokes drawn until then must be kept, and the
-# recorder must neither leak nor spin. There is no udevd here, so no event announces its return.
+# Scenario: the project's own height sensor is unplugged and plugged in again ten times while a recording runs and
+# the pen draws. The sensor must be found each time, no frame may be corrupt, strokes drawn until then must be kept,
+# and the recorder must neither leak nor spin. There is no udevd here, so no event announces the sensor's return.
 modules='dummy_hcd libcomposite usb_f_fs uhid hid-generic'
 files='build/vm/scribble.tractus-log app/models/daisy.l app/models/daisy.v'
 

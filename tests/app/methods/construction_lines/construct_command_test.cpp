@@ -463,7 +463,8 @@ TEST_F(ConstructCommand, TakesStrokesAsTheyAreDrawn)
         told["roles"],
         nlohmann::json({ "right", "stem", "left", piece, "inclination", "inclination", "unsure" }));
     EXPECT_EQ(told["unplaced"], nlohmann::json({ 7 }));
-    EXPECT_EQ(told["leaf_tips"].size(), 2U * 9); // Two rows of the pen's eight nodes plus one.
+    // The two rows have leaves on nine nodes: the pen's eight and one more.
+    EXPECT_EQ(told["leaf_tips"].size(), 2U * 9);
 }
 
 // The same sketch must be read from a drawing and from numbers.

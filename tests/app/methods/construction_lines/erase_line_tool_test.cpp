@@ -34,7 +34,7 @@ protected:
     document::DrawnStroke said_ {};
 };
 
-// Without the line, the plant must be as it was before it, whatever its kind.
+// After a line of any kind is erased, the plant must be as it was before the line.
 TEST_F(EraseLines, TakesBackWhatALineDid)
 {
     struct Line {

@@ -159,7 +159,7 @@ TEST_F(LayerTools, RefusesWhatGivesNoLeaf)
               "here");
 }
 
-// Leaves below and flowers above.
+// The plant has leaves below and flowers above.
 TEST_F(LayerTools, AnotherLeafStandsInTheTopmostLayer)
 {
     draw_third_line();
@@ -172,7 +172,7 @@ TEST_F(LayerTools, AnotherLeafStandsInTheTopmostLayer)
         shapes.push_back(organ.shape);
     ASSERT_EQ(shapes.size(), count);
     EXPECT_NE(shapes.front(), shapes.back());
-    touch(-20, What::Organ); // The second leaf is used there, too.
+    touch(-20, What::Organ); // The lower layer gets the second leaf, too.
     for (auto const& organ : plant().organs)
         EXPECT_EQ(organ.shape, plant().organs.back().shape);
     touch(-20, What::Organ); // The layer gets plain leaves.
@@ -186,7 +186,7 @@ TEST_F(LayerTools, ALayerHasAPatternAndAFaceOfItsOwn)
     draw_third_line();
     auto const below = lines::layers_of(sketch()).value().front().nodes;
     auto const count = plant().organs.size();
-    touch(-20, What::Pattern); // Alternate: one at each node, as before.
+    touch(-20, What::Pattern); // The pattern becomes alternate: one leaf at each node, as before.
     EXPECT_EQ(plant().organs.size(), count);
     touch(-20, What::Pattern); // The layer gets whorls of three.
     EXPECT_EQ(plant().organs.size(), count + 2 * static_cast<std::size_t>(below));

@@ -223,7 +223,7 @@ TEST(LineTool, DrawsBoundariesWhileTheSurfaceMoves)
     EXPECT_EQ(kBoundaryLayer.lines(after).size(), 4U);
     EXPECT_EQ(kStemLayer.lines(after).size(), 1U);
     EXPECT_TRUE(kLinesToDrawLayer.lines(after).empty());
-    // In older logs, such a stroke redraws the stem.
+    // In older logs, a stroke that would now be a boundary in space redraws the stem.
     document::Document older(scene::Scene {}, document::Document::Working::AtOnce);
     for (auto const& stroke : frond_in_space())
         older.draw({ stroke,

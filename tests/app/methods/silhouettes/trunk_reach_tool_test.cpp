@@ -26,7 +26,7 @@ OutlineTool as_at_first()
     return { .reads = OutlineTool::Reads::AsAtFirst };
 }
 
-// The hand has stopped 4 mm below the place where the crown is then drawn.
+// The trunk ends 4 mm below the place where the crown is drawn afterwards.
 TEST(TrunkReachTool, TheCrownAboveATrunkIsItsCrown)
 {
     auto const stem = after({}, trunk_up_to(-24));

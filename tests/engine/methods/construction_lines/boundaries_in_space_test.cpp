@@ -155,7 +155,7 @@ TEST(BoundariesInSpace, SaysWhatIsWrongWithThem)
               "the boundary where the inclination lines point");
 }
 
-// A plant with two stems, one of which has such boundaries.
+// A plant with two stems, one of which has boundaries in space.
 TEST(BoundariesInSpace, StandAroundTheStemThatTheyBelongTo)
 {
     auto second = with_depth();

@@ -16,7 +16,7 @@ struct Profile {
     double low = 1; // A value below 1 moves the widest place below the middle.
     double blunt = 1;
     int waves = 0;
-    double wave_depth = 0; // Depth as a share of the width there.
+    double wave_depth = 0; // Depth of the waves as a share of the leaf's width at the same place.
 };
 
 Line half_of(Profile const& profile)

@@ -127,7 +127,8 @@ TEST(LeafBlade, OfABranchEndsTheRecursionThere)
     EXPECT_LT(nearest, 2.5) << "millimetres of the drawing";
 }
 
-// All branches without drawing must end in such leaves, and there are no twigs.
+// All branches without a drawing of their own must end in copies of the drawn leaf, and there are
+// no twigs.
 TEST(LeafBlade, GoesToSiblings)
 {
     auto const drawing = crown_with_leaf(StyleTo::Siblings);
