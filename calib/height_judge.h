@@ -44,8 +44,8 @@ public:
     enum class Verdict {
         Believed,
         Doubted,
-        // Believed together with the readings that agree with it, although no surface moves so
-        // fast.
+        // The reading is believed, together with the readings that agree with it, although no
+        // surface moves so fast.
         Step,
     };
 

@@ -124,7 +124,9 @@ std::optional<ModelFit> fit_string_from_below(Captures captures)
     double const span_mm = columns.heights.maxCoeff() - columns.heights.minCoeff();
     std::vector<std::pair<double, StringHeight>> starts;
     for (double const offset : { 0.08, 0.3, 0.8, 2.0 })
-        for (double const rise : { 0.15, 0.3, 0.7, 2.0 }) // More than the law has parameters.
+        // The least start, 0.15 of the span, exceeds the tenth of the span by which the law must
+        // continue below the captures.
+        for (double const rise : { 0.15, 0.3, 0.7, 2.0 })
             if (auto const start = string_through(columns, offset * span_mm, rise * span_mm))
                 if (auto const misfit = sum_of_squares(*start, captures))
                     starts.emplace_back(*misfit, *start);

@@ -18,7 +18,7 @@ constexpr std::size_t kLeastTiltTouches = 200;
 constexpr double kLeastSpan_deg = 40;
 constexpr double kMostMoved_mm = 1;
 constexpr double kPlay_mm = 0.06; // Standard deviation of a shift of up to 0.1 mm to either side.
-constexpr std::size_t kFewInStretch = 5; // Fewer touches are too few for a mean.
+constexpr std::size_t kFewInStretch = 5; // A mean needs at least five touches.
 
 struct Leant {
     std::vector<PlaneSighting> sightings {};

@@ -35,7 +35,8 @@ Result<double> misfit_mm2(Captures captures, Rig const& rig)
     return sum;
 }
 
-// Corrects for a moved zero; rounded to micrometres for readers of the file.
+// Corrects the rig for a moved zero. The correction is rounded to micrometres, so that the rig file
+// stays readable.
 Result<Trial> after_move(Rig rig, Captures captures)
 {
     double rise_mm = 0;

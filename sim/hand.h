@@ -44,7 +44,7 @@ struct HandStroke {
     // Cruising speed along the path, unless a limit in HandOptions is lower.
     double speed_mm_s = 150;
     double pressure = 0.6; // Pressure in the middle of the stroke, 0 to 1.
-    bool eraser = false;   // Drawn with the eraser end.
+    bool eraser = false;   // True: the stroke is drawn with the pen's eraser end.
 };
 
 struct HandOptions {

@@ -17,7 +17,7 @@ namespace tractus::drivers {
 
 namespace {
 
-constexpr std::uint16_t kBusSpi = 0x1c; // From linux/input.h.
+constexpr std::uint16_t kBusSpi = 0x1c; // Value of BUS_SPI in linux/input.h.
 constexpr std::size_t kReportSize = 4;
 constexpr unsigned kNothingAnswered = 1;
 constexpr unsigned kHeldTooLong = 2;

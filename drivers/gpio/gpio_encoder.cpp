@@ -13,7 +13,7 @@ namespace tractus::drivers {
 
 namespace {
 
-constexpr std::uint16_t kBusHost = 0x19; // From linux/input.h.
+constexpr std::uint16_t kBusHost = 0x19; // Value of BUS_HOST in linux/input.h.
 constexpr std::size_t kEncoderReportSize = 8;
 constexpr std::string_view kEncoderName = "Quadrature encoder";
 

@@ -17,7 +17,8 @@ namespace {
 constexpr char kConsumer[] = "tractus"; // Shown by gpioinfo.
 
 struct CloseChip {
-    void operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); } // Also releases its lines.
+    // Closing the chip also releases its lines.
+    void operator()(gpiod_chip* chip) const { gpiod_chip_close(chip); }
 };
 using Chip = std::unique_ptr<gpiod_chip, CloseChip>;
 

@@ -61,7 +61,8 @@ private:
     HidHandle handle_;
     std::uint64_t too_long_count_ = 0;
     std::array<unsigned char, sizeof(RawReport::storage) + 1>
-        buffer_ {}; // One byte more, to detect reports that are too long or for a report id.
+        // One byte more than a report, to detect reports that are too long or for a report id.
+        buffer_ {};
 };
 
 Result<void> HidLink::write(std::span<std::byte const> packet)

@@ -37,7 +37,8 @@ private:
     Result<void> send(HostReportKind kind, std::span<std::byte const> report);
 
     std::vector<DeviceInfo> interfaces_; // Interfaces of this tablet.
-    std::size_t own_ = 0;                // Index of the interface it is opened for.
+    // Index in interfaces_ of the interface that this port opened.
+    std::size_t own_ = 0;
     SwitchedBy switched_by_ = SwitchedBy::Nobody;
     UsbStrings strings_;
 };

@@ -12,7 +12,8 @@ namespace tractus::physics {
 
 namespace {
 
-constexpr double kBegins_s = 0.2; // Before this time there is too little data.
+// Tips before this time are not compared: there is too little data.
+constexpr double kBegins_s = 0.2;
 
 double rms_mm(std::vector<Tip> const& tips, double from_s = kBegins_s)
 {

@@ -102,7 +102,7 @@ Result<void> compare_encoder(std::string const& sent_name, std::string const& go
         return static_cast<std::int32_t>(std::floor(curve.fraction_at(time) * counts));
     };
     auto const first = count_at(Timestamp());
-    for (auto& sample : heights.samples) { // The encoder counts from where it begins.
+    for (auto& sample : heights.samples) { // The encoder starts counting at its first position.
         sample.counts += first - drivers::kEncoderCountsBelow;
         sample.full_scale = static_cast<std::int32_t>(counts);
     }

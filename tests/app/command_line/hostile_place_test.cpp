@@ -22,7 +22,8 @@ TEST_F(HostilePlace, AFullDiskLeavesTheOldFile)
 TEST_F(HostilePlace, AFullDiskLeavesWholeFilesOfAJob)
 {
     record();
-    // In blocks of 512 bytes: at most the first picture fits, and not the whole job.
+    // The limit, in blocks of 512 bytes, leaves room for at most the first picture, not for the
+    // whole job.
     expect_error(run("ulimit -f 64; tractus replay hand.tractus-log --plant small.l -o out"), 1,
                  "File too large");
     EXPECT_EQ(run("ls out | grep -c part").out, "0\n");

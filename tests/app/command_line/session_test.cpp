@@ -198,7 +198,7 @@ TEST_F(SessionCommand, IsNeverWrittenOver)
 
 TEST_F(SessionCommand, AFullDiskIsSaidAndWhatWasKeptStays)
 {
-    // In blocks of 512 bytes: enough for the session to begin, but not for its first stroke.
+    // The limit, in blocks of 512 bytes, lets the session begin, but not save its first stroke.
     expect_error(run("ulimit -f 40; tractus replay hand.tractus-log --plant small.l -o full "
                      "--session full.tractus"),
                  1, "full.tractus");

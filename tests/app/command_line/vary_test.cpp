@@ -164,7 +164,7 @@ TEST_F(Vary, PlantsHaveCoarserLevelsBesideThem)
 
     vary("small.l --count 3 --lods 3 -o again.glb", "taskset -c 0");
     EXPECT_EQ(read("again.glb"), far);
-    vary("small.l --count 3 --lods 1 -o folder"); // Drawn by a single thread.
+    vary("small.l --count 3 --lods 1 -o folder"); // A single thread draws the plants.
     EXPECT_EQ(count_files("folder"), 4u);
     EXPECT_EQ(run("tractus vary small.l --lods 7 -o x").exit_code, 2);
 }

@@ -37,7 +37,7 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
         advance_to_end(window);
         window.settle();
         EXPECT_EQ(session::read_session(path, methods::all_methods().edits).value().step,
-                  1u); // While the window is open.
+                  1u); // The file is read while the window is open.
         window.perform(view::Undo {});
         window.settle();
         EXPECT_TRUE(window.state().strokes.empty());

@@ -84,7 +84,7 @@ TEST_F(HandOnAClock, HasAHeightSensorThatLivesBeforeAndAfter)
         EXPECT_EQ(monitor.total(kind).count, 0u) << static_cast<int>(kind);
 }
 
-// As in "tractus draw --device simulated".
+// Tests the simulated hand of "tractus draw --device simulated".
 TEST(SimulatedHand, DrawsOnTheStationsWindow)
 {
     auto const now = std::make_shared<Timestamp>(1000s);

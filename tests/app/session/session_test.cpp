@@ -17,8 +17,8 @@ TEST_F(SessionTest, HoldsWhatWasAppended)
         ASSERT_TRUE(session.append(drawing_step(i)));
     auto const scene = session.scene();
     EXPECT_EQ(scene.associations.size(), 3u);
-    auto const contents
-        = read_session(path(), scene::core_edit_kinds()).value(); // While it is being written.
+    // The file is read while it is being written.
+    auto const contents = read_session(path(), scene::core_edit_kinds()).value();
     EXPECT_EQ(contents.edits.size(), 8u);
     EXPECT_EQ(contents.step, 3u);
     EXPECT_EQ(contents.origin.plant, "small.l");
@@ -124,7 +124,7 @@ TEST_F(SessionTest, OnlyOneProgramDrawsInIt)
 
 TEST_F(SessionTest, ThatTheProgramLeftOpenIsReadAsItWas)
 {
-    // The process was killed, which leaves the file and its journal behind.
+    // A killed process leaves the session's file and its journal behind.
     auto session = create().value();
     ASSERT_TRUE(session.append(drawing_step(1)));
     std::filesystem::copy_file(path(), path("b.tractus"));

@@ -162,8 +162,8 @@ drivers::LogTool undo_after(std::size_t strokes, drivers::Log const& log, std::s
     return { log.end(), "undo", std::to_string(strokes), position };
 }
 
-// Their lines may be in the log after reports of later strokes, or before the end of earlier ones
-// is known.
+// Lines of undo steps may be in the log after reports of later strokes, or before the end of
+// earlier strokes is known.
 TEST(LogReplay, DoesStepsBetweenTheStrokesWhereTheyWereDone)
 {
     auto log = recorded_log();

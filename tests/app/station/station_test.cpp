@@ -82,7 +82,7 @@ TEST(Station, ScalesAPenThatDoesNotTellItsSizeToTheMeasuredSurface)
     };
     std::vector const devices { pen };
     auto station = DrawingStation(Station::create(devices, options).value(), small_scene());
-    // At the right edge and the far edge.
+    // The report's position is the right and far corner of the tablet.
     station.push(0, at_ms(0), drivers::bytes("01 ff 7f 00 00"));
     auto const moments = station.take_moments();
     ASSERT_FALSE(moments.empty());
@@ -181,7 +181,8 @@ TEST(Station, TakesTwoTabletsAtOnce)
 TEST(Station, GivesAStrokeTheToolInHandWhenItBegan)
 {
     auto station = low_station(tools::DrawInOrderTool {});
-    station.set_tool(at_ms(50), indicators::IndicateTool {}); // In the middle of the first stroke.
+    // The tool changes in the middle of the first stroke.
+    station.set_tool(at_ms(50), indicators::IndicateTool {});
     draw_across(station, 0);
     draw_across(station, 200);
     station.finish();

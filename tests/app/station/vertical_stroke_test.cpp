@@ -134,7 +134,7 @@ Drawn draw(PenFormat const& format, Rise const& rise)
 
 class VerticalStroke : public testing::TestWithParam<PenFormat> { };
 
-// Some of these tablets count as gone after 0.1 s of silence, so the pressure changes often.
+// The pressure changes often, because some tablets' pens count as gone after 0.1 s of silence.
 Rise rise_of(double mm_per_s)
 {
     return { .mm_per_s = mm_per_s, .pressure_changes_hz = 12 };
@@ -254,7 +254,7 @@ TEST(SilentPen, HasNoTipsWhileTheSurfaceRests)
 {
     auto station = station_of(standard_pen().device());
     std::vector<Arrival> arrivals;
-    Rise const short_rise {}; // Only the times of the pen are used.
+    Rise const short_rise {}; // The test uses only the times of the pen's reports.
     add_pen(arrivals, standard_pen(), short_rise);
     Random random({ .seed = 3 });
     for (double seconds = 0; seconds < stop_s(short_rise) + 1; seconds += 0.002)

@@ -36,7 +36,7 @@ tools::ToolStroke draw(Faults const& faults, double& worst_live_mm)
     auto station = Station::create(devices, options).value();
     Random random({ .seed = faults.seed });
     auto const at = [](double seconds) { return timestamp_ns(std::llround(seconds * 1e9)); };
-    // At least 10 mm from the truth.
+    // Returns a reading at least 10 mm from the truth.
     auto const wrong = [&](double counts) {
         double const off = random.uniform(100, 1900);
         return faults.on_rail ? 4095

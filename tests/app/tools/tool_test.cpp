@@ -300,7 +300,7 @@ TEST(IndicatorTools, MoveAndDeleteTheOneWhereTheyBegin)
     auto const moved = edits_of(indicators::MoveIndicatorTool {}, move, scene).value();
     scene = scene::apply_edit(scene, moved[0]).value();
     EXPECT_EQ(scene.indicators[0].what.start_mm, Vec3(0, 0, 160));
-    // It begins beside the indicator.
+    // The stroke begins beside the indicator, so it deletes nothing.
     EXPECT_FALSE(edits_of(indicators::DeleteIndicatorTool {}, move, scene));
     auto const there = stroke_through({ { 90, 0, 161 }, { 95, 0, 161 } });
     scene = scene::apply_edit(scene,

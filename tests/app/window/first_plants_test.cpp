@@ -164,7 +164,7 @@ private:
     void send(Vec3 const& at, bool touches)
     {
         now_ms_ += 5;
-        if (has_surface_) // In the counts of the linear model of a default Rig.
+        if (has_surface_) // The counts are those of the linear model of a default Rig.
             log_.write_report(kHeight, at_ms(now_ms_),
                               height_report(static_cast<int>(std::lround(10 * at.z()))));
         log_.write_report(kPen, at_ms(now_ms_), pen_report(100 + at.x(), 50 - at.y(), touches));

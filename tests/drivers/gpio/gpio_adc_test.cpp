@@ -143,7 +143,7 @@ TEST(GpioAdc, RepeatsWhatTheSchedulerInterrupted)
 
 TEST(GpioAdc, NeverGivesAReadingThatAnInterruptionSpoiled)
 {
-    // One interruption at each possible place.
+    // The reading is interrupted once, at each possible place.
     for (std::uint64_t at = 0; at < 51; ++at) {
         SimulatedConverter converter({}, { .pauses = { { request(3, at), milliseconds(30) } } });
         converter.inputs[5] = 3000.5 / 4096;

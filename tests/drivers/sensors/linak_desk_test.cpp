@@ -60,7 +60,7 @@ TEST_F(LinakDesk, TellsItsHeightInTenthsOfAMillimetre)
     EXPECT_EQ(read(**source), kLinakCountsBelow);
 }
 
-// Recordings by its users show feature 3, feature 5 with four times 0x8001, and nothing else.
+// Users' recordings of desks show feature 3, feature 5 with four times 0x8001, and nothing else.
 TEST_F(LinakDesk, IsInitialisedAndNeverMoved)
 {
     auto const source = open().value();

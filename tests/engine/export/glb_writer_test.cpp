@@ -60,7 +60,7 @@ TEST(GlbWriter, HeadersSayTheSizes)
 
 TEST(GlbWriter, WritesMetresAndYUp)
 {
-    // Height of 200 mm and a dome of 10.
+    // The trunk is 200 mm high, plus a dome of 10 mm.
     auto const json = json_of(glb_of(mesh::make_mesh(mesh::single_axis(4, 10, 10))));
     auto const& positions = json["accessors"][0];
     EXPECT_NEAR(positions["min"][1].get<double>(), 0, 1e-9);

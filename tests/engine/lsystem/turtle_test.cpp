@@ -408,7 +408,8 @@ TEST(Turtle, BranchesGeneralisedCylinders)
     ASSERT_EQ(plant.axes.size(), 4u);
     EXPECT_EQ(plant.axes[1].segment_count, 4u); // The axis has both pieces outside the brackets.
     EXPECT_EQ(plant.axes[1].parent_axis, 0u);
-    EXPECT_EQ(plant.axes[2].parent_segment, 2u); // On the second ring of the first piece.
+    // The branch starts on the second ring of the first piece.
+    EXPECT_EQ(plant.axes[2].parent_segment, 2u);
     expect_near(plant.positions(plant.axes[2])[0], { 0, 0, 5 });
     EXPECT_EQ(plant.axes[3].parent_axis, 2u);
 }

@@ -74,7 +74,7 @@ TEST(ItemIds, AreNeverGivenAgain)
     EXPECT_GT(scene.associations[3].id, last);
 }
 
-// As in a session from which a repair removed an edit: the remaining strokes keep their ids.
+// When a repair removes an edit from a session, the remaining strokes must keep their ids.
 TEST(ItemIds, GoWithTheirEdit)
 {
     auto const scene = after({ trunk_with_branches() });
@@ -120,7 +120,8 @@ TEST(Places, AreFoundInAPlantThatHasChangedElsewhere)
               scene.base->axes[0].first_segment + 2);
 }
 
-// As when a session was drawn on a model that has changed since.
+// The selection refers to a place that is missing if the model has changed since the session was
+// drawn.
 TEST(Places, ThatThePlantHasNotWait)
 {
     auto const scene = after({ trunk_with_branches(), Select { .at = { { { 0, 0 }, { 0, 99 } } } },

@@ -206,7 +206,7 @@ TEST(Association, EachBranchStartsAsInTheBasePlant)
     std::vector<SegmentId> path(40);
     for (SegmentId segment = 0; segment < 40; ++segment)
         path[segment] = segment;
-    // Drawn downwards with tremor.
+    // The stroke is drawn downwards, with tremor.
     auto drawn = trembling(s_curve(300), 0.3);
     for (auto& point : drawn)
         point.z() = -point.z();

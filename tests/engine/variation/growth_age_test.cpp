@@ -53,7 +53,8 @@ TEST(GrowthAge, ComesToTheWholePlantWithoutAJump)
 TEST(GrowthAge, OnlyEverAddsToWhatStands)
 {
     auto const plant = forking_tree(5, 6);
-    auto const plan = plan_of(plant, {}, { 0.5, 0, 0 }); // Without weight and growth zone.
+    // The growth plan has neither weight nor growth zone.
+    auto const plan = plan_of(plant, {}, { 0.5, 0, 0 });
     Grower grower(plan);
     Plant const whole = grower.grow({ 7, 3 });
     Plant before = grower.grow({ 7, 3 }, 0);

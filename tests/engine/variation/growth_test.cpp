@@ -168,7 +168,7 @@ TEST(Growth, SectionsThatAreNotRoundTurnWithTheirSegments)
     plant.node_section.resize(plant.node_position_mm.size());
     for (auto const& axis : plant.axes)
         for (std::uint32_t i = 0; i <= axis.segment_count; ++i)
-            // Perpendicular to all of its branches.
+            // The section's normal is perpendicular to all of the axis's branches.
             plant.node_section[axis.first_node + i] = { .contour = 0, .normal = Vec3f::UnitY() };
     auto const varied = grown(plant, { .strength = 3, .sag = 50 }, { .seed = 5 }, { 2, 1, 0.5 });
     check_plant(varied);

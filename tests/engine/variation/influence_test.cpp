@@ -49,7 +49,7 @@ TEST(LocalInfluence, FallsOffAroundWhereItWasDrawn)
     // The twig's first segment is 15 mm above it, shown as 7.5: (1 - (7.5 / 40)²)².
     double const share = 1 - std::pow(7.5 / 40, 2);
     EXPECT_NEAR(wind.local[7].x(), 75 / 200. * share * share, 1e-12);
-    EXPECT_EQ(wind.local[3], Vec3(0, 0, 0)); // At a distance of 75 mm above.
+    EXPECT_EQ(wind.local[3], Vec3(0, 0, 0)); // The segment is 75 mm above the wind.
     EXPECT_EQ(wind.everywhere, Vec3(0, 0, 0));
 }
 

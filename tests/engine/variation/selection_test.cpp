@@ -231,7 +231,8 @@ TEST(ProjectedSkeleton, AFingerReachesWhatLiesBeside)
 {
     Plant plant;
     add_axis(plant, { { -50, 0, 0 }, { 50, 0, 0 } });
-    add_axis(plant, { { -50, -90, 9 }, { 50, -90, 9 } }); // In front, but farther to the side.
+    // The second axis is in front, but farther to the side.
+    add_axis(plant, { { -50, -90, 9 }, { 50, -90, 9 } });
     ProjectedSkeleton const skeleton(plant, front_view(100));
     EXPECT_EQ(skeleton.pick({ 0, 4 }, { .line_half_width = 1, .finger = 6 }), 0u);
     EXPECT_EQ(skeleton.pick({ 0, 4 }, { .line_half_width = 1, .finger = 3 }), std::nullopt);

@@ -52,7 +52,8 @@ TEST(LinePatternTool, GoesThroughThePatterns)
         document.draw({ {}, tools::Tool(LinePatternTool {}).done_at_once() });
         patterns += fmt::format("{} ", document.newest()->scene.base->organs.size());
     }
-    // With seven nodes: alternate, whorls of three, two patterns with two per node, spiral again.
+    // The stem has seven nodes. The patterns are alternate, whorls of three, two patterns with two
+    // organs per node, and spiral again.
     EXPECT_EQ(patterns, "7 21 14 14 7 ");
     EXPECT_EQ(document.take_drawn().back().said, "The organs are spiral now");
     scene::Scene scene = small_scene();

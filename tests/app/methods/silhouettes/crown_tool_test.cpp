@@ -219,7 +219,7 @@ TEST(CrownTool, ReplaysToTheSameTree)
     }
     ASSERT_EQ(tree_of(replay.scene).crown_lines.size(), 3U);
     EXPECT_EQ(alone.base->node_position_mm, replay.scene.base->node_position_mm);
-    // As read from a session's record.
+    // The edit must be the same when it is read from a session's record.
     auto const edits = meant_by(replay.strokes[0].stroke, {}).value();
     auto const again = session::edit_of(session::record_of(edits[0]), methods::all_methods().edits);
     ASSERT_TRUE(again) << again.error().message;

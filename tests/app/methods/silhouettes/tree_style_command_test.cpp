@@ -97,7 +97,7 @@ TEST_F(SilhouetteCommand, AFormWithoutStylesIsWrittenWithoutThem)
     EXPECT_EQ(again->get<FormTree>()->form, edit.form);
 }
 
-// Three branches per node is the default of forms that do not state the number, as older ones.
+// The default, also for older forms, is three branches per node; the form states any other number.
 TEST_F(SilhouetteCommand, AFormSaysWhorlsThatAreNotOfThree)
 {
     using silhouette::FormTree;

@@ -94,7 +94,7 @@ std::string method_of(fs::path const& file)
 bool is_another_language(std::string const& path, std::string const& word)
 {
     static std::set<std::pair<std::string, std::string>> const others {
-        { "sim/gesture_script.cpp", "select" }, // In scripts of a simulated hand.
+        { "sim/gesture_script.cpp", "select" }, // A command in scripts of a simulated hand.
         { "sim/gesture_script.cpp", "draw" },
         { "app/commands/window.cpp", "draw" }, // The word in "tractus draw".
         // The word in "tractus leaves draw".

@@ -19,7 +19,7 @@
 namespace tractus::leaf {
 namespace {
 
-constexpr int kDrawings = 25; // For each of eight species.
+constexpr int kDrawings = 25; // Number of drawings for each of eight species.
 
 struct Drawn {
     BotanicalLeaf truth;
@@ -57,7 +57,7 @@ struct Figures {
     double worst_angle = 0;
     double angle_sum = 0;
     int angles = 0;
-    int far_off = 0; // By more than 3 degrees.
+    int far_off = 0; // Number of angles that are wrong by more than 3 degrees.
     int well = 0;    // Outlines that overlap by at least 0.97.
     double worst_overlap = 1;
     double overlap_sum = 0;

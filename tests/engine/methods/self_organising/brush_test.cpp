@@ -109,7 +109,7 @@ TEST(BrushGrowth, WaitsOutsideTheBrush)
     auto sweep = bent_sweep(20);
     sweep.balls.resize(61); // The brush first moves upwards.
     for (int i = 0; i < 60; ++i)
-        // Then the brush is far away.
+        // In the second half, the brush is far away.
         sweep.balls.push_back({ 3 + 0.05 * i, Vec3(0, 0, 1e5), 400 });
     auto tree = plant_seed(Vec3::Zero());
     ASSERT_TRUE(grow_along(tree, sweep, habit, 1));

@@ -40,7 +40,7 @@ void expect_filled_lawfully(BranchingSystem const& system, std::string const& na
 {
     double const diagonal = box_of(system.outline).diagonal();
     CoverageGrid grid(system.outline);
-    EXPECT_LE(system.branches.size(), 61U) << name; // In addition to the apex.
+    EXPECT_LE(system.branches.size(), 61U) << name; // The limit is 60 branches and the apex.
     std::set<std::string> names;
     for (auto const& branch : system.branches) {
         EXPECT_TRUE(is_inside(system.outline, branch.path.curve.base)) << name;

@@ -42,7 +42,7 @@ TEST(SilhouetteMatch, StrokesStayOnTheirBranches)
                 ++kept;
                 auto const& branch
                     = later.branches[static_cast<std::size_t>(found - partners.begin())];
-                // In the same lobe: within half of the crown's diagonal.
+                // Both branches must be in the same lobe: within half of the crown's diagonal.
                 EXPECT_LT((branch.path.curve.end - earlier.branches[i].path.curve.end).norm(),
                           box_of(earlier.branches[i].crown).diagonal() / 2);
             }

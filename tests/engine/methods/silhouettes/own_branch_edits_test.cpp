@@ -118,7 +118,7 @@ TEST_F(OwnBranchEdits, StayWithTheirParents)
     EXPECT_GE(static_cast<double>(kept), 0.95 * static_cast<double>(drawn));
 }
 
-// Without the parent, its branches wait; a crown that has the parent again restores them.
+// Branches whose parent is gone wait; a crown that has the parent again restores them.
 TEST_F(OwnBranchEdits, WaitForTheirParents)
 {
     auto const before = twigs_on(tree(lobed_crown(5)));

@@ -138,7 +138,7 @@ TEST(DrawTree, LetsADrawnBranchTakeTheBumpsPlace)
     EXPECT_EQ(drawn_ones, 1);
 }
 
-// Points of the drawn branch must lie on the plant's, seen from the drawing's side.
+// Points of the drawn branch must lie on the plant's branch, seen from the drawing's side.
 TEST(DrawTree, FollowsADrawnBranch)
 {
     auto const stroke = branch(0).stroke;
