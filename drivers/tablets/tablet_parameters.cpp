@@ -11,7 +11,7 @@ Vec2 TabletParameters::size_mm() const
 
 std::optional<TabletParameters> parse_parameters(int index, std::string_view text)
 {
-    constexpr double kMinSide_mm = 20, kMaxSide_mm = 800;
+    constexpr double kMinTabletSide_mm = 20, kMaxTabletSide_mm = 800;
     constexpr std::int32_t kMinCountsPerInch = 500, kMaxCountsPerInch = 10'500;
     auto const bytes = string_descriptor_bytes(text);
     auto const number = [&](std::size_t at, std::size_t size) {
@@ -29,7 +29,7 @@ std::optional<TabletParameters> parse_parameters(int index, std::string_view tex
         || result.counts_per_inch > kMaxCountsPerInch)
         return std::nullopt;
     auto const size_mm = result.size_mm();
-    if (size_mm.minCoeff() < kMinSide_mm || size_mm.maxCoeff() > kMaxSide_mm)
+    if (size_mm.minCoeff() < kMinTabletSide_mm || size_mm.maxCoeff() > kMaxTabletSide_mm)
         return std::nullopt;
     return result;
 }
