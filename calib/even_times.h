@@ -55,7 +55,8 @@ private:
         bool joins_burst
             = false; // True if it came too soon after its predecessor to be a separate delivery.
         bool is_last_of_burst = false;
-        bool is_counted_anew = false; // True if a step of whole periods was found here.
+        // True if the line through the arrivals steps by whole periods at this sample.
+        bool is_counted_anew = false;
     };
 
     void begin(Timestamp arrival);

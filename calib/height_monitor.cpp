@@ -249,7 +249,8 @@ void HeightMonitor::watch_step(drivers::HeightSample const& sample)
             && (reading.arrival - path_.back().time > kStepTakes
                 || reading.arrival < path_.back().time);
         if (is_gap)
-            path_.clear(); // Nothing is known about the gap.
+            // A change across a gap in the readings must not be reported as a slow step.
+            path_.clear();
         path_.push_back({ reading.arrival, reading.height_mm });
     }
     if (believed_.empty() || path_.empty())

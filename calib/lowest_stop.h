@@ -30,7 +30,7 @@ public:
     std::optional<Moved> push(Timestamp time, double height_mm);
 
 private:
-    // A place to which the surface was let down.
+    // A place at which the surface came to rest after it was lowered.
     struct Place {
         double mm = 0; // Mean height.
         std::size_t times = 0;
@@ -45,8 +45,8 @@ private:
     double rest_mm_ = 0; // Mean height since rests_since_.
     std::size_t rest_count_ = 0;
     bool is_rest_told_ = false;
-    double highest_mm_ = 0; // Highest height since it was last let down.
-    double lowest_mm_ = 0;  // Lowest height since it was last let down.
+    double highest_mm_ = 0; // Greatest height since the surface was last lowered to rest.
+    double lowest_mm_ = 0;  // Least height since the surface was last lowered to rest.
 
     std::optional<Place> stop_ {};
     std::optional<Place> next_ {}; // Candidate for the new place of the stop.

@@ -17,8 +17,8 @@ enum class ZeroCause {
     // The string slipped on its spool or in its clamp: each height has a reading shifted by a
     // constant.
     Slipped,
-    // The table, the spool's stand or the ruler was moved: each reading has a height shifted by a
-    // constant.
+    // The table, the spool's stand or the ruler was moved, so every height is shifted by the same
+    // amount.
     Moved,
 };
 

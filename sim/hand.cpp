@@ -202,7 +202,7 @@ HandState Hand::at(Timestamp time) const
         press(state, part, seconds);
     double const sway = 0.05 * std::sin(2 * kPi * 0.3 * to_seconds(now));
     state.tilt_rad = options_.tilt_rad + Vec2(sway, -sway);
-    // The frequencies along the two axes are incommensurate.
+    // The frequencies along the two axes differ, so that the pen leans in all directions.
     if (!options_.leaned_around_rad.isZero(0))
         state.tilt_rad += options_.leaned_around_rad.cwiseProduct(
             Vec2(std::sin(2 * kPi * 0.23 * to_seconds(now)),

@@ -35,7 +35,7 @@ struct GpioClock {
 };
 
 // Describes the converter at an address, whether or not it is connected. Fails with a user error if
-// the text is no address of such a converter.
+// the text is not the address of a converter on GPIO lines.
 Result<DeviceInfo> describe_gpio_adc(std::string const& address);
 
 // Opens the converter at `info.location` through libgpiod and takes trial readings. A conversion is
@@ -52,7 +52,7 @@ Result<std::unique_ptr<ReportSource>> open_gpio_adc(DeviceInfo info);
 Result<std::unique_ptr<ReportSource>>
 open_gpio_adc(DeviceInfo info, std::unique_ptr<GpioLines> lines, GpioClock clock);
 
-// True if a device, live or from a log, is such a converter.
+// True if a device, live or from a log, is a converter on GPIO lines.
 bool is_gpio_adc(DeviceInfo const& info);
 
 // Makes the decoder of its reports; requires is_gpio_adc(info). Decoding fails with a device error

@@ -208,8 +208,8 @@ open_labjack_u3(DeviceInfo info, std::unique_ptr<PacketLink> link, LabJackU3Opti
     auto const identity = TRY(read_identity(*link, who));
     auto const calibration
         = TRY(read_calibration(*link, identity.is_high_voltage, options.channel, who));
-    // The serial number of the U3 goes into the name. That in `info` stays: it is USB's, by which
-    // the device is found again.
+    // The serial number of the U3 goes into the name. The serial number in `info` stays USB's, by
+    // which the device is found again.
     info.name
         = fmt::format("LabJack U3-{} {}, AIN{}, {}", identity.is_high_voltage ? "HV" : "LV",
                       identity.serial_number, options.channel,

@@ -288,7 +288,7 @@ TEST(Fuser, TakesASensorThatCountsDown)
     auto const tip = fuser.push(pen(8ms));
     EXPECT_NEAR(tip->position_mm.z(), 250, 1e-9);
     EXPECT_FALSE(tip->outside_calibration);
-    fuser.push(height(99ms, 500)); // Long enough for the carriage to get there.
+    fuser.push(height(99ms, 500)); // The carriage has had enough time to reach this height.
     EXPECT_TRUE(fuser.push(pen(106ms))->outside_calibration);
 }
 

@@ -261,7 +261,7 @@ TEST(CalibrationController, DropsACapture)
 
 TEST(CalibrationController, RefusesACaptureWhileTheSurfaceMoves)
 {
-    // The last capture is commanded while the surface is moving to that height.
+    // The capture at 300 mm is commanded while the surface is still moving.
     auto const text = simulated_text({ .heights_mm = { 0, 300 } });
     auto const last = text.rfind("calibrate capture 300");
     auto const line = text.rfind('\n', last) + 1;

@@ -94,7 +94,8 @@ TEST(DiagnoseSystem, SaysWhatToDoAboutTheKernelsDriverOfAConverter)
     ASSERT_EQ(kinds(findings), Names { "driver-in-the-way" });
     EXPECT_EQ(findings[0].subject, "MCP2221A 0003:04D8:00DD.0001");
     EXPECT_TRUE(mentions(findings[0], "blacklist hid_mcp2221"));
-    chip.product_id = 0x00de; // Other devices may be left to their drivers.
+    // The diagnosis must not complain about other devices with a kernel driver.
+    chip.product_id = 0x00de;
     EXPECT_EQ(kinds(diagnose_system(facts())), Names {});
 }
 

@@ -115,7 +115,8 @@ TEST_F(SurfacePictureTest, RoughnessAndTranslucencyAreTheMaterialsTimesThePictur
     pictures.materials[0].translucency = 0.6f;
     pictures.materials[0].textures.roughness = plain_picture({ 0, 128, 255, 255 });
     pictures.materials[0].textures.translucency = plain_picture({ 0, 0, 0, 128 });
-    // Sun from where it is reflected into the eye, and from behind, where light is transmitted.
+    // The sun stands where it is reflected into the eye, and then behind the plate, where its light
+    // is transmitted.
     for (auto const& sun : { Vec3f(0, -1, -0.3f), Vec3f(0, 1, 0.2f) }) {
         EXPECT_NEAR(brightness_of(pictures, sun), brightness_of(numbers, sun), 3);
         auto unlike = numbers;

@@ -182,7 +182,8 @@ TEST_P(VerticalStroke, HasTipsInTimeOrderWithThePenLastPressure)
     auto const& tips = drawn.strokes[0].stroke.tips;
     for (std::size_t i = 1; i < tips.size(); ++i) {
         EXPECT_LT(tips[i - 1].time, tips[i].time);
-        EXPECT_LE(tips[i - 1].pressure, tips[i].pressure); // The pressure only rises here.
+        // In this recording, the pressure never falls.
+        EXPECT_LE(tips[i - 1].pressure, tips[i].pressure);
     }
     EXPECT_GT(tips.front().pressure, 0);
 }

@@ -198,7 +198,8 @@ TEST(SelectionPen, FollowsOneOfTwoStemsThatLeaveTheGroundAtOnePlace)
     PathSelection selection(tree);
     SelectionPen pen(skeleton, tree, selection);
     for (auto const& point : { Vec2(0, 10), Vec2(-1, 30), Vec2(-30, 60), Vec2(-50, 80) })
-        pen.move_to(point); // The stem behind, from where the other one hides it.
+        // The pen follows the stem behind from the place where the front stem hides it.
+        pen.move_to(point);
     EXPECT_EQ(pen.lift(), (Paths { { 3, 4, 5 } }));
 }
 

@@ -220,7 +220,7 @@ TEST(StrokeLaying, LaterStrokesAndRidesKeepTheirShape)
     };
     EXPECT_NEAR(chord(before).z(), chord(after).z(), 1e-6);
     EXPECT_LT(chord(after).z(), -30);
-    // A part that a later stroke has taken from a path moves the rest of it.
+    // If a later stroke bends the middle of a path, the rest of the path moves with it.
     auto const pole_plant = pole(12);
     std::vector<Vec3> const bow { { 0, 0, 0 }, { 0, 0, 50 }, { 40, 0, 90 }, { 90, 0, 90 } };
     Association const all { .path = segments_of(pole_plant.axes[0]),

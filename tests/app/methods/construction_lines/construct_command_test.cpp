@@ -151,7 +151,7 @@ TEST_F(ConstructCommand, TellsBoundariesInSpaceByTheirDepth)
                 360 - std::atan2(20, 40) * 180 / 3.14159265, 1e-6);
 }
 
-// Expected sizes from half ellipses: .2209, .2000 and .1697 between .25 and .15.
+// The half ellipses give the sizes .2209, .2000 and .1697 between .25 and .15.
 TEST_F(ConstructCommand, SizesMayFollowHalfEllipses)
 {
     std::ofstream(folder_ / "round.json")

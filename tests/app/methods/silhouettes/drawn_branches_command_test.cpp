@@ -78,7 +78,8 @@ TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
     EXPECT_TRUE(file_bytes(path("out/twig.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
 
-// A line on a branch in a part belongs to a deeper level, by pen as in a file.
+// A line on a branch of a part must belong to a deeper level, whether it is drawn by pen or read
+// from a file.
 TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
 {
     auto drawing = crown();
@@ -106,8 +107,8 @@ TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
     EXPECT_TRUE(file_bytes(path("out/deep.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
 
-// A line from the branch with an outline of its own across the next branches makes these follow it,
-// as by pen.
+// A line from the branch with an outline of its own across the next branches must make these follow
+// the branch's style, as a pen's line does.
 TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
 {
     auto drawing = crown();
@@ -154,8 +155,8 @@ TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
               std::string::npos);
 }
 
-// Touches on the crown's upper right lobe, between the two next to it, and in the part; by pen as
-// in a file.
+// Touches in the file, on the crown's upper right lobe, between the two lobes next to it and in the
+// part, must have the same effect as a pen's.
 TEST_F(SilhouetteCommand, SplitsAndJoinsBumps)
 {
     auto const reported = [&](json const& drawing, std::vector<std::string> more = {}) {

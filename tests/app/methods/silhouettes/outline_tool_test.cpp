@@ -425,7 +425,7 @@ TEST(ArrangeTool, StandsAsManyBranchesInAWhorlAsItSays)
     EXPECT_EQ(patterns()[1], Pattern::whorls_of(4));
 }
 
-// Logs from before complete nodes must draw their old trees, however these are rearranged.
+// Logs from before complete nodes must draw their old trees, whatever arrangement a tool chooses.
 TEST(ArrangeTool, KeepsNodesAsTheyWereWhenTheTreeWasDrawn)
 {
     auto const tools = methods::all_methods().tools;

@@ -33,7 +33,8 @@ Drawn drawn_leaf(std::string const& species, std::uint32_t number)
     Drawn drawn;
     drawn.truth = botanical_leaf(species, random);
     double const way = random.uniform();
-    // In separate statements, since the evaluation order of a call's arguments is unspecified.
+    // Each number is drawn in a separate statement, since the evaluation order of a call's
+    // arguments is unspecified.
     drawn.manner.size_mm = random.uniform(60, 150);
     drawn.manner.bend_deg = random.uniform(0, 30);
     drawn.manner.turned_deg = random.uniform(0, 360);

@@ -168,7 +168,7 @@ TEST(DeeperLevels, AStyleGoesToSiblingsThere)
     check_plant(make_tree(styled).plant);
 }
 
-// Below all of them, the branches on these branches must follow the example, too.
+// Branches on the branches that follow the example must follow it, too.
 TEST(DeeperLevels, AStyleGoesDown)
 {
     auto drawing = lobed_crown(7);

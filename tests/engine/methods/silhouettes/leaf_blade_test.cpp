@@ -165,8 +165,8 @@ TEST(LeafBlade, GoesToSiblings)
     EXPECT_EQ(shapes.size(), 1u) << "one organ, many times";
 }
 
-// A leaf on a limb: its siblings there are leaves, and limbs that follow the limb's style bear
-// leaves, too.
+// If a leaf is drawn on a limb, the limb's other branches must become leaves, and limbs that follow
+// the limb's style must bear leaves, too.
 TEST(LeafBlade, GoesDownWithAStyle)
 {
     auto drawing = lobed_crown(5);

@@ -102,7 +102,7 @@ inline Drawing lobed_crown(int lobes, double first_deg = -25, double last_deg = 
     return { { union_of_discs(discs, 720) }, upright(-90, 50) };
 }
 
-// Returns a document with a tree that has such a crown with five lobes.
+// Returns a scene with a tree whose crown has five lobes.
 inline scene::Scene lobed_tree()
 {
     auto const drawing = lobed_crown(5);

@@ -87,7 +87,8 @@ TEST_F(OwnBranchEdits, MakeTheTreeOfTheirLines)
     EXPECT_FALSE(scene::apply_edit(before, erase)) << "there is none";
 }
 
-// After a slightly redrawn crown, the lines' owners are identified by where those end.
+// When the crown is redrawn slightly differently, a line's parent branch is identified by the place
+// where the parent ends.
 TEST_F(OwnBranchEdits, StayWithTheirParents)
 {
     std::size_t drawn = 0;
