@@ -48,7 +48,7 @@ Result<DeviceInfo> describe_gpio_adc(std::string const& address);
 Result<std::unique_ptr<ReportSource>> open_gpio_adc(DeviceInfo info);
 
 // Opens the converter on real or simulated lines that are open already, in the order of
-// mcp3208_lines(). Fails likewise.
+// mcp3208_lines(). Fails like the overload above, except for opening the lines.
 Result<std::unique_ptr<ReportSource>>
 open_gpio_adc(DeviceInfo info, std::unique_ptr<GpioLines> lines, GpioClock clock);
 

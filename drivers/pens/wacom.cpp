@@ -356,9 +356,9 @@ Fields decode_pl(Report report, FamilyState& state)
     };
 }
 
-// Layout of a Bluetooth report: the pen's states since the previous report, in frames of one
-// layout, followed by the pen's serial number and type; Linux's wacom driver reads them so
-// (wacom_intuos_pro2_bt_pen).
+// Layout of a Bluetooth report, as in Linux's wacom driver (wacom_intuos_pro2_bt_pen): the pen's
+// states since the previous report, in frames of one layout, followed by the pen's serial number
+// and type.
 struct BluetoothLayout {
     std::size_t frames = 0;
     std::size_t frame_bytes = 0;

@@ -129,7 +129,7 @@ protected:
     }
 
     // Opens the session to continue drawing, and reports the number of strokes in it: the selecting
-    // one, and those that shape the trunk or lean the plant.
+    // stroke, and the strokes that shape the trunk or lean the plant.
     static void open_and_count(fs::path const& path, Say const& say)
     {
         auto session = Session::open(path, session_by_the_clock(methods::all_methods().edits, [] {

@@ -144,7 +144,7 @@ TEST_F(Figure5, APenDrawnOverTheSkeletonSelects)
 {
     ProjectedSkeleton const skeleton(figure_5(), front_view(500));
     SelectionPen pen(skeleton, tree, selection);
-    // Along A, accidentally a little along B, then C, D and F.
+    // The pen goes along A, accidentally a little along B, then along C, D and F.
     for (auto const& point :
          { Vec2(2, 20), Vec2(1, 90), Vec2(-20, 120), Vec2(12, 150), Vec2(40, 250), Vec2(60, 380) })
         pen.move_to(point);
