@@ -155,41 +155,45 @@ std::string print(HeightRecord const& record)
 [calibration.height]
 date = {}
 sensor = {}
-sensor_id = {}  # Bus, vendor, product.
+sensor_id = {}  # The height sensor's bus, vendor and product.
 sensor_serial = {}
 reason = {}
 )",
                       quoted(record.date), quoted(record.sensor.name), quoted(record.sensor.id),
                       quoted(record.sensor.serial), quoted(record.reason));
-    text += fmt::format(R"(errors = [{}]  # Standard errors of the model's numbers, in their order.
-rms_mm = {}                   # Of ruler less model, slipped captures left out …
-max_mm = {}                   # … and the greatest.
-heights_mm = [{}, {}]         # The calibrated range …
-mm_per_count = [{}, {}]       # … and what a count is worth at its ends.
-noise_counts = {}             # Standard deviation at rest.
+    text += fmt::format(
+        R"(errors = [{}]  # Standard errors of the model's parameters, in their order.
+rms_mm = {}                   # Root mean square of ruler minus model, without slipped captures.
+max_mm = {}                   # Largest difference between ruler and model.
+heights_mm = [{}, {}]         # The calibrated range of heights.
+mm_per_count = [{}, {}]       # Height per count at the two ends of the range.
+noise_counts = {}             # Standard deviation of readings at rest.
 )",
-                        fmt::join(record.errors, ", "), record.rms_mm, record.max_mm,
-                        record.heights_mm.x(), record.heights_mm.y(), record.mm_per_count.x(),
-                        record.mm_per_count.y(), record.noise_counts);
+        fmt::join(record.errors, ", "), record.rms_mm, record.max_mm, record.heights_mm.x(),
+        record.heights_mm.y(), record.mm_per_count.x(), record.mm_per_count.y(),
+        record.noise_counts);
     if (record.hysteresis_mm)
-        text += fmt::format(
-            "hysteresis_mm = [{}, {}]  # Coming from below less from above; standard error.\n",
-            record.hysteresis_mm->x(), record.hysteresis_mm->y());
-    text += fmt::format("raised_mm = {}                # By re-zeroing since.\n"
-                        "ruler_error_mm = {}           # Standard deviation.\n",
-                        record.raised_mm, record.ruler_error_mm);
+        text += fmt::format("hysteresis_mm = [{}, {}]  # Height from below minus height from "
+                            "above; its standard error.\n",
+                            record.hysteresis_mm->x(), record.hysteresis_mm->y());
+    text += fmt::format(
+        "raised_mm = {}                # Shift of all heights by zeroing again since then.\n"
+        "ruler_error_mm = {}           # Standard deviation of the ruler.\n",
+        record.raised_mm, record.ruler_error_mm);
     if (record.linearity_percent != 0)
-        text += fmt::format("linearity_percent = {}        # Of the track, by its data sheet.\n",
-                            record.linearity_percent);
+        text += fmt::format(
+            "linearity_percent = {}        # The potentiometer's linearity, from its data sheet.\n",
+            record.linearity_percent);
     if (record.shifted_counts != 0)
-        text += fmt::format("shifted_counts = {}           # Likewise, since the string slipped.\n",
+        text += fmt::format("shifted_counts = {}           # Shift of all readings since then, "
+                            "because the string slipped.\n",
                             record.shifted_counts);
     if (record.asked_kind)
         text += fmt::format("asked_model = \"{}\"\n", name_of(*record.asked_kind));
     auto slipped = record.slipped;
     for (auto& index : slipped)
         ++index;
-    text += fmt::format("slipped = [{}]  # Captures, counted from 1, that the fit left out.\n"
+    text += fmt::format("slipped = [{}]  # Captures that the fit left out, counted from 1.\n"
                         "captures = [\n",
                         fmt::join(slipped, ", "));
     for (auto const& capture : record.captures)
@@ -200,13 +204,13 @@ noise_counts = {}             # Standard deviation at rest.
 std::string print(TravelRecord const& record)
 {
     return fmt::format(R"(
-[calibration.travel]          # Of tablet.travel_shear.
+[calibration.travel]          # Measurement of tablet.travel_shear.
 date = {}
 shear_error = [{}, {}]
-tilt_deg = {}                 # Between the carriage's way and the tablet's normal.
+tilt_deg = {}                 # Angle between the carriage's track and the tablet's normal.
 tilt_error_deg = {}
 rise_mm = {}
-rms_mm = {}                   # By how much the pen strayed from the edge.
+rms_mm = {}                   # Root mean square distance of the pen from the straight edge.
 touches = {}
 )",
                        quoted(record.date), record.shear_error.x(), record.shear_error.y(),
@@ -217,19 +221,20 @@ touches = {}
 std::string print(LatencyRecord const& record)
 {
     auto text = fmt::format(R"(
-[calibration.latency]         # Of tablet.latency_ms less height.latency_ms.
+[calibration.latency]         # Measurement of tablet.latency_ms minus height.latency_ms.
 date = {}
 delay_ms = {}
 error_ms = {}
-correlation = {}              # Of place and height.
-rms_mm = {}                   # By how much the pen strayed from the edge.
+correlation = {}              # Correlation between pen position and height.
+rms_mm = {}                   # Root mean square distance of the pen from the straight edge.
 touches = {}
 )",
                             quoted(record.date), record.delay_ms, record.error_ms,
                             record.correlation, record.rms_mm, record.touches);
     if (record.direction_mm)
         text += fmt::format(
-            "direction_mm = [{}, {}]  # On the way up less on the way down; standard error.\n",
+            "direction_mm = [{}, {}]  # Pen position on the way up minus that on the "
+            "way down; its standard error.\n",
             record.direction_mm->x(), record.direction_mm->y());
     return text;
 }
@@ -237,13 +242,13 @@ touches = {}
 std::string print(TiltRecord const& record)
 {
     return fmt::format(R"(
-[calibration.tilt]            # Of pen.coil_height_mm.
+[calibration.tilt]            # Measurement of pen.coil_height_mm.
 date = {}
 coil_height_mm = [{}, {}]
 coil_height_error_mm = [{}, {}]
-least_tilt_deg = [{}, {}]     # How far the pen was leaned to +x and +y …
+least_tilt_deg = [{}, {}]     # Smallest tilt of the pen towards +x and +y.
 most_tilt_deg = [{}, {}]
-rms_mm = {}                   # … and by how much its nib strayed.
+rms_mm = {}                   # Root mean square distance of the nib from its mean place.
 touches = {}
 )",
                        quoted(record.date), record.coil_height_mm.x(), record.coil_height_mm.y(),
@@ -259,8 +264,8 @@ std::string print(CheckRecord const& record)
 [calibration.check]
 date = {}
 within_mm = {}
-heights_mm = [{}]  # By the ruler …
-errors_mm = [{}]   # … and the rig's height less that.
+heights_mm = [{}]  # Heights measured with the ruler.
+errors_mm = [{}]   # The rig's height minus the ruler's.
 )",
                        quoted(record.date), record.within_mm, fmt::join(record.heights_mm, ", "),
                        fmt::join(record.errors_mm, ", "));

@@ -33,7 +33,8 @@ std::string print_bend(TrackBend const& bend)
 {
     if (bend.empty())
         return {};
-    std::string text = "bend = [  # The law reads [counts] as if they were so many more.\n";
+    std::string text
+        = "bend = [  # The model adds these counts to a reading: [counts, counts to add].\n";
     for (auto const& knot : bend)
         text += fmt::format("    [{}, {}],\n", knot.counts, knot.shift_counts);
     return text + "]\n";
@@ -100,14 +101,14 @@ std::string print(StringHeight const& model)
 {
     bool const is_below = model.spool == StringHeight::Spool::Below;
     return fmt::format(
-               R"(model = "string"     # A string that runs aslant to a spool beside the carriage's way:
+               R"(model = "string"     # A slanted string to a spool beside the carriage's track:
                      # length = mm_per_count * counts + zero_length_mm
                      # height = {}sqrt(length^2 - offset_mm^2) - base_mm
-mm_per_count = {}    # String per count.
-zero_length_mm = {}  # String at reading 0.
-offset_mm = {}       # From the spool across to the way of the string's end.
-base_mm = {}         # From the spool up to the string's end at height zero.
-spool = "{}"      # Where the spool is, seen from the carriage.
+mm_per_count = {}    # String length per count.
+zero_length_mm = {}  # String length at reading 0.
+offset_mm = {}       # Horizontal distance from the spool to the track of the string's end.
+base_mm = {}         # Height of the string's end above the spool at height zero.
+spool = "{}"      # The spool's side, seen from the carriage.
 )",
                is_below ? "" : "-", model.mm_per_count, model.zero_length_mm, model.offset_mm,
                model.base_mm, is_below ? "below" : "above")

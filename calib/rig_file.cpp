@@ -179,17 +179,19 @@ static std::string print_pen(Rig const& rig)
     auto text = fmt::format(
         R"(
 [pen]                         # Pressures are 0 to 1.
-pressure_threshold = {}       # Draws above it, and then until half of it; 0: wherever it touches.
-pressure_full = {}            # Counts as 1.
-pressure_exponent = {}        # Between the two: above 1 the ink stays thin for longer.
+pressure_threshold = {}       # Ink begins above this pressure and ends at half of it; 0: ink wherever the pen touches.
+pressure_full = {}            # This pressure gives the thickest ink.
+pressure_exponent = {}        # Curve between the two pressures: above 1, ink stays thin for longer.
 )",
         pressure.threshold, pressure.full, pressure.exponent);
     if (!rig.coil_height_mm.isZero(0))
-        text += fmt::format("coil_height_mm = [{}, {}]      # Up the pen, along x and y: where the "
-                            "tablet sees it.\n",
-                            rig.coil_height_mm.x(), rig.coil_height_mm.y());
+        text += fmt::format(
+            "coil_height_mm = [{}, {}]      # Distance from the nib up the pen to its "
+            "coil, for tilt along x and along y.\n",
+            rig.coil_height_mm.x(), rig.coil_height_mm.y());
     if (rig.nib == Nib::Side)
-        text += "nib = \"side\"                  # Leant, its ink is broad across the lean.\n";
+        text += "nib = \"side\"                  # The nib is broad: a tilted pen draws broad ink "
+                "across its tilt.\n";
     return text;
 }
 
@@ -197,9 +199,9 @@ static std::string print_surface(Rig const& rig)
 {
     if (!rig.surface_mm)
         return {};
-    return fmt::format(
-        "surface_mm = [{}, {}]         # As measured: the tablet does not tell it.\n",
-        rig.surface_mm->x(), rig.surface_mm->y());
+    return fmt::format("surface_mm = [{}, {}]         # Size of the active area, measured; the "
+                       "tablet does not report it.\n",
+                       rig.surface_mm->x(), rig.surface_mm->y());
 }
 
 static std::string print_sample_times(Rig const& rig)
@@ -207,27 +209,27 @@ static std::string print_sample_times(Rig const& rig)
     if (rig.sample_times == SampleTimes::AsArrived)
         return {};
     return fmt::format(
-        "{} = \"evened\"       # What comes in bursts was taken one after the other.\n",
+        "{} = \"evened\"       # Reports arrive in bursts: their times are spread evenly.\n",
         kSampleTimes);
 }
 
 std::string print_rig(Rig const& rig)
 {
     return fmt::format(
-               R"(# A rig: what calibration found out about one tractus. Lengths are millimetres, times milliseconds,
-# angles degrees, counts what the height sensor's converter reads.
+               R"(# A rig: the calibration of one tractus. Lengths are in millimetres, times in milliseconds, angles in
+# degrees; counts are readings of the height sensor's converter.
 version = {}
 {}
 [height]
-{}full_scale_counts = {}            # The converter's greatest reading.
-calibrated_counts = [{}, {}]  # Where the model was fitted.
-latency_ms = {}               # From the height's being so to its report's arrival.
-max_age_ms = {}               # How long a reading stands for the height.
+{}full_scale_counts = {}            # The converter's largest reading.
+calibrated_counts = [{}, {}]  # Range of readings in which the model was fitted.
+latency_ms = {}               # Time from a height to the arrival of its report.
+max_age_ms = {}               # A reading older than this gives no height.
 
 [tablet]
-size_mm = [{}, {}]            # The active area: width, depth.
-{}latency_ms = {}               # From the pen's being there to its report's arrival.
-rotation_deg = {}             # Of the tablet on its carriage, counterclockwise seen from above.
+size_mm = [{}, {}]            # Width and depth of the active area.
+{}latency_ms = {}               # Time from a pen position to the arrival of its report.
+rotation_deg = {}             # Rotation of the tablet on its carriage, counterclockwise from above.
 travel_shear = [{}, {}]       # Drift to the right and away from the user per millimetre of rise.
 )",
                kVersion, print_sample_times(rig), print_height_model(rig.height_model),
