@@ -12,10 +12,8 @@ Result<std::unique_ptr<CollectionGrower::Planned>> CollectionGrower::planned(sce
     auto result = std::make_unique<Planned>(std::move(scene));
     result->plan
         = std::make_unique<variation::GrowthPlan const>(TRY(scene::plan_growth(result->scene)));
-    std::vector<std::vector<SegmentId>> drawn;
-    for (auto const& association : scene::shaping_associations(result->scene))
-        drawn.push_back(association.path.vector());
-    result->kept = variation::axes_below_paths(result->plan->base, drawn);
+    result->kept
+        = variation::axes_below_paths(result->plan->base, scene::drawn_paths(result->scene));
     result->grower = std::make_unique<variation::Grower>(*result->plan);
     return result;
 }

@@ -33,10 +33,7 @@ Result<PlantGroup> PlantGroup::create(scene::Scene const& scene)
         auto plan = std::make_unique<variation::GrowthPlan const>(TRY(scene::plan_growth(*plant)));
         variation::Grower grower(*plan);
         auto const base_mm = plant->placement.world_of_plant(Vec3::Zero());
-        std::vector<std::vector<SegmentId>> drawn;
-        for (auto const& association : scene::shaping_associations(*plant))
-            drawn.push_back(association.path.vector());
-        auto kept = variation::axes_below_paths(plan->base, drawn);
+        auto kept = variation::axes_below_paths(plan->base, scene::drawn_paths(*plant));
         group.members_.push_back(std::make_unique<Member>(
             Member { std::move(plan), std::move(grower), plant->growth,
                      shown.front()->placement.plant_of_world(base_mm), std::move(kept) }));

@@ -166,6 +166,10 @@ Result<void> write_plants(FolderWriter& out, scene::DocumentState const& state)
         TRY(write_source(out, plant->name, plant->source));
         places += describe_place(*plant, state);
         for (auto const& graft : plant->grafts) {
+            if (graft.limb) { // Drawn, so it has no file of its own.
+                places += fmt::format("{} on plant {}\n", graft.name, scene::name_of(plant->id));
+                continue;
+            }
             out.enter(inner_folder(graft.name, part_of(graft.prefix)));
             TRY(write_source(out, graft.name, graft.source));
             places += describe_place(graft, *plant);

@@ -1,13 +1,13 @@
 #include "app/view/ink_line.h"
 
+#include "engine/stroke/ink_width.h"
+
 #include <algorithm>
 #include <cstddef>
 
 namespace tractus::view {
 
 namespace {
-
-constexpr double kInkWidth_mm = 3.5;
 
 // Position and width of a point as one vector; simplification may change neither by more than the
 // tolerance.
@@ -58,7 +58,7 @@ InkLine ink_line(std::vector<TipSample> const& tips, tools::Tool const& tool, Ni
     line.look = style.look;
     line.points.reserve(tips.size());
     for (std::size_t i = 0; i < tips.size(); ++i) {
-        double const share = (0.35 + 0.65 * tips[i].pressure) * broadening(nib, tips, i);
+        double const share = ink_width_share(tips[i].pressure) * broadening(nib, tips, i);
         line.points.push_back(
             { tips[i].position_mm.cast<float>(),
               static_cast<float>(style.width_mm > 0 ? style.width_mm : kInkWidth_mm * share) });

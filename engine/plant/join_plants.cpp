@@ -8,20 +8,6 @@ namespace tractus {
 
 namespace {
 
-// Offsets that are added to the indices of the appended plant.
-struct Shift {
-    explicit Shift(Plant const& plant)
-        : material(static_cast<MaterialId>(plant.materials.size()))
-        , shape(static_cast<OrganShapeId>(plant.organ_shapes.size()))
-        , contour(static_cast<ContourId>(plant.contours.size()))
-    {
-    }
-
-    MaterialId material;
-    OrganShapeId shape;
-    ContourId contour;
-};
-
 ContourId shifted(ContourId number, ContourId by)
 {
     return number == kNoContour ? kNoContour : static_cast<ContourId>(number + by);
@@ -36,7 +22,7 @@ public:
         , part_(part)
         , place_(place)
         , hidden_(hidden)
-        , shift_(plant)
+        , shift_(place.looks.value_or(next_looks(plant)))
         , is_turned_(place.turn.coeffs() != Quat::Identity().coeffs())
     {
         CHECK(hidden.empty() || hidden.size() == part.segment_count());
@@ -52,7 +38,8 @@ public:
             plant_.node_section.resize(plant_.node_position_mm.size());
         append_organs();
         append_polygons();
-        append_looks();
+        if (!place_.looks)
+            append_looks();
         return std::move(segments_);
     }
 
@@ -88,7 +75,7 @@ private:
                 continue;
             bool const is_stem = axis.parent_segment == kNone;
             append_nodes(axis, shown + 1);
-            if (on_plant && is_stem)
+            if (on_plant && is_stem && !place_.keeps_base)
                 plant_.node_position_mm[plant_.node_position_mm.size() - shown - 1]
                     = plant_.node_position_mm[nodes_of(plant_, place_.on).tip];
             auto const first = static_cast<SegmentId>(plant_.segment_material.size());
@@ -182,12 +169,19 @@ private:
     Plant const& part_;
     PartPlace const& place_;
     std::vector<bool> const& hidden_;
-    Shift shift_;
+    PartLooks shift_; // Added to the numbers of the part's looks.
     bool is_turned_;
     std::vector<SegmentId> segments_; // By segment of the part: its number in the whole.
 };
 
 } // namespace
+
+PartLooks next_looks(Plant const& plant)
+{
+    return { static_cast<MaterialId>(plant.materials.size()),
+             static_cast<OrganShapeId>(plant.organ_shapes.size()),
+             static_cast<ContourId>(plant.contours.size()) };
+}
 
 void append_plant(Plant& plant, Plant const& other, Vec3 const& moved_mm)
 {

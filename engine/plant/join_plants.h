@@ -3,6 +3,7 @@
 #include "engine/base/vectors.h"
 #include "engine/plant/plant.h"
 
+#include <optional>
 #include <vector>
 
 namespace tractus {
@@ -10,6 +11,16 @@ namespace tractus {
 // Appends the axes, organs, polygons, materials and shapes of another plant, translated by
 // `moved_mm`. The order within both is kept.
 void append_plant(Plant& plant, Plant const& other, Vec3 const& moved_mm);
+
+// Numbers in a plant of the first material, organ shape and contour of one of its parts.
+struct PartLooks {
+    MaterialId material = 0;
+    OrganShapeId shape = 0;
+    ContourId contour = 0;
+};
+
+// Returns the numbers that the next part appended to the plant gets.
+PartLooks next_looks(Plant const& plant);
 
 // Placement of a plant that becomes a part of another.
 struct PartPlace {
@@ -19,11 +30,16 @@ struct PartPlace {
     // `moved_mm`.
     Quat turn = Quat::Identity();
     Vec3 moved_mm = Vec3::Zero();
+    // False: a part attached to a segment begins at that segment's end, wherever its stems' first
+    // nodes were. True: its stems begin where `turn` and `moved_mm` place them.
+    bool keeps_base = false;
+    // Numbers of the looks that an earlier part brought, if this part has the same materials,
+    // shapes and contours. Default: it brings its own.
+    std::optional<PartLooks> looks {};
 };
 
 // Appends a plant as a part of another, without the segments marked in `hidden` and their
-// descendants; an empty list hides nothing. If the part is attached to a segment, its stems begin
-// at that segment's end, wherever their first nodes were; everything else is placed by `place`.
+// descendants; an empty list hides nothing.
 //
 // Returns the number of each of the part's segments in the whole, kNone for hidden ones.
 std::vector<SegmentId> append_part(Plant& plant, Plant const& part, PartPlace const& place,

@@ -1,9 +1,13 @@
 #include "engine/scene/compose_base.h"
 
 #include "engine/plant/join_plants.h"
+#include "engine/scene/limb_edits.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <fmt/core.h>
+#include <optional>
 #include <utility>
 
 namespace tractus::scene {
@@ -19,11 +23,10 @@ public:
 
     void add(PartPrefix const& prefix, BasePlant const& base, PartPlace const& place)
     {
-        PlantPart part { .prefix = prefix,
-                         .plant = base.plant,
-                         .index = base.rest->addresses.index() };
-        part.in_whole = append_part(whole_, *base.plant, place, hidden_of(part));
-        parts_.push_back(std::move(part));
+        auto const order = place.on == kNone ? 0 : order_of(place.on) + 1;
+        models_.push_back({ &base, next_looks(whole_), order });
+        append({ .prefix = prefix, .plant = base.plant, .index = base.rest->addresses.index() },
+               place);
         for (auto const& warning : base.warnings)
             warn(warning);
     }
@@ -42,6 +45,35 @@ public:
         add(graft.prefix, base, place);
     }
 
+    void add_limb(Graft const& graft)
+    {
+        auto const on = bearer_of(graft.at);
+        if (!on) {
+            warn(fmt::format("{} waits: the branch that it was drawn on is not there", graft.name));
+            return;
+        }
+        auto const& limb = *graft.limb;
+        auto const [base, tip] = nodes_of(whole_, *on);
+        Vec3 const base_mm = whole_.node_position_mm[base];
+        Vec3 const step_mm = whole_.node_position_mm[tip] - base_mm;
+        auto const radius = [&](NodeId node) { return double(whole_.node_radius_mm[node]); };
+        auto const model = models_[part_with(graft.at)];
+        variation::LimbSeat seat {
+            .order = order_of(*on) - std::min(model.order, order_of(*on)),
+            .radius_mm = radius(base) + limb.joint * (radius(tip) - radius(base)),
+        };
+        if (double const length_mm = step_mm.norm(); length_mm > 0)
+            seat.direction = step_mm / length_mm;
+        auto made = std::make_shared<Plant const>(
+            variation::make_limb(*model.base->plant, *model.base->rest, limb.points, seat));
+        models_.push_back(model); // Limbs on this limb are modelled on the same plant.
+        append({ .prefix = graft.prefix, .plant = made, .index = AddressIndex(*made) },
+               { .on = *on,
+                 .moved_mm = base_mm + limb.joint * step_mm,
+                 .keeps_base = true,
+                 .looks = model.looks });
+    }
+
     std::shared_ptr<BasePlant const> finish(BasePlant const& own)
     {
         auto base = std::make_shared<BasePlant>();
@@ -54,7 +86,64 @@ public:
     }
 
 private:
+    // The plant that a part was built from, or, of a limb, that it is modelled on.
+    struct PartModel {
+        BasePlant const* base = nullptr;
+        PartLooks looks {};      // Its looks in the whole.
+        std::uint32_t order = 0; // Branching order of its stems in the whole.
+    };
+
     PlantAddresses addresses() const { return PlantAddresses(parts_); }
+
+    std::uint32_t order_of(SegmentId segment) const
+    {
+        return whole_.axes[axis_of(whole_, segment)].order;
+    }
+
+    void append(PlantPart part, PartPlace const& place)
+    {
+        part.in_whole = append_part(whole_, *part.plant, place, hidden_of(part));
+        parts_.push_back(std::move(part));
+    }
+
+    // Index of the innermost part that an address belongs to.
+    std::size_t part_with(SegmentAddress const& at) const
+    {
+        std::size_t innermost = 0;
+        for (std::size_t i = 1; i < parts_.size(); ++i)
+            if (parts_[i].prefix.size() > parts_[innermost].prefix.size()
+                && is_in_part(parts_[i].prefix, at))
+                innermost = i;
+        return innermost;
+    }
+
+    // The segment that bears a limb. In a plant that has changed, or one of a collection, the
+    // branch may be shorter, or missing: then it is the nearest segment below. No value if the part
+    // is missing or the segment is hidden.
+    std::optional<SegmentId> bearer_of(SegmentAddress const& at) const
+    {
+        auto const& part = parts_[part_with(at)];
+        auto own = without_part(part.prefix, at);
+        if (own.empty() || own.front() == kPartOfPlant)
+            return std::nullopt;
+        auto found = part.index.find_segment(*part.plant, own);
+        while (!found) {
+            bool const is_keyed = own.size() == 4 && own.front() == kKeyedAxis;
+            if (own.size() < 2 || is_keyed)
+                return std::nullopt;
+            own.back() = 0;
+            if (auto const first = part.index.find_segment(*part.plant, own)) {
+                auto const& axis = part.plant->axes[axis_of(*part.plant, *first)];
+                found = axis.first_segment + axis.segment_count - 1;
+            } else {
+                own.resize(own.size() - 2);
+                found = part.index.find_segment(*part.plant, own);
+            }
+        }
+        if (part.in_whole[*found] == kNone)
+            return std::nullopt;
+        return part.in_whole[*found];
+    }
 
     // By segment of the part: whether it is hidden. Descendants of hidden segments are not marked.
     std::vector<bool> hidden_of(PlantPart const& part) const
@@ -81,6 +170,7 @@ private:
     PlantState const& plant_;
     Plant whole_;
     std::vector<PlantPart> parts_;
+    std::vector<PartModel> models_; // By part.
     std::vector<std::string> warnings_;
 };
 
@@ -98,7 +188,10 @@ compose_base(PlantState const& plant, std::shared_ptr<BasePlant const> const& ow
     Composition composition(plant);
     composition.add({}, *own, {});
     for (std::size_t i = 0; i < parts.size(); ++i)
-        composition.add(plant.grafts[i], *parts[i]);
+        if (plant.grafts[i].limb)
+            composition.add_limb(plant.grafts[i]);
+        else
+            composition.add(plant.grafts[i], *parts[i]);
     return composition.finish(*own);
 }
 

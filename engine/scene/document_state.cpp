@@ -9,7 +9,7 @@ namespace tractus::scene {
 bool Graft::operator==(Graft const& other) const
 {
     return prefix == other.prefix && source == other.source && at == other.at
-        && turn_rad == other.turn_rad && base_mm == other.base_mm;
+        && turn_rad == other.turn_rad && base_mm == other.base_mm && limb == other.limb;
 }
 
 std::optional<std::size_t> find_plant(DocumentState const& state, ItemId id)

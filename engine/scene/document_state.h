@@ -23,7 +23,10 @@
 
 namespace tractus::scene {
 
-// A plant that was grafted onto a branch of another plant and is now a part of it.
+struct DrawnLimb;
+
+// A part of a plant that was added to one of its branches: another plant that was grafted there, or
+// a limb that was drawn.
 struct Graft {
     // Prefix of the addresses in this part, formed from the ids of the plants that it consists of.
     PartPrefix prefix {};
@@ -41,6 +44,10 @@ struct Graft {
     // (axis times angle, radians), and the displacement from the segment's end to the part's base.
     Vec3 turn_rad = Vec3::Zero();
     Vec3 base_mm = Vec3::Zero();
+
+    // The limb, if the part was drawn (limb_edits.h): it has no source, and does not use turn_rad
+    // and base_mm. Null for a grafted plant. Immutable, and shared between states.
+    std::shared_ptr<DrawnLimb const> limb {};
 
     bool operator==(Graft const& other) const; // Compares only what affects the resulting plant.
 };

@@ -1,5 +1,6 @@
 #include "engine/scene/back_picture.h"
 #include "engine/scene/edit.h"
+#include "engine/scene/limb_edits.h"
 #include "engine/scene/make_edit_kind.h"
 #include "engine/scene/write_rules.h"
 
@@ -41,7 +42,8 @@ EditKinds core_edit_kinds()
         &TakeOffGraft::kKind,     &HideBranch::kKind,      &KeepLeaves::kKind,
         &SetSeason::kKind,        &LayPicture::kKind,      &PlacePicture::kKind,
         &SetPictureGround::kKind, &RemovePicture::kKind,   &DressPlant::kKind,
-        &KeepGrammar::kKind,      &WriteRules::kKind
+        &KeepGrammar::kKind,      &WriteRules::kKind,      &DrawLimb::kKind,
+        &EraseLimb::kKind
     };
     return kKinds;
 }

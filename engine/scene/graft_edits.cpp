@@ -182,6 +182,10 @@ Result<DocumentState> applied(DocumentState state, TakeOffGraft const& edit, Sce
         return fail(Fault::User,
                     fmt::format("plant {} has no part {} any more", name_of(edit.plant),
                                 name_of(edit.graft)));
+    if (found->limb)
+        return fail(
+            Fault::User,
+            fmt::format("{} was drawn and is no plant of its own: erase it instead", found->name));
     PlantState part { .id = take_id(state, edit.id),
                       .name = found->name,
                       .source = found->source,

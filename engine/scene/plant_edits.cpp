@@ -1,9 +1,11 @@
 #include "engine/scene/edit_words.h"
+#include "engine/scene/limb_edits.h"
 #include "engine/scene/make_edit_kind.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -73,10 +75,23 @@ void list(Fields& fields, CopyPlant& edit)
 void rename_items(PlantState& plant, std::uint64_t edit)
 {
     std::size_t item = 1;
+    std::map<ItemId, ItemId> renamed;
     auto const strokes = std::exchange(plant.strokes, {});
     for (auto stroke : strokes) {
-        stroke.id = item_id(edit, item++);
+        auto const id = item_id(edit, item++);
+        renamed.emplace(stroke.id, id);
+        stroke.id = id;
         plant.strokes.push_back(std::move(stroke));
+    }
+    for (auto& graft : plant.grafts) {
+        if (!graft.limb || graft.limb->older_strokes.empty())
+            continue;
+        auto limb = *graft.limb;
+        limb.older_strokes.clear();
+        for (auto const id : graft.limb->older_strokes)
+            if (auto const found = renamed.find(id); found != renamed.end())
+                limb.older_strokes.push_back(found->second);
+        graft.limb = std::make_shared<DrawnLimb const>(std::move(limb));
     }
     for (auto& indicator : plant.indicators)
         indicator.id = item_id(edit, item++);

@@ -1,5 +1,6 @@
 #include "engine/scene/scene.h"
 
+#include "engine/scene/limb_edits.h"
 #include "engine/scene/scene_builder.h"
 
 #include <algorithm>
@@ -42,6 +43,16 @@ std::vector<variation::Association> shaping_associations(BuiltPlant const& plant
     for (auto const number : shaping_numbers(plant))
         shaping.push_back(plant.associations[number].what);
     return shaping;
+}
+
+std::vector<std::vector<SegmentId>> drawn_paths(BuiltPlant const& plant)
+{
+    std::vector<std::vector<SegmentId>> paths;
+    for (auto const number : shaping_numbers(plant))
+        paths.push_back(plant.associations[number].what.path.vector());
+    for (auto const& [graft, first] : limb_segments(plant))
+        paths.push_back({ first });
+    return paths;
 }
 
 std::vector<std::size_t> selected_associations(BuiltPlant const& plant)

@@ -66,6 +66,10 @@ std::vector<std::size_t> shaping_numbers(BuiltPlant const& plant);
 // Returns the associations of shaping_numbers().
 std::vector<variation::Association> shaping_associations(BuiltPlant const& plant);
 
+// Returns the paths of the branches that were drawn: those of shaping_associations(), and the limbs
+// that were drawn themselves.
+std::vector<std::vector<SegmentId>> drawn_paths(BuiltPlant const& plant);
+
 // Returns the indices of those of shaping_numbers() whose path shares a segment with the selection:
 // the strokes that the pen edits.
 std::vector<std::size_t> selected_associations(BuiltPlant const& plant);

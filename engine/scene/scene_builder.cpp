@@ -2,6 +2,7 @@
 
 #include "engine/scene/compose_base.h"
 #include "engine/scene/dressed_plant.h"
+#include "engine/scene/limb_edits.h"
 
 #include <algorithm>
 #include <utility>
@@ -57,7 +58,7 @@ Result<std::shared_ptr<BasePlant const>> SceneBuilder::base_of(PlantState const&
         return own;
     std::vector<std::shared_ptr<BasePlant const>> parts;
     for (auto const& graft : plant.grafts)
-        parts.push_back(TRY(base_of(graft.source, graft.source_edit)));
+        parts.push_back(graft.limb ? nullptr : TRY(base_of(graft.source, graft.source_edit)));
     bases_.push_front(
         { plant.source, compose_base(plant, own, parts), plant.grafts, plant.hidden_branches });
     return bases_.front().base;
@@ -193,8 +194,18 @@ void SceneBuilder::set_season(BuiltPlant& plant, BuiltPlant const* before,
         : plant.dressed;
 }
 
+// The limbs of a plant with their axes, without those that are not there at present.
+static std::vector<std::pair<DrawnLimb const*, AxisId>> limb_axes(BuiltPlant const& plant)
+{
+    std::vector<std::pair<DrawnLimb const*, AxisId>> axes;
+    for (auto const& [graft, first] : limb_segments(plant))
+        axes.emplace_back(graft->limb.get(), axis_of(*plant.base, first));
+    return axes;
+}
+
 void SceneBuilder::find_strokes(BuiltPlant& plant, BuiltPlant const* before)
 {
+    auto const limbs = limb_axes(plant);
     auto const built = [&](Anchored<variation::ShapingStroke> const& drawn) {
         Anchored<variation::Association> association { drawn.id, {}, drawn.at };
         association.what = { .path = path_of(plant, drawn.at),
@@ -203,6 +214,11 @@ void SceneBuilder::find_strokes(BuiltPlant& plant, BuiltPlant const* before)
                              .fit = drawn.what.fit,
                              .detail_weight = drawn.what.detail_weight,
                              .laying = drawn.what.laying };
+        for (auto const& [limb, axis] : limbs)
+            if (auto const& older = limb->older_strokes;
+                std::find(older.begin(), older.end(), drawn.id) != older.end())
+                association.what.spared.push_back(axis);
+        std::sort(association.what.spared.begin(), association.what.spared.end());
         association.what.is_orphaned = association.what.path.empty();
         return association;
     };

@@ -25,6 +25,8 @@ Result<Scene> varied(Scene const& scene, SourceVariation const& variation)
             plant.source = plant.source.varied(variation);
             auto of_part = variation;
             for (auto& graft : plant.grafts) {
+                if (graft.limb)
+                    continue;
                 ++of_part.stream; // So that identical parts vary differently.
                 graft.source = graft.source.varied(of_part);
             }

@@ -65,6 +65,10 @@ struct Association {
     double detail_weight = 1; // Share of the hand's detail that is kept, 0 to 1: see smooth_hand().
     StrokeLaying laying = StrokeLaying::LeastTwist;
 
+    // Descendants of the path that do not take the stroke, in ascending order: limbs that were
+    // drawn later. What they bear takes it.
+    std::vector<AxisId> spared {};
+
     // True if the path no longer exists in the plant, so that the stroke has no effect. Kept, since
     // the branch may come back.
     bool is_orphaned = false;

@@ -17,7 +17,7 @@ static bool same(Association const& a, Association const& b)
         return tip.position_mm == other.position_mm;
     };
     if (a.path != b.path || a.propagation != b.propagation || a.fit != b.fit
-        || a.detail_weight != b.detail_weight || a.laying != b.laying
+        || a.detail_weight != b.detail_weight || a.laying != b.laying || a.spared != b.spared
         || a.is_orphaned != b.is_orphaned)
         return false;
     if (a.stroke.tips.id() == b.stroke.tips.id())
@@ -116,17 +116,20 @@ void StrokeShaper::assign_path(std::uint32_t number)
     }
 }
 
-// Marks the descendant axes of the path, except those along which it runs itself.
+// Marks the descendant axes of the path, except those along which it runs itself and those that are
+// spared.
 void StrokeShaper::assign_descendants(std::uint32_t number)
 {
     auto const& path = associations_[number].path;
+    auto const& spared = associations_[number].spared;
     std::vector<AxisId> along;
     for (auto const segment : path)
         if (auto const id = axis_of(plant_, segment); along.empty() || along.back() != id)
             along.push_back(id);
     for (auto const& [id, first] : subtree_of(plant_, path.front()))
         // Sorted, since parents come first.
-        if (!std::binary_search(along.begin(), along.end(), id))
+        if (!std::binary_search(along.begin(), along.end(), id)
+            && !std::binary_search(spared.begin(), spared.end(), id))
             sources_[id] = { .propagated = number, .joints = kNone, .changed = number + 1 };
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/scene/edit.h"
+#include "engine/scene/limb_edits.h"
 
 #include <bit>
 #include <cstdint>
@@ -159,7 +160,7 @@ inline std::vector<PathAddress> random_paths()
 // Returns an edit of a document's plants or their parts.
 inline scene::Edit random_plant_edit()
 {
-    switch (*rc::gen::inRange(0, 10)) {
+    switch (*rc::gen::inRange(0, 12)) {
     case 0:
         return scene::ActivatePlant { random_id() };
     case 1:
@@ -179,6 +180,19 @@ inline scene::Edit random_plant_edit()
                                    random_vec3(), random_vec3() };
     case 8:
         return scene::TakeOffGraft { random_id(), random_id(), random_vec3(), random_id() };
+    case 9: {
+        scene::DrawLimb edit { .plant = random_id(), .at = *rc::gen::arbitrary<SegmentAddress>() };
+        edit.joint = random_double();
+        edit.joint_mm = random_vec3();
+        edit.turn_rad = random_vec3();
+        edit.scale = random_double();
+        edit.width_mm = random_double();
+        edit.stroke = random_stroke();
+        edit.id = random_id();
+        return edit;
+    }
+    case 10:
+        return scene::EraseLimb { random_id(), random_id() };
     default:
         return scene::HideBranch { random_id(), *rc::gen::arbitrary<SegmentAddress>(),
                                    *rc::gen::arbitrary<bool>() };

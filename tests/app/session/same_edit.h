@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/scene/edit.h"
+#include "engine/scene/limb_edits.h"
 
 #include <bit>
 #include <cstdint>
@@ -207,6 +208,19 @@ inline bool same(scene::HideBranch const& one, scene::HideBranch const& other)
     return one.plant == other.plant && one.at == other.at && one.hidden == other.hidden;
 }
 
+inline bool same(scene::DrawLimb const& one, scene::DrawLimb const& other)
+{
+    return one.plant == other.plant && one.at == other.at && same(one.joint, other.joint)
+        && same(one.joint_mm, other.joint_mm) && same(one.turn_rad, other.turn_rad)
+        && same(one.scale, other.scale) && same(one.width_mm, other.width_mm)
+        && same(one.stroke, other.stroke) && one.id == other.id;
+}
+
+inline bool same(scene::EraseLimb const& one, scene::EraseLimb const& other)
+{
+    return one.plant == other.plant && one.limb == other.limb;
+}
+
 inline bool same(scene::UnknownEdit const& one, scene::UnknownEdit const& other)
 {
     return one.word == other.word && one.fields == other.fields && one.numbers == other.numbers;
@@ -233,6 +247,7 @@ inline bool same(scene::Edit const& one, scene::Edit const& other)
         || same_of<scene::NamePlant>(one, other) || same_of<scene::RemovePlant>(one, other)
         || same_of<scene::SetScale>(one, other) || same_of<scene::GraftPlant>(one, other)
         || same_of<scene::TakeOffGraft>(one, other) || same_of<scene::HideBranch>(one, other)
+        || same_of<scene::DrawLimb>(one, other) || same_of<scene::EraseLimb>(one, other)
         || same_of<scene::UnknownEdit>(one, other);
 }
 

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "engine/variation/limb.h"
+#include "engine/variation/limb_pattern.h"
+
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace tractus::variation {
+
+// Copies what the nodes of a limb's pattern bear to the limb. Twigs and organs keep their pitch, as
+// they hang, rise or lie level on the pattern; their heading follows the limb.
+class LimbTwigs {
+public:
+    // `scale`: of twigs and organs. `plant` and `rest` must outlive this.
+    LimbTwigs(Plant const& plant, RestShape const& rest, AxisId pattern, double scale);
+
+    // A node of the limb's own axis.
+    struct Place {
+        SegmentId segment = 0; // The limb's segment that ends there.
+        Quat frame = Quat::Identity();
+    };
+
+    // Appends what a node bears to `limb`, whose first axis is the limb itself.
+    void add(Plant& limb, Place const& place, LimbNode const& node);
+
+private:
+    // Takes what is at a node of the pattern to a node of the limb.
+    struct Move {
+        Vec3 from_mm = Vec3::Zero();
+        Vec3 to_mm = Vec3::Zero();
+        Quat turn = Quat::Identity();
+        double scale = 1;
+
+        Vec3 place(Vec3 const& point_mm) const;
+    };
+
+    // What the pattern bears at a node: twigs with all that they bear, and numbers of organs and
+    // polygons at the node or on the twigs.
+    struct Borne {
+        std::vector<AxisId> axes;
+        std::vector<std::size_t> organs;
+        std::vector<std::size_t> polygons;
+    };
+
+    // The latest copy of an axis.
+    struct Copy {
+        AxisId axis = 0;
+        Move move {};
+    };
+
+    Move upright_move(Move const& rigid, Vec3 const& direction, SegmentId node) const;
+    Vec3 start_of_twig(AxisId id) const;
+    void add_twig(Plant& limb, AxisId id, Move const& move);
+    void add_organ(Plant& limb, Organ organ, Move const& move) const;
+    void add_polygon(Plant& limb, Polygon polygon, Move const& move) const;
+    Move const& move_of(SegmentId segment, Move const& at_node) const;
+
+    Plant const& plant_;
+    RestShape const& rest_;
+    AxisId pattern_;
+    double scale_;
+    std::unordered_map<SegmentId, Borne> borne_; // By segment of the pattern.
+    // Copies of segments and axes at the latest node, by their numbers in the plant.
+    std::unordered_map<SegmentId, SegmentId> segments_;
+    std::unordered_map<AxisId, Copy> axes_;
+};
+
+// Appends the section of a node of `plant`, rotated by `turn`, if the plant has sections.
+void add_turned_section(Plant& limb, Plant const& plant, NodeId node, Quat const& turn);
+
+} // namespace tractus::variation
