@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
@@ -268,6 +269,17 @@ void compare_strings(Model const& model, ModuleString const& string, nlohmann::j
     }
 }
 
+// Compares the numbers of segments and polygons that the turtle draws of a string.
+void compare_drawing(Model const& model, ModuleString const& string, nlohmann::json const& expected)
+{
+    if (!expected.contains("segments"))
+        return;
+    auto const plant = interpret(model, string);
+    ASSERT_TRUE(plant) << plant.error().message;
+    EXPECT_EQ(plant->segment_count(), expected["segments"].get<std::size_t>());
+    EXPECT_EQ(plant->polygons.size(), expected["polygons"].get<std::size_t>());
+}
+
 TEST_P(CountedSystem, HasTheExactCountsAndString)
 {
     auto const folder = shipped("lsystem_counts");
@@ -291,6 +303,7 @@ TEST_P(CountedSystem, HasTheExactCountsAndString)
             }
             EXPECT_EQ(modules, expected["modules"].get<std::size_t>()) << steps;
             compare_strings(*model, *string, expected);
+            compare_drawing(*model, *string, expected);
             ++compared;
         }
     }
@@ -321,11 +334,86 @@ std::vector<std::string> counted_systems()
              "parametric_134",
              "row_of_trees",
              "row_of_trees_inc",
-             "sympodial_27a" };
+             "sympodial_27a",
+             "anabaena_14",
+             "koch_islands_18",
+             "koch_19a",
+             "koch_19c",
+             "koch_19e",
+             "dragon_110a",
+             "sierpinski_110b",
+             "gosper_hex_111a",
+             "dragon_nodes",
+             "hilbert",
+             "fass_117a",
+             "fass_117b",
+             "bush_124a",
+             "bush_124c",
+             "bush_124e",
+             "flowering_126",
+             "signal_string",
+             "signal_basipetal",
+             "hogeweg_131a",
+             "hogeweg_131c",
+             "hogeweg_131d",
+             "row_of_trees_137b",
+             "anabaena_1102",
+             "monopodial_26a",
+             "ternary_28a",
+             "crocus",
+             "lychnis",
+             "capsella",
+             "mycelis",
+             "sunflower_41",
+             "cylinder_48",
+             "fern_53",
+             "lily_54",
+             "cordate_55",
+             "leaf_56b",
+             "rose_leaf_58",
+             "compound_511b",
+             "compound_512b" };
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CountedSystem, ::testing::ValuesIn(counted_systems()),
                          [](auto const& tested) { return tested.param; });
+
+// Checks a linear relation between the numbers of symbols: coefficients by symbol, and the constant
+// that the sum must equal.
+void check_relation(std::map<std::string, std::size_t> const& counts,
+                    nlohmann::json const& relation)
+{
+    long long sum = 0;
+    for (auto const& [symbol, coefficient] : relation["coefficients"].items()) {
+        auto const found = counts.find(symbol);
+        if (found != counts.end())
+            sum += coefficient.get<long long>() * static_cast<long long>(found->second);
+    }
+    EXPECT_EQ(sum, relation["sum"].get<long long>()) << relation.dump();
+}
+
+TEST(StochasticSystems, KeepTheirRelationsWhateverTheSeed)
+{
+    auto const folder = shipped("lsystem_counts");
+    auto const listed = read_json(folder / "counts.json");
+    ASSERT_FALSE(listed["stochastic"].empty());
+    for (auto const& system : listed["stochastic"]) {
+        auto const id = system["id"].get<std::string>();
+        auto const model = compile_file(folder / (id + ".l"));
+        ASSERT_TRUE(model) << id << ": " << model.error().message;
+        std::set<std::string> strings;
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            SCOPED_TRACE(id + ", seed " + std::to_string(seed));
+            auto const string = derive(*model, { .steps = 3, .seed = seed });
+            ASSERT_TRUE(string) << string.error().message;
+            auto const counts = count_symbols(*model, *string);
+            for (auto const& relation : system["relations"])
+                check_relation(counts, relation);
+            strings.insert(to_string(*model, *string));
+        }
+        EXPECT_GT(strings.size(), 10u) << id;
+    }
+}
 
 TEST(CountedSystems, AreAllCompared)
 {
