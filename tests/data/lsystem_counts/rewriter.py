@@ -133,19 +133,23 @@ def derive(system, steps):
 
 
 def measure(string, draws):
-    """Counts of the symbols and of what the turtle draws; letters in `draws` are drawn as F."""
-    counts, segments, polygons, open_polygons, organ = {}, 0, 0, 0, ""
+    """Counts of the symbols and of what the turtle draws; letters in `draws` are drawn as F.
+
+    Within { }, the symbols . f and F set vertices; polygons of less than three are not drawn.
+    """
+    counts, segments, polygons, vertices, organ = {}, 0, 0, [], ""
     for symbol, arguments in string:
         if symbol == "~":
             organ = "~"
             continue
         counts[organ + symbol] = counts.get(organ + symbol, 0) + 1
         if symbol == "{":
-            open_polygons += 1
+            vertices.append(0)
         elif symbol == "}":
-            open_polygons -= 1
-            polygons += 1
-        elif not organ and symbol in "FG" + draws and not open_polygons:
+            polygons += vertices.pop() > 2
+        elif vertices:
+            vertices[-1] += symbol in ".fF"
+        elif not organ and symbol in "FG" + draws:
             segments += not arguments or arguments[0] != 0
         organ = ""
     return {"modules": sum(counts.values()), "counts": dict(sorted(counts.items())),
