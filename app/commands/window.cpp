@@ -19,6 +19,7 @@
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/window/window.h"
+#include "app/window/workbench.h"
 #include "calib/rig_file.h"
 #include "drivers/links/closing_signals.h"
 #include "drivers/logs/log.h"
@@ -58,6 +59,7 @@ struct WindowArguments {
     std::string socket;  // Socket on which other programs receive strokes; empty: none.
     bool fills_display = false;
     std::string display; // Name of the display to fill; empty: see `fills_display`.
+    std::string view;    // One of window::shown_words(); empty: as usual.
     bool is_on_stage = false;
     std::optional<bool> is_light {}; // Light or dark colours; no value: the user's last choice.
     // Layout for left-handed use; no value: the user's last choice.
@@ -110,6 +112,7 @@ window::WindowOptions window_options(WindowArguments const& arguments, std::stri
     options.title = std::move(title);
     if (arguments.fills_display || !arguments.display.empty())
         options.full_screen = arguments.display;
+    options.view = arguments.view;
     options.is_on_stage = arguments.is_on_stage;
     options.look = look_for(arguments);
     if (keeps_look(arguments))
@@ -411,6 +414,13 @@ void add_look_options(CLI::App& command, WindowArguments& arguments)
         .add_option("--display", arguments.display,
                     "Fill this display: its number, or a part of its name")
         ->type_name("DISPLAY");
+    auto const views = window::shown_words();
+    command
+        .add_option("--view", arguments.view,
+                    "The view to begin with: all side by side, or the one that fills the window; "
+                    "without it, the pad for a tablet's pen and else all")
+        ->type_name("VIEW")
+        ->check(options::one_of({ views.begin(), views.end() }));
     command.add_flag("--on-stage", arguments.is_on_stage,
                      "Show nothing but what grows, until Esc or the ring of tools ends that");
     auto const add_choice

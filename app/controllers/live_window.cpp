@@ -26,6 +26,7 @@ Result<LiveWindow> LiveWindow::create(devices::LiveDevices devices, LiveWindowOp
     station::StationOptions station_options;
     station_options.tools = options.methods.tools;
     station_options.layers = options.methods.layers;
+    station_options.curves = options.methods.curves;
     station_options.least_extents = options.least_extents;
     station_options.least_extents.merge(tools::usual_least_extents(options.methods.tools));
     bool const has_sensor = has_height_sensor(devices);

@@ -54,6 +54,7 @@ private:
     void perform_kind(view::OpenLeaves const&) { }
     void perform_kind(view::DressActivePlant const&) { }
     void perform_kind(view::BringLeaf const&) { }
+    void perform_kind(view::PickCurve const&) { } // The recording says what is selected.
     // Naming has no effect, as a recording has no name to change.
     void perform_kind(view::NameDrawing const&) { }
     void perform_kind(view::SaveCopy const&) { }

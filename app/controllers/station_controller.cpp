@@ -207,6 +207,25 @@ void StationController::perform(view::TakeOrphansAway const&, station::Station& 
     show_document(station, now_);
 }
 
+void StationController::perform(view::PickCurve const& command, station::Station& station)
+{
+    auto const& curves = view_.state().curves;
+    if (command.curve >= curves.size())
+        return;
+    auto const& curve = curves[command.curve];
+    if (curve.paths.empty()) {
+        view_.state().status = curve.name;
+        return;
+    }
+    auto const select = [at = curve.paths, name = curve.name](scene::Scene const&) {
+        return Result<document::WantedStep::Change>(
+            { { scene::Select { .at = at } },
+              fmt::format("Selected what a stroke shapes: {}", name) });
+    };
+    document_->make({ select, document::WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
 // The picture is read when the step is done, on the document's thread, because a large one takes
 // time.
 void StationController::perform(view::LayPictureFile const& command, station::Station& station)

@@ -71,6 +71,7 @@ public:
     void perform(view::Undo const&, station::Station& station);
     void perform(view::Redo const&, station::Station& station);
     void perform(view::TakeOrphansAway const&, station::Station& station);
+    void perform(view::PickCurve const& command, station::Station& station);
     void perform(view::LayPictureFile const& command, station::Station& station);
     void perform(view::DragDrawnGlyph const& command, station::Station& station);
     void perform(view::DressActivePlant const& command, station::Station& station);

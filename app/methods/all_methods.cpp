@@ -1,5 +1,6 @@
 #include "app/methods/all_methods.h"
 
+#include "app/methods/construction_lines/construction_curves.h"
 #include "app/methods/construction_lines/erase_line_tool.h"
 #include "app/methods/construction_lines/layer_nodes_tool.h"
 #include "app/methods/construction_lines/layer_organs_tool.h"
@@ -10,11 +11,13 @@
 #include "app/methods/construction_lines/line_tool.h"
 #include "app/methods/indicators/delete_indicator_tool.h"
 #include "app/methods/indicators/indicate_tool.h"
+#include "app/methods/indicators/indicator_curves.h"
 #include "app/methods/indicators/indicator_layer.h"
 #include "app/methods/indicators/move_indicator_tool.h"
 #include "app/methods/leaves/erase_leaf_tool.h"
 #include "app/methods/leaves/leaf_layers.h"
 #include "app/methods/leaves/leaf_line_tool.h"
+#include "app/methods/leaves/leaf_sketch_curves.h"
 #include "app/methods/pictures/picture_tool.h"
 #include "app/methods/plants/choose_plant_tool.h"
 #include "app/methods/plants/copy_plant_tool.h"
@@ -24,15 +27,18 @@
 #include "app/methods/plants/move_plant_tool.h"
 #include "app/methods/plants/remove_plant_tool.h"
 #include "app/methods/plants/take_off_tool.h"
+#include "app/methods/self_organising/growth_brush_curves.h"
 #include "app/methods/self_organising/growth_brush_tool.h"
 #include "app/methods/silhouettes/arrange_tool.h"
 #include "app/methods/silhouettes/crown_tool.h"
 #include "app/methods/silhouettes/erase_crown_tool.h"
 #include "app/methods/silhouettes/erase_outline_tool.h"
+#include "app/methods/silhouettes/outline_curves.h"
 #include "app/methods/silhouettes/outline_layer.h"
 #include "app/methods/silhouettes/outline_tool.h"
 #include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
 #include "app/methods/sketch_lsystem/sketch_tool.h"
+#include "app/methods/sketch_lsystem/sketched_curves.h"
 #include "app/session/begin_empty.h"
 #include "app/tools/delete_tool.h"
 #include "app/tools/draw_in_order_tool.h"
@@ -106,6 +112,11 @@ constexpr std::array kLayers {
     &leaf::kLeafOtherLayer,         &indicators::kIndicatorLayer, &tools::kUndergroundLayer
 };
 
+constexpr std::array<tools::ListDrawnCurves, 6> kCurves {
+    sketch::sketched_curves,  silhouette::outline_curves,           lines::construction_curves,
+    leaf::leaf_sketch_curves, self_organising::growth_brush_curves, indicators::indicator_curves,
+};
+
 std::vector<scene::EditKind const*> edit_kinds()
 {
     auto const core = scene::core_edit_kinds();
@@ -138,7 +149,7 @@ std::vector<scene::EditKind const*> edit_kinds()
 tools::Methods all_methods()
 {
     static auto const edits = edit_kinds();
-    return { .edits = edits, .tools = kTools, .layers = kLayers };
+    return { .edits = edits, .tools = kTools, .layers = kLayers, .curves = kCurves };
 }
 
 } // namespace tractus::methods

@@ -86,6 +86,7 @@ Result<LogReplay> LogReplay::create(drivers::Log const& log, ReplayOptions const
     if (!station_options.tools.empty())
         station_options.tool = tools::tool_of_word(*station_options.tools.front());
     station_options.layers = options.methods.layers;
+    station_options.curves = options.methods.curves;
     station_options.rig = TRY(choose_rig(log, pen, options));
     if (options.height)
         station_options.scripted_height = TRY(script_height(log, pen, *options.height));

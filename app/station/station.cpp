@@ -63,6 +63,7 @@ Station::Station(StationOptions const& options)
     , tool_in_hand_(first_tool(options))
     , tools_(options.tools)
     , layers_(options.layers)
+    , curves_(options.curves)
     , least_extents_(options.least_extents)
 {
 }

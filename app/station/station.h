@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/station/pressing.h"
+#include "app/tools/drawn_curve.h"
 #include "app/tools/layer.h"
 #include "app/tools/least_extent.h"
 #include "app/tools/tool.h"
@@ -30,8 +31,9 @@ struct StationOptions {
     std::optional<calib::ScriptedHeight> scripted_height; // Heights that replace the height sensor.
     // False if no sensor measures the height, as with the mouse wheel.
     bool is_height_watched = true;
-    tools::ToolKinds tools {}; // Available tools.
-    tools::Layers layers {};   // Available layers.
+    tools::ToolKinds tools {};        // Available tools.
+    tools::Layers layers {};          // Available layers.
+    tools::DrawnCurveLists curves {}; // Lists of drawn curves, one for each method.
     // Initial tool; no value: the first one of `tools`.
     std::optional<tools::Tool> tool {};
     // Least extents of strokes, until set_least_extents() changes them.
@@ -160,6 +162,7 @@ public:
     tools::Tool const& tool() const { return tool_in_hand_; }
     tools::ToolKinds tools() const { return tools_; } // Available tools.
     tools::Layers layers() const { return layers_; }  // Available layers.
+    tools::DrawnCurveLists curves() const { return curves_; }
     // Tools used by the pen's other end, with their last options.
     std::vector<tools::Tool> remembered() const;
     // Tools to select on another station, in this order, so that both ends of the pen work the same
@@ -235,6 +238,7 @@ private:
     tools::Tool tool_in_hand_; // The selected tool, ignoring presses on controls.
     tools::ToolKinds tools_;
     tools::Layers layers_;
+    tools::DrawnCurveLists curves_;
     tools::LeastExtents least_extents_;
     tools::ToolKind const* last_dab_ = nullptr;
     std::vector<Eigen::AlignedBox2d> pressing_areas_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/tools/drawn_curve.h"
 #include "app/tools/layer.h"
 #include "app/tools/tool_kind.h"
 #include "engine/base/result.h"
@@ -26,6 +27,7 @@ struct Methods {
     scene::EditKinds edits {};
     ToolKinds tools {};
     Layers layers {};
+    DrawnCurveLists curves {};
     std::span<AddCommand const> commands {};
 };
 

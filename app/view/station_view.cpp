@@ -2,6 +2,7 @@
 
 #include "app/render/read_picture.h"
 #include "app/tools/tool.h"
+#include "app/view/drawn_curves.h"
 #include "app/view/ink_line.h"
 #include "app/view/orphans.h"
 #include "engine/variation/growth_preset.h"
@@ -49,6 +50,7 @@ StationView::StationView(station::Station const& station, document::Document con
     state_.volume_mm = station.volume_mm();
     nib_ = station.nib();
     layers_.set_layers(station.layers());
+    curve_lists_ = station.curves();
     aims_at_ = station.tool().kind().aims_at;
     show_scene(document.newest());
 }
@@ -98,6 +100,7 @@ void StationView::begin_again(station::Station const& station, document::Documen
         inked_.clear();
     }
     layers_.set_layers(station.layers());
+    curve_lists_ = station.curves();
     ++state_.live_revision;
     show_live(station, document);
     show_scene(document.newest());
@@ -259,6 +262,7 @@ void StationView::show_scene(std::shared_ptr<document::Snapshot const> const& sn
     state_.T_world_plant = Eigen::Translation3f(placement.origin_mm.cast<float>())
         * Eigen::Scaling(static_cast<float>(placement.scale));
     show_strokes(snapshot->scene);
+    show_curves(snapshot->scene);
     show_layers(snapshot->scene);
     state_.paper = scene::paper_of(snapshot->scene.state);
     show_picture(snapshot->scene);
@@ -297,6 +301,12 @@ void StationView::show_strokes(scene::Scene const& scene)
     inked_ = std::move(inked);
     state_.strokes = std::move(lines);
     ++state_.strokes_revision;
+}
+
+void StationView::show_curves(scene::Scene const& scene)
+{
+    state_.curves = drawn_curves(scene, { inked_, state_.strokes }, curve_lists_);
+    ++state_.curves_revision;
 }
 
 void StationView::show_layers(scene::Scene const& scene)

@@ -120,6 +120,7 @@ private:
     void show_surface(station::Station const& station);
     void show_scene(std::shared_ptr<document::Snapshot const> const& snapshot);
     void show_strokes(scene::Scene const& scene);
+    void show_curves(scene::Scene const& scene);
     void show_layers(scene::Scene const& scene);
     void see_layers();
     void show_variations();
@@ -140,6 +141,7 @@ private:
     // Tips of the strokes shown in state_.strokes, in the same order; used as identity only, so
     // they need not be in memory.
     std::vector<SharedVector<TipSample>> inked_;
+    tools::DrawnCurveLists curve_lists_;
     ShownLayers layers_;
     Nib nib_ = Nib::Point; // Nib of the pen whose ink is shown.
     std::size_t finished_strokes_ = 0;

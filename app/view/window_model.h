@@ -14,6 +14,7 @@
 #include "engine/export/glb_writer.h"
 #include "engine/lsystem/view/leaf_word.h"
 #include "engine/mesh/mesh.h"
+#include "engine/plant/branch_address.h"
 #include "engine/plant/plant.h"
 #include "engine/scene/back_picture.h"
 #include "engine/scene/paper.h"
@@ -48,6 +49,16 @@ struct OrphanView {
     std::string name; // For example "stroke 3".
     // Former place of its branch: "up to segment 6 of branch 2 at segment 4 of stem 1".
     std::string place;
+};
+
+// A curve that the user drew and that the active plant is made of.
+struct DrawnCurveView {
+    std::uint64_t edit = 0; // As in tools::DrawnCurve; also `name`.
+    std::string name {};
+    InkLine line {};
+    // For a stroke that shapes branches, the paths that it shapes: see PickCurve. Else empty.
+    std::vector<PathAddress> paths {};
+    bool is_selected = false; // One of those paths shares a segment with the selection.
 };
 
 // A stroke that had no effect.
@@ -134,6 +145,10 @@ struct WindowState {
 
     std::uint64_t strokes_revision = 0;
     std::vector<InkLine> strokes; // Ink of finished strokes.
+
+    // In the order in which they were drawn: strokes in effect, and what the methods' lists say.
+    std::uint64_t curves_revision = 0;
+    std::vector<DrawnCurveView> curves;
 
     std::uint64_t skeleton_revision = 0;
     std::vector<tools::SkeletonLine> skeleton;
@@ -309,6 +324,11 @@ struct SaveCopy {
 // the rules whenever the user saves them there. Only if WindowState::may_write_rules. The status
 // reports the folder or the error.
 struct WriteRules { };
+// Selects the branches that one of WindowState::curves shapes, a step that can be undone; for a
+// curve that shapes none the status only names it.
+struct PickCurve {
+    std::size_t curve = 0; // Index in WindowState::curves.
+};
 struct TakeOrphansAway { }; // Removes all of WindowState::orphans, as an undoable step.
 
 // Areas of the surface where a touch of the pen operates the window's controls instead of drawing.
@@ -370,7 +390,7 @@ using WindowCommand
                    OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
                    AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard, OpenPictures,
                    LayPictureFile, DragDrawnGlyph, OpenLeaves, DressActivePlant, BringLeaf,
-                   NameDrawing, SaveCopy, WriteRules>;
+                   NameDrawing, SaveCopy, WriteRules, PickCurve>;
 
 // Supplies a window's contents. For use on the window's thread only.
 class WindowModel {

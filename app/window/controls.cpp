@@ -29,11 +29,18 @@ constexpr float kToolWidth_px = 96; // Least width of a tool's button.
 constexpr float kLessAir_px = 12;
 
 using Shown = Workbench::Shown;
-constexpr std::array<std::pair<char const*, Shown>, 5> kViews { { { "All", Shown::All },
-                                                                  { "Pad", Shown::Pad },
-                                                                  { "Skeleton", Shown::Skeleton },
-                                                                  { "Plant", Shown::Plant },
-                                                                  { "Many", Shown::Collection } } };
+struct ViewButton {
+    char const* name;
+    Shown shown;
+    float width; // In pixels at a display scale of 1.
+};
+constexpr std::array<ViewButton, 6> kViews { { { "All", Shown::All, 80 },
+                                               { "Pad", Shown::Pad, 80 },
+                                               { "Strokes", Shown::Strokes, 108 },
+                                               { "Skeleton", Shown::Skeleton, 124 },
+                                               { "Plant", Shown::Plant, 80 },
+                                               { "Many", Shown::Collection, 80 } } };
+constexpr float kNextMark_px = 24; // Room for the mark that a button for the next view has.
 
 } // namespace
 
@@ -261,15 +268,13 @@ std::vector<BarButton> Controls::main_buttons(view::WindowModel& model, Workbenc
         buttons.push_back({ "Undo", 88, false, true, [&model] { model.perform(view::Undo {}); } });
         buttons.push_back({ "Redo", 88, false, false, [&model] { model.perform(view::Redo {}); } });
     }
-    for (auto const& [name, shown] : kViews) {
+    for (auto const& [name, shown, width] : kViews) {
         if (views == Views::Next && bench.shown == shown)
-            buttons.push_back({ fmt::format("{} >", name),
-                                shown == Shown::Skeleton ? 148.0f : 104.0f, false, true,
+            buttons.push_back({ fmt::format("{} >", name), width + kNextMark_px, false, true,
                                 [&bench] { bench.show_next(); } });
         if (views == Views::Next)
             continue;
-        buttons.push_back({ name, shown == Shown::Skeleton ? 124.0f : 80.0f, bench.shown == shown,
-                            shown == kViews[0].second,
+        buttons.push_back({ name, width, bench.shown == shown, shown == kViews[0].shown,
                             [&bench, wished = shown] { bench.shown = wished; } });
     }
     auto const open_or_close = [&bench] {

@@ -21,6 +21,10 @@ constexpr float kGaugeWidth_px = 88;
 constexpr float kLeastForAll_px = 460; // In a narrower space than this beside the menu, only the
                                        // plant is shown.
 constexpr double kAirAroundPad = 1.06;
+constexpr float kLeastStrokes_px = 150; // Below the pad, strokes are shown if this height is left.
+constexpr float kPadTitle_px = 50;      // Height of the pad's title.
+constexpr float kListWidth_px = 460;    // The list of strokes, if the view beside it is as wide.
+constexpr float kTitleRow_px = 44;
 
 using Shown = Workbench::Shown;
 
@@ -188,6 +192,12 @@ void Layout::fulfil_view_wishes()
         if (whole)
             bench_.angle.moved_mm.setZero();
     }
+    if (bench_.is_shown(Shown::Strokes)) {
+        if (whole)
+            strokes_.look_at_whole();
+        else if (factor != 1)
+            strokes_.zoom(factor);
+    }
     if (!bench_.is_shown(Shown::Plant))
         return;
     if (whole)
@@ -204,6 +214,7 @@ void Layout::begin_drawing(view::WindowModel& model)
     bench_.close_menu();
     bench_.choose(model, model.state().hand);
     plant_.look_at_whole();
+    strokes_.look_at_whole();
     bench_.angle.zoom = 1;
     bench_.angle.moved_mm.setZero();
     has_begun_ = false;
@@ -228,8 +239,8 @@ void Layout::begin_frame(view::WindowModel& model, HandInput const& input)
             pictures->leave();
         model.perform(view::LayPictureFile { input.dropped.front() });
     }
-    if (!std::exchange(has_begun_, true) && state.has_pen())
-        bench_.shown = Shown::Pad;
+    if (!std::exchange(has_begun_, true))
+        bench_.shown = bench_.shown_first.value_or(state.has_pen() ? Shown::Pad : bench_.shown);
     bench_.angle.area_mm = (state.volume_mm.max_mm - state.volume_mm.min_mm).head<2>().cwiseMax(1);
     covered_.clear();
     pad_part_.reset();
@@ -258,6 +269,8 @@ void Layout::show_views(view::WindowModel& model, render::Renderer& renderer,
         pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
         if (bench_.shown == Shown::Pad)
             show_pad(model, renderer, whole, input);
+        else if (bench_.shown == Shown::Strokes)
+            show_strokes(model, renderer, beside_menu());
         else if (bench_.shown == Shown::Skeleton)
             show_skeleton(model, renderer, whole, input);
         else if (bench_.shown == Shown::Plant)
@@ -279,11 +292,56 @@ void Layout::show_views(view::WindowModel& model, render::Renderer& renderer,
         mouse_.let_go(model);
         return show_plant(state, renderer, room);
     }
+    float const strokes_px = strokes_height_px(state, part);
+    part.height -= strokes_px;
     show_pad(model, renderer, part, input);
+    if (strokes_px > 0)
+        show_strokes(model, renderer,
+                     { part.left, part.height + gap, part.width, strokes_px - gap });
     part = { part.left + part.width + gap, 0, width * 0.28f, room.height };
     show_skeleton(model, renderer, part, input);
     part = { part.left + part.width + gap, 0, width * 0.35f, room.height };
     show_plant(state, renderer, part);
+}
+
+// Height that is left for the strokes below the pad in its column, which is as wide as the pad; 0
+// if it is too little.
+float Layout::strokes_height_px(view::WindowState const& state, WindowPart const& column) const
+{
+    Vec2 const size_mm = state.surface_size_mm().cwiseMax(1);
+    auto const aspect = static_cast<float>(size_mm.y() / size_mm.x());
+    float const left_px = column.height - column.width * aspect - kPadTitle_px * scale_;
+    return left_px < kLeastStrokes_px * scale_ ? 0 : left_px;
+}
+
+// If the view fills the window, a list of the strokes is beside it.
+void Layout::show_strokes(view::WindowModel& model, render::Renderer& renderer, WindowPart part)
+{
+    auto const& state = model.state();
+    std::optional<std::size_t> pressed;
+    auto const whole = part;
+    float const list_px = kListWidth_px * scale_;
+    bool const has_list = bench_.shown == Shown::Strokes && part.width >= 2 * list_px;
+    if (has_list) {
+        float const title_px = kTitleRow_px * scale_;
+        float const list_left
+            = bench_.is_left_handed ? part.left + part.width - list_px : part.left;
+        ImGui::SetCursorScreenPos({ list_left, part.top + title_px });
+        pressed = strokes_.show_list(state, { list_px, part.height - title_px });
+        part.width -= list_px;
+        if (!bench_.is_left_handed)
+            part.left += list_px;
+    }
+    ImGui::SetCursorScreenPos({ part.left, part.top });
+    if (auto const clicked
+        = strokes_.show(state, renderer, { part.width, part.height }, bench_.drag))
+        pressed = clicked;
+    show_title(whole, "Strokes",
+               state.curves.empty() ? "none yet: what you draw is shown here"
+                                    : "click one to choose it, drag to turn");
+    strokes_.show_caption(state, { part.left + 14 * scale_, part.top + part.height - 12 * scale_ });
+    if (pressed)
+        model.perform(view::PickCurve { *pressed });
 }
 
 void Layout::show_title(WindowPart const& part, char const* title, char const* detail) const
@@ -323,7 +381,7 @@ void Layout::show_pad(view::WindowModel& model, render::Renderer& renderer, Wind
     move_surface_as_wished(model, input, pad_is_pointed_at_);
     show_gauge(state, part, area);
     if (draws_here)
-        draw_refusal(state, area, { part.left, part.top }, { part.width, above_controls().height });
+        draw_refusal(state, area, { part.left, part.top }, { part.width, pad_part_->height });
     show_title(part, "Drawing pad", state.tool.c_str());
 }
 
@@ -338,7 +396,7 @@ void Layout::show_gauge(view::WindowState const& state, WindowPart const& part,
     if (bench_.is_left_handed)
         left = (fills_window ? std::min(right, area.right_px()) : right) - width;
     draw_height_gauge(state, { left, part.top + 40 * scale_ },
-                      { width, above_controls().height - 40 * scale_ },
+                      { width, pad_part_->height - 40 * scale_ },
                       bench_.is_left_handed ? Side::Right : Side::Left);
 }
 
@@ -395,7 +453,7 @@ void Layout::show_collection(view::WindowModel& model, render::Renderer& rendere
     if (!std::exchange(collection_is_shown_, true))
         CollectionView::begin(model);
     auto const before = model.state().seed;
-    float const title_px = 44 * scale_;
+    float const title_px = kTitleRow_px * scale_;
     ImGui::SetCursorScreenPos({ part.left, part.top + title_px });
     collection_.show(model, renderer, { part.width, part.height - title_px });
     show_title(part, "Variations", "press one to make it the plant");

@@ -11,6 +11,7 @@
 #include "app/window/number_panel.h"
 #include "app/window/pen_pointer.h"
 #include "app/window/start_view.h"
+#include "app/window/strokes_view.h"
 #include "app/window/tool_ring.h"
 #include "app/window/views.h"
 
@@ -65,6 +66,8 @@ private:
                   HandInput const& input);
     void show_gauge(view::WindowState const& state, WindowPart const& part,
                     PenArea const& area) const;
+    float strokes_height_px(view::WindowState const& state, WindowPart const& column) const;
+    void show_strokes(view::WindowModel& model, render::Renderer& renderer, WindowPart part);
     void show_skeleton(view::WindowModel& model, render::Renderer& renderer, WindowPart const& part,
                        HandInput const& input);
     void show_plant(view::WindowState const& state, render::Renderer& renderer,
@@ -95,6 +98,7 @@ private:
     NamePanel name_panel_;
     StartView start_;
     PadView pad_;
+    StrokesView strokes_;
     SkeletonView skeleton_;
     PlantView plant_;
     CollectionView collection_;

@@ -2,6 +2,8 @@
 
 #include "engine/base/vectors.h"
 
+#include <array>
+
 namespace tractus::window::theme {
 
 // Colours that can be told apart with any kind of colour vision (Okabe and Ito 2008, "Color
@@ -19,9 +21,10 @@ struct Palette {
     Vec3f grid;
     Vec3f volume;
     Vec3f pad_background;
-    Vec3f recording; // Colour of the mark that shows that input is being recorded.
-    Vec3f faint;     // Colour of the skeleton where it only gives orientation.
-    Vec3f growing;   // Colour of what grows in the stage view, before it has bark and leaves.
+    Vec3f recording;             // Colour of the mark that shows that input is being recorded.
+    Vec3f faint;                 // Colour of the skeleton where it only gives orientation.
+    std::array<Vec3f, 7> curves; // Colours of drawn curves, by turns.
+    Vec3f growing; // Colour of what grows in the stage view, before it has bark and leaves.
 };
 
 // The window's current palette; dark by default.

@@ -20,17 +20,6 @@ render::Curve line(Vec3f const& from, Vec3f const& to, Vec3f const& color, float
     return curve;
 }
 
-// The spacing of grid lines: 1, 2 or 5 times a power of ten, about a twelfth of the extent.
-float grid_step_mm(float extent_mm)
-{
-    float const rough = std::max(extent_mm, 1.0f) / 12;
-    float const power = std::pow(10.0f, std::floor(std::log10(rough)));
-    for (float const factor : { 1.0f, 2.0f, 5.0f })
-        if (rough <= power * factor)
-            return power * factor;
-    return power * 10;
-}
-
 void add_surface_grid(view::WindowState const& state, std::vector<render::Curve>& curves)
 {
     Vec3f const low = state.volume_mm.min_mm.cast<float>();
@@ -267,6 +256,16 @@ std::vector<render::Curve> layer_curves(view::WindowState const& state)
 constexpr float kLayerWidth_px_per_mm = 1.45f; // Line width in the skeleton's view.
 
 } // namespace
+
+float grid_step_mm(float extent_mm)
+{
+    float const rough = std::max(extent_mm, 1.0f) / 12;
+    float const power = std::pow(10.0f, std::floor(std::log10(rough)));
+    for (float const factor : { 1.0f, 2.0f, 5.0f })
+        if (rough <= power * factor)
+            return power * factor;
+    return power * 10;
+}
 
 bool draws_on_paper(view::WindowState const& state)
 {

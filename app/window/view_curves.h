@@ -32,6 +32,9 @@ render::Stage::Fade pad_fade(view::WindowState const& state);
 // The skeleton coloured by its states, the layers' lines, and a ring on the ground.
 std::vector<render::Curve> skeleton_curves(view::WindowState const& state);
 
+// The spacing of grid lines: 1, 2 or 5 times a power of ten, about a twelfth of the extent.
+float grid_step_mm(float extent_mm);
+
 // The states for which the skeleton view's legend needs an entry.
 struct SkeletonStates {
     bool selected = false;

@@ -51,8 +51,8 @@ private:
     bool is_light_ = false;
 };
 
-// The three views of Streit 2006 section 3. Each draws at ImGui's cursor, `size_px` large, and
-// needs the window's OpenGL context to be current.
+// The views of Streit 2006 section 3; that of the drawn curves is in strokes_view.h. Each draws at
+// ImGui's cursor, `size_px` large, and needs the window's OpenGL context to be current.
 
 // Looks down through the surface at its current height into the drawing volume: nothing above the
 // surface is shown, and lines get thinner with depth below it.

@@ -176,6 +176,7 @@ static Result<void> show_window(Host& host, view::WindowModel& model, WindowOpti
     Layout layout(host.title_font(), host.scale());
     layout.bench().is_left_handed = options.look.is_left_handed;
     layout.bench().is_on_stage = options.is_on_stage;
+    layout.bench().shown_first = shown_of_word(options.view);
     PenPointer pen;
     auto const draw_frame = [&] {
         auto const step_s = counts_frames(options)

@@ -31,6 +31,10 @@ struct WindowOptions {
     // window is on. nullopt: not full screen.
     std::optional<std::string> full_screen {};
 
+    // The view that a drawing begins with, one of shown_words() (workbench.h). Empty: the pad for a
+    // pen tablet, otherwise all.
+    std::string view {};
+
     bool is_on_stage = false; // True: the window opens in the stage view (Workbench::is_on_stage).
 
     WindowLook look {}; // Initial look of the window.

@@ -1,6 +1,7 @@
 #include "app/window/workbench.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace tractus::window {
@@ -65,6 +66,22 @@ void Workbench::choose_view_tool()
     close_panels();
     if (shown == Shown::Pad)
         shown = Shown::Plant;
+}
+
+static constexpr std::array<std::string_view, 6> kShownWords { "all",      "pad",   "strokes",
+                                                               "skeleton", "plant", "many" };
+
+std::span<std::string_view const> shown_words()
+{
+    return kShownWords;
+}
+
+std::optional<Workbench::Shown> shown_of_word(std::string_view word)
+{
+    auto const found = std::find(kShownWords.begin(), kShownWords.end(), word);
+    if (found == kShownWords.end())
+        return std::nullopt;
+    return Workbench::Shown(static_cast<int>(found - kShownWords.begin()));
 }
 
 void Workbench::show_next()

@@ -5,6 +5,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace tractus::window {
@@ -18,14 +21,17 @@ constexpr double kZoomStep = 1.12;
 // State of the user interface that belongs neither to the document nor to the station.
 struct Workbench {
     enum class Shown {
-        All, // Pad, skeleton and plant side by side.
+        All, // Pad, skeleton and plant side by side, with the strokes below the pad if they fit.
         // Pad and the values below fill the window, or the tablet's own display, with one view.
         Pad,
+        Strokes, // The curves that were drawn, with their names.
         Skeleton,
         Plant,
         Collection, // Shows variations of the plant to choose from.
     };
     Shown shown = Shown::All;
+    // What a drawing begins with. No value: the pad for a pen tablet, otherwise all.
+    std::optional<Shown> shown_first {};
     // Only the growing plant is shown, over the whole window; the pen draws as on the pad.
     bool is_on_stage = false;
 
@@ -122,5 +128,11 @@ private:
     std::vector<tools::Tool> chosen_methods_ {}; // The last tool of each kind that belongs to a
                                                  // method.
 };
+
+// The words of Workbench::Shown for the command line, in its order: "all", "pad" and so on.
+std::span<std::string_view const> shown_words();
+
+// No value for another word.
+std::optional<Workbench::Shown> shown_of_word(std::string_view word);
 
 } // namespace tractus::window

@@ -104,6 +104,8 @@ public:
         }
         if (auto const* const named = std::get_if<view::NameDrawing>(&command))
             given_names.push_back(named->name);
+        if (auto const* const pick = std::get_if<view::PickCurve>(&command))
+            picked.push_back(pick->curve);
         if (auto const* const moved_by = std::get_if<view::MoveSurface>(&command))
             surface_mm += moved_by->by_mm;
         if (auto const* const pen = std::get_if<view::MoveMousePen>(&command))
@@ -111,12 +113,18 @@ public:
                                    [](view::MousePen const& moment) { return moment.touching; });
     }
 
+    void draw_curves(std::vector<view::DrawnCurveView> curves)
+    {
+        state_.curves = std::move(curves);
+        ++state_.curves_revision;
+    }
     void name(std::string drawing) { state_.drawing_name = std::move(drawing); }
     void add_card(tools::ToolCard card) { state_.cards.push_back(std::move(card)); }
 
     std::vector<tools::Tool> moved {};       // Settings of a tool while a slider is dragged.
     std::vector<tools::Tool> released {};    // Settings of a tool when the slider is released.
     std::vector<std::string> given_names {}; // Names given to the drawing.
+    std::vector<std::size_t> picked {};      // Drawn curves that were clicked.
     std::size_t touches = 0;
     double surface_mm = 0; // Distance by which the surface was moved.
 

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/tools/drawn_curve.h"
+
+#include <vector>
+
+namespace tractus::leaf {
+
+// The lines of a drawn leaf. See ListDrawnCurves; empty for a plant that was not
+// drawn so.
+std::vector<tools::DrawnCurve> leaf_sketch_curves(scene::BuiltPlant const& plant);
+
+} // namespace tractus::leaf

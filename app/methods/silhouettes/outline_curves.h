@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/tools/drawn_curve.h"
+
+#include <vector>
+
+namespace tractus::silhouette {
+
+// The trunk, the outlines, the branches and the lines in space of an outlined tree. See
+// ListDrawnCurves; empty for a plant that was not drawn so.
+std::vector<tools::DrawnCurve> outline_curves(scene::BuiltPlant const& plant);
+
+} // namespace tractus::silhouette
