@@ -44,6 +44,7 @@
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/draw_tool.h"
 #include "app/tools/erase_tool.h"
+#include "app/tools/limb_tool.h"
 #include "app/tools/oversketch_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/smooth_tool.h"
@@ -67,6 +68,7 @@ namespace {
 constexpr std::array kTools {
     &tools::DrawInOrderTool::kKind,
     &tools::DrawTool::kKind,
+    &tools::LimbTool::kKind,
     &tools::OversketchTool::kKind,
     &tools::SmoothTool::kKind,
     &tools::DeleteTool::kKind,

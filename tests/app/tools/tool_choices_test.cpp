@@ -87,11 +87,11 @@ TEST(ToolChoices, OfferAllThatTheToolInHandMayMean)
     EXPECT_EQ(
         buttons(Tool(*tools[0])),
         "Branch by branch*, | From its base*, Base to tip, As it lies, Selected, All it bears, "
-        "Both, | Redraw, Smooth!, Take away!, ");
+        "Both, New limb, | Redraw, Smooth!, Take away!, ");
     EXPECT_EQ(
         buttons(DrawTool { variation::Propagation::Both, variation::StrokeFit::World }),
         "Branch by branch, Selected, All it bears, Both*, | From its base, Base to tip, As it "
-        "lies*, | Redraw, Smooth!, Take away!, ");
+        "lies*, New limb, | Redraw, Smooth!, Take away!, ");
     EXPECT_EQ(buttons(SelectTool {}),
               "Path*, By its ends, Add, Take, Whole order, All alike, | Invert!, Nothing!, ");
     EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "move_indicator"))),

@@ -1,0 +1,256 @@
+#include "app/tools/limb_tool.h"
+
+#include "app/tools/bent_plant.h"
+#include "app/tools/underground.h"
+#include "engine/stroke/frame_rotation.h"
+#include "engine/stroke/polyline.h"
+#include "engine/variation/subtree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace tractus::tools {
+
+namespace {
+
+// How far from a branch a limb may begin, as a share of the plant's height.
+constexpr double kLimbReach = 0.25;
+
+// How far a touch may be from a limb to erase it: beside it, and above or below it.
+constexpr double kBesideLimb_mm = 10;
+constexpr double kAboveLimb_mm = 30;
+
+// In the order of Does.
+constexpr std::array<OptionWord, 2> kLimbWords { {
+    { "draw", "New limb" },
+    { "erase", "Erase limb", "Erase a drawn limb" },
+} };
+
+void visit(OptionVisitor& visitor, LimbTool& tool)
+{
+    visitor.choice({ kLimbWords, WordOption::Offered::InHand }, tool.does);
+    visitor.number({ "thickness", "", 0.1, 4, 0.1, "Thickness" }, tool.thickness);
+}
+
+// A point of an axis.
+struct AxisPoint {
+    SegmentId segment = 0;
+    double share = 0;             // On the segment, from its base to its end.
+    Vec3 place_mm = Vec3::Zero(); // World frame.
+    double distance_mm = std::numeric_limits<double>::infinity();
+};
+
+// Distance of the place that the point is nearest to from the surface of the wood; negative inside
+// it.
+double off_wood_mm(scene::BuiltPlant const& plant, AxisPoint const& point)
+{
+    auto const node = nodes_of(*plant.base, point.segment);
+    auto const radius = [&](NodeId id) {
+        return plant.placement.scale * static_cast<double>(plant.base->node_radius_mm[id]);
+    };
+    return point.distance_mm
+        - (radius(node.base) + point.share * (radius(node.tip) - radius(node.base)));
+}
+
+AxisPoint point_of(BentPlant const& bent, SegmentId segment, Vec3 const& near_mm)
+{
+    Vec3 const from_mm = bent.begin_of(segment);
+    Vec3 const to_mm = bent.end_of(segment);
+    double const share = nearest_share(near_mm, from_mm, to_mm);
+    Vec3 const place_mm = from_mm + share * (to_mm - from_mm);
+    return { segment, share, place_mm, (place_mm - near_mm).norm() };
+}
+
+// The point of an axis at which the wood is nearest. The plant has a segment.
+AxisPoint nearest_wood(scene::BuiltPlant const& plant, BentPlant const& bent, Vec3 const& near_mm)
+{
+    AxisPoint nearest;
+    double nearest_mm = std::numeric_limits<double>::infinity();
+    for (SegmentId segment = 0; segment < plant.base->segment_count(); ++segment) {
+        auto const point = point_of(bent, segment, near_mm);
+        if (double const off_mm = off_wood_mm(plant, point); off_mm < nearest_mm) {
+            nearest_mm = off_mm;
+            nearest = point;
+        }
+    }
+    return nearest;
+}
+
+Result<std::vector<scene::Edit>> erase_limb(Stroke const& stroke, scene::Scene const& scene)
+{
+    Vec3 const touch_mm = stroke.tips.front().position_mm;
+    std::optional<scene::EraseLimb> nearest;
+    double nearest_mm = std::numeric_limits<double>::infinity();
+    for (auto const& plant : scene.plants) {
+        auto const limbs = scene::limb_segments(*plant);
+        if (plant->drawn->is_hidden || limbs.empty())
+            continue;
+        BentPlant const bent(*plant);
+        for (auto const& [graft, first] : limbs)
+            for (auto const& [id, begin] : variation::subtree_of(*plant->base, first)) {
+                auto const& axis = plant->base->axes[id];
+                for (auto segment = begin; segment < axis.first_segment + axis.segment_count;
+                     ++segment) {
+                    auto const point = point_of(bent, segment, touch_mm);
+                    Vec3 const off_mm = point.place_mm - touch_mm;
+                    if (off_mm.head<2>().norm() > kBesideLimb_mm
+                        || std::abs(off_mm.z()) > kAboveLimb_mm || point.distance_mm > nearest_mm)
+                        continue;
+                    nearest_mm = point.distance_mm;
+                    nearest = { plant->drawn->id, graft->limb->id };
+                }
+            }
+    }
+    if (!nearest)
+        return fail(Fault::User, "no drawn limb is here: touch one where the pad shows it");
+    return std::vector<scene::Edit> { *nearest };
+}
+
+Result<std::vector<scene::Edit>> draw_limb(Tool const& tool, Stroke const& stroke,
+                                           scene::Scene const& scene)
+{
+    auto const& options = *tool.get<LimbTool>();
+    if (options.does == LimbTool::Does::Erase)
+        return erase_limb(stroke, scene);
+    std::vector<scene::Edit> edits;
+    edits.push_back(TRY(drawn_limb(options, stroke, scene)));
+    return edits;
+}
+
+scene::BuiltPlant const& plant_with_limb(scene::Scene const& scene, scene::DrawLimb const& limb)
+{
+    return *scene.plants[*scene::find_plant(scene.state, limb.plant)];
+}
+
+// Shows the limb with its twigs while it is drawn.
+class LimbPreviewer final : public StrokePreviewer {
+public:
+    std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
+    {
+        auto const& tool = *stroke.tool.get<LimbTool>();
+        if (tool.does == LimbTool::Does::Erase || stroke.ink.empty())
+            return {};
+        Stroke const ink { std::vector(stroke.ink.begin(), stroke.ink.end()) };
+        Vec3 const begin_mm = stroke.ink.front().position_mm;
+        if (scene_ != stroke.scene || begin_mm_ != begin_mm || thickness_ != tool.thickness) {
+            limb_ = drawn_limb(tool, ink, *stroke.scene);
+            scene_ = stroke.scene;
+            begin_mm_ = begin_mm;
+            thickness_ = tool.thickness;
+        }
+        if (!limb_)
+            return {};
+        limb_->stroke = ink;
+        auto const points = scene::limb_points(*limb_);
+        return points ? lines_of(*points, stroke.orders) : std::vector<SkeletonLine>();
+    }
+
+private:
+    std::vector<SkeletonLine> lines_of(std::vector<variation::LimbPoint> const& points,
+                                       std::uint32_t orders) const
+    {
+        auto const& bearer = plant_with_limb(*scene_, *limb_);
+        auto const segment = *bearer.rest->addresses.find_segment(*bearer.base, limb_->at);
+        auto const& axis = bearer.base->axes[axis_of(*bearer.base, segment)];
+        auto const node = nodes_of(*bearer.base, segment);
+        variation::LimbSeat const seat {
+            .order = axis.order,
+            .direction = tangent_of(bearer.rest->frame[segment]),
+            .radius_mm = static_cast<double>(bearer.base->node_radius_mm[node.tip]),
+        };
+        auto const limb = variation::make_limb(*bearer.base, *bearer.rest, points, seat);
+        double const angle = limb_->turn_rad.norm();
+        Quat const turn = angle > 0 ? Quat(Eigen::AngleAxisd(-angle, limb_->turn_rad / angle))
+                                    : Quat(Quat::Identity());
+        auto const& shown = scene_->placement; // Lines are in the active plant's frame.
+        std::vector<SkeletonLine> lines;
+        for (auto const& own : limb.axes) {
+            bool const is_limb = own.order == 0;
+            if (!is_limb && axis.order + 1 + own.order >= orders)
+                continue;
+            auto& line = lines.emplace_back();
+            line.state = SkeletonLine::State::Assigned;
+            line.width_mm = 2 * limb.node_radius_mm[own.first_node]
+                * static_cast<float>(limb_->scale / shown.scale);
+            for (auto const& node_mm : limb.positions(own)) {
+                Vec3 const world_mm = limb_->joint_mm + limb_->scale * (turn * node_mm);
+                line.points_mm.push_back(shown.plant_of_world(world_mm).cast<float>());
+            }
+        }
+        return lines;
+    }
+
+    std::shared_ptr<scene::Scene const> scene_; // Shared with the document, which may go on.
+    Vec3 begin_mm_ = Vec3::Zero();
+    double thickness_ = 0;
+    Result<scene::DrawLimb> limb_; // Searched once for each stroke: that visits all branches.
+};
+
+} // namespace
+
+Result<scene::DrawLimb> drawn_limb(LimbTool const& tool, Stroke const& stroke,
+                                   scene::Scene const& scene)
+{
+    if (stroke.tips.empty())
+        return fail(Fault::User, "a limb needs a stroke: draw it from where it begins to its tip");
+    Vec3 const begin_mm = stroke.tips.front().position_mm;
+    double nearest_mm = std::numeric_limits<double>::infinity();
+    std::optional<scene::DrawLimb> limb;
+    for (auto const& plant : scene.plants) {
+        if (plant->drawn->is_hidden || plant->base->segment_count() == 0)
+            continue;
+        BentPlant const bent(*plant);
+        auto const nearest = nearest_wood(*plant, bent, begin_mm);
+        double const off_mm = off_wood_mm(*plant, nearest);
+        if (off_mm > kLimbReach * plant->placement.shown_height_mm || off_mm >= nearest_mm)
+            continue;
+        nearest_mm = off_mm;
+        Eigen::AngleAxisd const turn(bent.turn_of(nearest.segment).conjugate());
+        limb = scene::DrawLimb {
+            .plant = plant->drawn->id,
+            .at = plant->rest->addresses.address_of(*plant->base, nearest.segment),
+            .joint = nearest.share,
+            .joint_mm = nearest.place_mm,
+            .turn_rad = turn.angle() * turn.axis(),
+            .scale = plant->placement.scale,
+            .width_mm = kInkWidth_mm * tool.thickness,
+            .stroke = stroke,
+        };
+    }
+    if (!limb)
+        return fail(Fault::User,
+                    "no branch is near where the stroke begins: begin it on a branch, or closer to "
+                    "one");
+    return *std::move(limb);
+}
+
+constexpr ToolKind LimbTool::kKind {
+    .word = "draw_limb",
+    .label = "New limb",
+    .title = "Draw a new limb",
+    .done = "A new limb stands on the branch",
+    .help = "adds a limb along the stroke to the branch on which it begins, or that is nearest; it "
+            "bears twigs like the plant's own branches, is as thick as the ink, or thicker or "
+            "thinner by a factor, and is then shaped as they are; or takes a drawn limb away that "
+            "is touched, as the pen's other end does",
+    .group = "Draw",
+    .key = 'B',
+    .least_extent_mm = 6,
+    .options = options_type<LimbTool, visit>(),
+    .mean = draw_limb,
+    .said = say_underground,
+    .previewer
+    = []() -> std::unique_ptr<StrokePreviewer> { return std::make_unique<LimbPreviewer>(); },
+    .other_end = { &LimbTool::kKind,
+                   [] {
+                       return std::shared_ptr<void>(
+                           std::make_shared<LimbTool>(LimbTool { LimbTool::Does::Erase }));
+                   } },
+};
+
+} // namespace tractus::tools

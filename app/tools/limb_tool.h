@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/tools/tool.h"
+#include "engine/scene/limb_edits.h"
+
+namespace tractus::tools {
+
+// A stroke that begins on a branch, or in the air near one, becomes a new limb of the plant.
+struct LimbTool {
+    static ToolKind const kKind;
+
+    enum class Does {
+        Draw,
+        Erase, // A limb that was drawn and is touched.
+    } does
+        = Does::Draw;
+    double thickness = 1; // Thickness of the limb divided by the width of the ink.
+};
+
+// Returns the limb that a stroke draws: it is joined to the nearest wood of any plant that is
+// shown, as strokes have bent it, at the nearest point of that axis. Fails, as the user's fault, if
+// no wood is within a quarter of its plant's height, or the stroke is empty.
+Result<scene::DrawLimb> drawn_limb(LimbTool const& tool, Stroke const& stroke,
+                                   scene::Scene const& scene);
+
+} // namespace tractus::tools
