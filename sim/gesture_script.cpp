@@ -1,6 +1,7 @@
 #include "sim/gesture_script.h"
 
 #include "calib/toml_table.h"
+#include "sim/unkindness_table.h"
 
 #include <array>
 #include <fmt/core.h>
@@ -167,6 +168,10 @@ Result<GestureScript> parse_gesture_script(std::string_view text, std::string co
         script.tools
             = static_cast<GestureScript::Tools>(TRY(root.word("tools", { "newest", "older" })));
     TRY(parse_lean(root, script));
+    if (root.has("unkind")) {
+        auto table = TRY(root.table("unkind"));
+        script.unkindness = TRY(parse_unkindness(table, script.seed));
+    }
     for (auto& table : TRY(root.tables("gesture")))
         script.gestures.push_back(TRY(parse_gesture(table)));
     TRY(root.refuse_unknown_keys());
@@ -214,6 +219,8 @@ Result<std::vector<HandStroke>> strokes_of(GestureScript const& script, RigGeome
                         fmt::format("{}: {}", gesture.place, path.error().message));
         strokes.push_back({ .path = *std::move(path), .speed_mm_s = gesture.speed_mm_s });
     }
+    add_hooks(strokes, geometry, script.unkindness);
+    add_dabs(strokes, geometry, script.unkindness);
     return strokes;
 }
 

@@ -5,6 +5,7 @@
 #include "sim/hand.h"
 #include "sim/path.h"
 #include "sim/rig_geometry.h"
+#include "sim/unkindness.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,9 @@ namespace tractus::sim {
 //     coil_height_mm = 9          # Height of the pen's coil above its nib; default: 0.
 //     lean_deg = [30, -20]        # Tilt of the pen to +x and +y; default: see HandOptions.
 //     leaned_around_deg = [25, 20]  # Variation of that tilt; default: 0.
+//
+//     [unkind]                    # Faults of hand, devices and computer (unkindness_table.h); a
+//     dab_share = 0.3             # kind simulation if left out.
 //
 //     [[gesture]]
 //     tool = "select"
@@ -97,6 +101,7 @@ struct GestureScript {
     double coil_height_mm = 0;
     std::optional<Vec2> lean_deg {};
     Vec2 leaned_around_deg = Vec2::Zero();
+    Unkindness unkindness {};
     std::vector<Gesture> gestures; // The script has at least one gesture.
 };
 
@@ -107,8 +112,9 @@ Result<GestureScript> parse_gesture_script(std::string_view text, std::string co
 using AxisTracer = std::function<Result<std::vector<Vec2>>(std::size_t rank)>;
 
 // Converts a script into strokes for a Hand and simulate_rig(): one for each gesture with a path,
-// in order. `tracer` provides the branches. Fails, as the user's fault, if a gesture is outside the
-// rig's reach, and with the tracer's error; both name the gesture's position.
+// in order, with dabs and hooks as the script's unkindness has them. `tracer` provides the
+// branches. Fails, as the user's fault, if a gesture is outside the rig's reach, and with the
+// tracer's error; both name the gesture's position.
 Result<std::vector<HandStroke>> strokes_of(GestureScript const& script, RigGeometry const& geometry,
                                            AxisTracer const& tracer);
 

@@ -137,8 +137,7 @@ double Hand::cruise_mm_s(Path const& path, double speed_mm_s) const
     return limit;
 }
 
-// Makes the tremor: sines of equal amplitude with random frequencies in the band of postural hand
-// tremor.
+// Makes the tremor: sines of equal amplitude with random frequencies in the tremor's band.
 void Hand::make_tremor()
 {
     Random random({ .seed = options_.seed, .stream = kTremorStream });
@@ -147,7 +146,8 @@ void Hand::make_tremor()
         double const count = static_cast<double>(tremor_[axis].size());
         for (auto& wave : tremor_[axis])
             wave = { .amplitude_mm = deviation_mm * std::sqrt(2 / count),
-                     .rad_per_s = 2 * kPi * random.uniform(4, 12),
+                     .rad_per_s
+                     = 2 * kPi * random.uniform(options_.least_tremor_hz, options_.most_tremor_hz),
                      .phase_rad = random.uniform(0, 2 * kPi) };
     }
 }

@@ -45,6 +45,7 @@ struct HandStroke {
     double speed_mm_s = 150;
     double pressure = 0.6; // Pressure in the middle of the stroke, 0 to 1.
     bool eraser = false;   // True: the stroke is drawn with the pen's eraser end.
+    bool is_dab = false;   // True: a touch by mistake, before the stroke that is meant.
 };
 
 struct HandOptions {
@@ -54,9 +55,12 @@ struct HandOptions {
     double max_plane_speed_mm_s = 300;
     double max_height_speed_mm_s = 200;
 
-    // Standard deviations of the tremor along x and y, and of the heavy carriage; 4 to 12 Hz.
+    // Standard deviations of the tremor along x and y, and of the heavy carriage, and the band of
+    // its frequencies.
     double plane_tremor_mm = 0.15;
     double height_tremor_mm = 0.05;
+    double least_tremor_hz = 4;
+    double most_tremor_hz = 12;
 
     // Time of hovering at rest before pen-down and after pen-up.
     Duration pause = std::chrono::milliseconds(120);
@@ -103,6 +107,8 @@ public:
 
     // Times of the strokes, in order.
     std::span<StrokeTimes const> strokes() const { return stroke_times_; }
+
+    bool is_dab(std::size_t stroke) const { return strokes_[stroke].is_dab; }
 
 private:
     enum class Doing {

@@ -14,5 +14,6 @@ constexpr std::uint32_t kTiltNoiseStream = 0x73'69'6d'06;
 constexpr std::uint32_t kRulerStream = 0x73'69'6d'05;
 constexpr std::uint32_t kUnkindnessStream = 0x73'69'6d'07;
 constexpr std::uint32_t kHookStream = 0x73'69'6d'08;
+constexpr std::uint32_t kDabStream = 0x73'69'6d'09;
 
 } // namespace tractus::sim

@@ -124,6 +124,8 @@ Unkindness all_unkindness(std::uint64_t seed)
     return { .seed = seed,
              .least_hook_mm = 0.5,
              .most_hook_mm = 2,
+             .dab_share = 0.35,
+             .tremor_mm = 0.3,
              .reports_changes_only = true,
              .skipped_share = 0.2,
              .batch_period = 15ms,
@@ -148,6 +150,46 @@ void add_hooks(std::vector<HandStroke>& strokes, RigGeometry const& geometry,
         if (check_reach(geometry, hooked))
             stroke.path = hooked;
     }
+}
+
+void add_dabs(std::vector<HandStroke>& strokes, RigGeometry const& geometry,
+              Unkindness const& unkindness)
+{
+    constexpr double kShareOfShort = 0.85;
+    constexpr double kFarthest_mm = 2; // From the start of the stroke.
+    Random random({ .seed = unkindness.seed, .stream = kDabStream });
+    std::vector<HandStroke> all;
+    for (auto const& stroke : strokes) {
+        bool const is_short = random.uniform() < kShareOfShort;
+        double const length_mm = is_short ? random.uniform(0.2, 2) : random.uniform(2, 4.5);
+        double const place_rad = random.uniform(0, 2 * kPi);
+        double const heading_rad = random.uniform(0, 2 * kPi);
+        double const away_mm = random.uniform(0.2, kFarthest_mm);
+        if (random.uniform() < unkindness.dab_share) {
+            Vec3 const from_mm = stroke.path.points_mm().front()
+                + away_mm * Vec3(std::cos(place_rad), std::sin(place_rad), 0);
+            Vec3 const to_mm
+                = from_mm + length_mm * Vec3(std::cos(heading_rad), std::sin(heading_rad), 0);
+            HandStroke const dab { .path = Path({ from_mm, to_mm }),
+                                   .speed_mm_s = stroke.speed_mm_s,
+                                   .pressure = stroke.pressure / 2,
+                                   .eraser = stroke.eraser,
+                                   .is_dab = true };
+            if (check_reach(geometry, dab.path))
+                all.push_back(dab);
+        }
+        all.push_back(stroke);
+    }
+    strokes = std::move(all);
+}
+
+void set_tremor(HandOptions& options, Unkindness const& unkindness)
+{
+    if (unkindness.tremor_mm <= 0)
+        return;
+    options.plane_tremor_mm = unkindness.tremor_mm;
+    options.least_tremor_hz = 8;
+    options.most_tremor_hz = 12;
 }
 
 void make_unkind(SimulatedRun& run, Unkindness const& unkindness)

@@ -33,6 +33,7 @@ struct RecordArguments {
     std::string rig;
     std::string script;
     std::string model = "broadleaf";
+    bool is_unkind = false;
 };
 
 Result<void> record_devices(RecordArguments const& arguments)
@@ -63,7 +64,9 @@ Result<void> record_simulated(RecordArguments const& arguments, tools::ToolKinds
 {
     TRY(devices::check_new_file(arguments.output));
     auto const text = TRY(read_text_file(arguments.script));
-    auto const script = TRY(sim::parse_gesture_script(text, arguments.script));
+    auto script = TRY(sim::parse_gesture_script(text, arguments.script));
+    if (arguments.is_unkind)
+        script.unkindness = sim::all_unkindness(script.seed);
     auto const model = TRY(files::find_model(arguments.model));
     auto const edit = TRY(io::load_plant_edit(model));
     auto const scene = TRY(scene::apply_edit({}, edit, document::make_load_options()));
@@ -112,6 +115,12 @@ void add_record_command(CLI::App& root, options::Action& action, tools::ToolKind
     command->add_option("--plant", arguments->model, "The model whose branches the script traces")
         ->type_name("MODEL")
         ->capture_default_str()
+        ->needs(simulate);
+    command
+        ->add_flag("--unkind", arguments->is_unkind,
+                   "Simulate what hands, devices and computers do at their worst: dabs, hooks, "
+                   "tremor, lost and late reports, wrong heights, stalls; the script's own "
+                   "[unkind] chooses among them")
         ->needs(simulate);
     command->footer(
         "Records until the time is over, Ctrl-C, or every log that is played is over; what\n"

@@ -29,7 +29,9 @@ void ask_to_unplug(int)
 Result<drivers::Log> simulate(SimPlayArguments const& arguments)
 {
     auto const text = TRY(read_text_file(arguments.script));
-    auto const script = TRY(sim::parse_gesture_script(text, arguments.script));
+    auto script = TRY(sim::parse_gesture_script(text, arguments.script));
+    if (arguments.is_unkind)
+        script.unkindness = sim::all_unkindness(script.seed);
     auto const model = TRY(files::find_model(arguments.model));
     auto const edit = TRY(io::load_plant_edit(model));
     auto const scene = TRY(scene::apply_edit({}, edit, document::make_load_options()));
@@ -61,6 +63,11 @@ void add_sim_play_options(CLI::App& command, SimPlayArguments& arguments)
     command.add_option("--plant", arguments.model, "The model whose branches the script traces")
         ->type_name("MODEL")
         ->capture_default_str()
+        ->needs(simulate);
+    command
+        .add_flag("--unkind", arguments.is_unkind,
+                  "Simulate hands, devices and computers at their worst, as \"tractus record "
+                  "--unkind\" does")
         ->needs(simulate);
     auto* const stay = command.add_flag("--stay", arguments.stay,
                                         "Stay plugged in when everything was played, until Ctrl-C");

@@ -17,6 +17,7 @@ struct SimPlayArguments {
     std::string log;
     std::string script;
     std::string model = "broadleaf";
+    bool is_unkind = false;
     bool stay = false;
     bool repeat = false;
 };

@@ -1,5 +1,6 @@
 #include "app/play/simulated_recording.h"
 
+#include "app/tools/least_extent.h"
 #include "app/tools/tool.h"
 #include "calib/rig_file.h"
 #include "drivers/logs/log_writer.h"
@@ -51,16 +52,22 @@ void write_reports(drivers::LogWriter& log, sim::SimulatedRun const& run, sim::H
                            ? gesture.words
                            : tools::words_in_hand(tools, gesture.tool, gesture.words));
     };
+    if (script.unkindness.dab_share > 0)
+        log.write_tool({}, std::string(tools::kLeastExtentsLine),
+                       tools::print_least_extents(tools::usual_least_extents(tools)));
     auto gesture = script.gestures.begin();
     std::size_t stroke = 0;
     // Actions without a stroke take place when the hand selects the tool of the stroke that
     // follows.
     auto const write_tools_until = [&](Timestamp time) {
-        for (; stroke < hand.strokes().size() && hand.strokes()[stroke].chosen <= time; ++stroke)
+        for (; stroke < hand.strokes().size() && hand.strokes()[stroke].chosen <= time; ++stroke) {
+            if (stroke > 0 && hand.is_dab(stroke - 1))
+                continue; // The dab was made with this stroke's tool.
             for (bool draws = false; !draws; ++gesture) {
                 draws = !std::holds_alternative<sim::AtOnce>(gesture->path);
                 write_tool(hand.strokes()[stroke].chosen, *gesture);
             }
+        }
     };
     Timestamp last {};
     for (auto const& arrived : run.in_order_of_arrival()) {
@@ -95,6 +102,7 @@ Result<sim::Hand> simulated_hand(sim::GestureScript const& script, scene::Scene 
     if (script.lean_deg)
         options.tilt_rad = *script.lean_deg * (kPi / 180);
     options.leaned_around_rad = script.leaned_around_deg * (kPi / 180);
+    sim::set_tremor(options, script.unkindness);
     return sim::Hand(TRY(sim::strokes_of(script, geometry, tracer)), options);
 }
 
@@ -106,7 +114,10 @@ Result<void> write_simulated_recording(std::ostream& out, sim::GestureScript con
     options.seed = script.seed;
     options.geometry.coil_height_mm = script.coil_height_mm;
     auto const hand = TRY(simulated_hand(script, scene));
-    auto const run = sim::simulate_rig(hand, options);
+    auto run = sim::simulate_rig(hand, options);
+    sim::make_unkind(run, script.unkindness);
+    if (script.unkindness.delays_reports())
+        run.rig.sample_times = calib::SampleTimes::Evened;
 
     drivers::LogHeader header;
     header.devices = { run.tablet.info, run.height.info };

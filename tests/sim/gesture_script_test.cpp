@@ -276,5 +276,53 @@ TEST(GestureScript, TellsWhichGestureIsOutOfReach)
               "demo.toml:2: gesture[1]: the place (0.0, 0.0, 450.0) mm is out");
 }
 
+constexpr std::string_view kUnkind = R"(
+[unkind]
+hooks_mm = [0.5, 2]
+dab_share = 0.35
+tremor_mm = 0.3
+reports = "changes"
+lost_share = 0.2
+batch_ms = 15
+wrong_every_ms = 300
+stall_every_ms = 700
+stall_ms = 80
+)";
+
+TEST(GestureScript, ReadsEveryUnkindness)
+{
+    auto const kind = parse_gesture_script(kScript, "demo.toml").value();
+    EXPECT_EQ(kind.unkindness, Unkindness {});
+    auto const all = parse_gesture_script(fmt::format("{}{}", kScript, kUnkind), "demo.toml");
+    ASSERT_TRUE(all) << all.error().message;
+    EXPECT_EQ(all->unkindness, all_unkindness(7));
+    RigGeometry const geometry;
+    auto const no_tracer = [](std::size_t) { return std::vector<Vec2> { { 50, 50 }, { 90, 90 } }; };
+    auto const meant = strokes_of(kind, geometry, no_tracer).value();
+    std::size_t count = 0;
+    for (auto const& stroke : strokes_of(*all, geometry, no_tracer).value()) {
+        if (stroke.is_dab)
+            continue;
+        ASSERT_LT(count, meant.size());
+        EXPECT_GT(stroke.path.length_mm(), meant[count++].path.length_mm()) << "a hook";
+    }
+    EXPECT_EQ(count, meant.size());
+}
+
+TEST(GestureScript, NamesTheUnkindKeyThatIsWrong)
+{
+    auto const error = [](std::string const& key) {
+        return error_of(fmt::format("{}\n[unkind]\n{}\n", kScript, key));
+    };
+    EXPECT_NE(error("dab_share = 1.5").find("unkind.dab_share is 1.5, expected 0 to 1"),
+              std::string::npos)
+        << error("dab_share = 1.5");
+    EXPECT_NE(error("hooks_mm = [2, 1]").find("unkind.hooks_mm"), std::string::npos);
+    EXPECT_NE(error("reports = \"some\"").find("unkind.reports"), std::string::npos);
+    EXPECT_NE(error("stall_ms = 80").find("stall_every_ms"), std::string::npos);
+    EXPECT_NE(error("stalls = 80").find("unkind.stalls"), std::string::npos);
+    EXPECT_NE(error("wrong_in_a_row = 0").find("unkind.wrong_in_a_row"), std::string::npos);
+}
+
 } // namespace
 } // namespace tractus::sim

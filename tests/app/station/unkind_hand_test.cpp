@@ -2,6 +2,7 @@
 #include "sim/unkindness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -28,14 +29,27 @@ sim::Hand hand_of(std::uint64_t seed, sim::Unkindness const& unkindness)
                                            { .path = sim::make_path(level) },
                                            { .path = sim::make_path(curve) } };
     sim::add_hooks(strokes, {}, unkindness);
+    sim::add_dabs(strokes, {}, unkindness);
     // Without tremor in the plane, the pen rests during the vertical line, and its tablet is
     // silent.
-    return sim::Hand(std::move(strokes), { .seed = seed, .plane_tremor_mm = 0 });
+    sim::HandOptions options { .seed = seed, .plane_tremor_mm = 0 };
+    sim::set_tremor(options, unkindness);
+    return sim::Hand(std::move(strokes), options);
+}
+
+// Where the hand is, for each millisecond.
+std::vector<Vec3> places_of(sim::Hand const& hand)
+{
+    std::vector<Vec3> places;
+    for (Timestamp time {}; time <= hand.end(); time += 1ms)
+        places.push_back(hand.at(time).position_mm);
+    return places;
 }
 
 struct Outcome {
     std::size_t strokes = 0;
-    double worst_mm = 0; // Greatest distance of a tip from where the hand was at about that time.
+    std::size_t meant = 0; // Strokes of the hand, dabs included.
+    double worst_mm = 0;   // Greatest distance of a tip from where the hand was at about that time.
     // Greatest distance of the hand's positions, pen down, from the nearest stroke.
     double missed_mm = 0;
 };
@@ -64,23 +78,28 @@ Outcome draw(std::uint64_t seed, sim::Unkindness unkindness)
         station.push(device, report->received, report->bytes());
     station.finish();
     auto const strokes = station.take_strokes();
-    Outcome outcome { .strokes = strokes.size() };
+    auto const places = places_of(hand);
+    Outcome outcome { .strokes = strokes.size(), .meant = hand.strokes().size() };
     for (auto const& drawn : strokes)
         for (auto const& tip : drawn.stroke.tips) {
             double nearest_mm = 1e9;
-            for (auto time = tip.time - 150ms; time <= tip.time + 50ms; time += 1ms)
-                nearest_mm
-                    = std::min(nearest_mm, (hand.at(time).position_mm - tip.position_mm).norm());
+            auto const at = tip.time.time_since_epoch() / Duration(1ms);
+            auto const end = std::min(at + 50, std::ssize(places) - 1);
+            for (auto ms = std::max<std::ptrdiff_t>(at - 150, 0); ms <= end; ++ms)
+                nearest_mm = std::min(
+                    nearest_mm, (places[static_cast<std::size_t>(ms)] - tip.position_mm).norm());
             outcome.worst_mm = std::max(outcome.worst_mm, nearest_mm);
         }
     for (std::size_t i = 0; i < std::min(strokes.size(), hand.strokes().size()); ++i)
         for (auto time = hand.strokes()[i].down; time < hand.strokes()[i].up; time += 5ms) {
             double nearest_mm = 1e9;
+            Vec3 const place_mm
+                = places[static_cast<std::size_t>(time.time_since_epoch() / Duration(1ms))];
             auto const& tips = strokes[i].stroke.tips;
             for (std::size_t k = 1; k < tips.size(); ++k)
-                nearest_mm = std::min(nearest_mm,
-                                      distance_mm(hand.at(time).position_mm,
-                                                  tips[k - 1].position_mm, tips[k].position_mm));
+                nearest_mm
+                    = std::min(nearest_mm,
+                               distance_mm(place_mm, tips[k - 1].position_mm, tips[k].position_mm));
             outcome.missed_mm = std::max(outcome.missed_mm, nearest_mm);
         }
     return outcome;
@@ -91,7 +110,7 @@ void expect_what_was_meant(sim::Unkindness const& unkindness, double bound_mm)
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         SCOPED_TRACE(fmt::format("seed {}", seed));
         auto const outcome = draw(seed, unkindness);
-        EXPECT_EQ(outcome.strokes, 3u);
+        EXPECT_EQ(outcome.strokes, outcome.meant);
         EXPECT_LE(outcome.worst_mm, bound_mm);
         EXPECT_LE(outcome.missed_mm, bound_mm);
     }
@@ -135,6 +154,50 @@ TEST(UnkindHand, SwitchesDoWhatTheySay)
     EXPECT_GT(hooked.end(), hand.end());
 }
 
+TEST(UnkindHand, DabsAsOftenAndAsShortlyAsInPublicRecordings)
+{
+    std::vector<sim::HandStroke> strokes(
+        1000, { .path = sim::Path({ { 0, 0, 50 }, { 50, 0, 50 } }), .speed_mm_s = 150 });
+    sim::add_dabs(strokes, {}, { .dab_share = 0.35 });
+    std::size_t dabs = 0;
+    std::size_t shorter_than_2_mm = 0;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        if (!strokes[i].is_dab)
+            continue;
+        ++dabs;
+        double const length_mm = strokes[i].path.length_mm();
+        shorter_than_2_mm += length_mm < 2;
+        EXPECT_LT(length_mm, 5);
+        ASSERT_LT(i + 1, strokes.size());
+        EXPECT_FALSE(strokes[i + 1].is_dab);
+        EXPECT_LT((strokes[i].path.points_mm().front() - Vec3(0, 0, 50)).norm(), 2.001);
+    }
+    EXPECT_NEAR(static_cast<double>(dabs), 350, 40);
+    EXPECT_NEAR(static_cast<double>(shorter_than_2_mm), static_cast<double>(dabs) * 75 / 88, 25);
+}
+
+// The deviation of a resting hand, and how often it crosses the middle, twice per wave.
+TEST(UnkindHand, TremblesFrom8To12HzByWhatWasMeasured)
+{
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        sim::HandOptions options { .seed = seed, .pause = 10s };
+        sim::set_tremor(options, { .tremor_mm = 0.3 });
+        sim::Hand const hand({ { .path = sim::Path({ { 0, 0, 50 }, { 1, 0, 50 } }) } }, options);
+        double squares = 0;
+        int crossings = 0;
+        double last = 0;
+        for (auto time = Timestamp(500ms); time < Timestamp(9500ms); time += 1ms) {
+            double const y_mm = hand.at(time).position_mm.y();
+            squares += y_mm * y_mm;
+            crossings += last * y_mm < 0;
+            last = y_mm;
+        }
+        EXPECT_NEAR(std::sqrt(squares / 9000), 0.3, 0.05); // Waves of close frequencies beat.
+        EXPECT_GE(crossings, 2 * 8 * 9 - 2);
+        EXPECT_LE(crossings, 2 * 12 * 9 + 2);
+    }
+}
+
 TEST(UnkindHand, DrawsWhatItMeansOnAKindRig)
 {
     expect_what_was_meant({}, 0.6);
@@ -163,6 +226,16 @@ TEST(UnkindHand, DrawsWhatItMeansAmongWrongReadings)
 TEST(UnkindHand, DrawsWhatItMeansOnAStallingComputer)
 {
     expect_what_was_meant({ .stall = 80ms, .stall_period = 700ms }, 8);
+}
+
+TEST(UnkindHand, DrawsWhatItMeansBetweenDabs)
+{
+    expect_what_was_meant({ .dab_share = 1 }, 0.6);
+}
+
+TEST(UnkindHand, DrawsWhatItMeansTrembling)
+{
+    expect_what_was_meant({ .tremor_mm = 0.3 }, 0.8);
 }
 
 TEST(UnkindHand, DrawsWhatItMeansWithAllOfThisAtOnce)
