@@ -119,9 +119,11 @@ Result<CollectionReport> Collection::run()
     auto grower = TRY(CollectionGrower::create(scene, options_.construction));
     if (options_.growth.along_ground)
         grower.keep_above_ground();
+    grower.reseed(options_.individuality.seeds);
     TRY(compare(grower));
-    grower.make_individuals(
-        { .branches = options_.individuality.branches, .size = options_.individuality.size });
+    auto how = options_.individuality;
+    how.turn = 0; // Plants are turned where they stand.
+    grower.make_individuals(how);
     auto const places = place_plants(options_, spacing_mm(grower));
     bool const one_file = options_.output.extension() == ".glb";
     auto const plants
@@ -175,8 +177,9 @@ Result<void> Collection::compare(CollectionGrower& grower)
     progress_.begin("comparing the plants", count);
     variation::Diversity diversity(drawn);
     for (std::size_t i = 0; i < count; ++i) {
-        diversity.add(
-            variation::sized_and_turned(grower.grow(key(i)), key(i), options_.individuality));
+        auto const& how = options_.individuality;
+        auto const& grown = grower.grow(key(i), variation::individual_age(key(i), how));
+        diversity.add(variation::sized_and_turned(grown, key(i), how));
         progress_.step();
     }
     report_.between_plants = diversity.between_plants();
@@ -362,7 +365,9 @@ std::vector<PlantPlace> place_plants(CollectionOptions const& options, double sp
     for (std::size_t i = first_plant(options, options.shard.number); i < end; ++i) {
         PlantPlace place { .index = static_cast<std::uint32_t>(i) };
         Random random({ options.seed, kPlaces, place.index });
-        place.age = random.uniform(options.ages.youngest, options.ages.oldest);
+        place.age
+            = variation::individual_age({ options.seed, place.index }, options.individuality,
+                                        random.uniform(options.ages.youngest, options.ages.oldest));
         place.position_mm
             = spacing_mm * Vec3(static_cast<double>(i % row), -static_cast<double>(i / row), 0);
         if (options.stand == Stand::Scatter) {

@@ -51,7 +51,7 @@ struct CollectionOptions {
     // an outlined tree's branches, angles of a rule, construction lines (SourceVariation::spread).
     double construction = 0;
     // How much plants of one bed differ in addition to their growth.
-    variation::Individuality individuality { .branches = 0.08, .size = 0.12, .turn = 1 };
+    variation::Individuality individuality = variation::kPlantsOfOneBed;
     AgeRange ages {};
     std::uint64_t seed = 1;
     std::size_t count = 12; // Plants in all shards together; at least 1.

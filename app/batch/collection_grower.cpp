@@ -1,6 +1,5 @@
 #include "app/batch/collection_grower.h"
 
-#include "engine/scene/varied_scene.h"
 #include "engine/variation/ground.h"
 
 #include <utility>
@@ -49,18 +48,32 @@ Plant const& CollectionGrower::grown(Planned& planned, variation::PlantKey const
     return individual_;
 }
 
+bool CollectionGrower::is_varied(variation::PlantKey const& key) const
+{
+    return construction_ > 0 || variation::has_own_seed(key, { .seeds = seeds_ });
+}
+
+Result<std::unique_ptr<CollectionGrower::Planned>>
+CollectionGrower::planned_for(variation::PlantKey const& key) const
+{
+    auto scene = shared_->scene;
+    if (variation::has_own_seed(key, { .seeds = seeds_ }))
+        scene = scene::with_own_seed(scene, key.seed, key.plant_index);
+    if (construction_ > 0)
+        scene = TRY(scene::varied(
+            scene, { .seed = key.seed, .plant = key.plant_index, .spread = construction_ }));
+    return planned(std::move(scene));
+}
+
 // A plant needed at several ages or levels of detail is built only once.
 Plant const& CollectionGrower::grow(variation::PlantKey const& key, double age)
 {
-    if (construction_ == 0)
+    if (!is_varied(key))
         return grown(*shared_, key, age);
     bool const is_same = key_ && key_->seed == key.seed && key_->plant_index == key.plant_index;
     if (!is_same) {
         key_ = key;
-        auto scene = scene::varied(
-            shared_->scene,
-            { .seed = key.seed, .plant = key.plant_index, .spread = construction_ });
-        auto made = scene ? planned(*std::move(scene)) : tl::unexpected(scene.error());
+        auto made = planned_for(key);
         failed_count_ += !made;
         varied_ = made ? *std::move(made) : nullptr;
     }

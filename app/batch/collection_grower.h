@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/varied_scene.h"
 #include "engine/variation/growth.h"
 #include "engine/variation/individual.h"
 
@@ -20,6 +21,10 @@ public:
     // this way, all plants have the drawn plant's segments. Fails like plan_growth().
     static Result<CollectionGrower> create(scene::Scene scene, double construction);
 
+    // Derives models with stochastic rules by a seed of their own for a share of the plants
+    // (Individuality::seeds).
+    void reseed(double share) { seeds_ = scene::has_stochastic_models(shared_->scene) ? share : 0; }
+
     // Enables bending growth along the ground instead of into it (bend_along_ground()).
     void keep_above_ground() { is_above_ground_ = true; }
 
@@ -30,7 +35,7 @@ public:
     // Number of segments of the last returned plant that are below the ground, except roots.
     std::size_t underground() const { return underground_; }
 
-    // True if all plants have the same segments, before individual differences.
+    // True if all plants have the same sketched parts, so that their nodes can be compared.
     bool has_one_topology() const { return construction_ == 0; }
 
     // The plant as drawn; grow() returns the plant of a key. Valid until the next call.
@@ -58,7 +63,11 @@ private:
     Plant const& grown(Planned& planned, variation::PlantKey const& key, double age);
 
     std::unique_ptr<Planned> shared_;
+    bool is_varied(variation::PlantKey const& key) const;
+    Result<std::unique_ptr<Planned>> planned_for(variation::PlantKey const& key) const;
+
     double construction_ = 0;
+    double seeds_ = 0;
     std::unique_ptr<Planned> varied_ {}; // Varied plant of the last key; null if variation failed.
     std::optional<variation::PlantKey> key_ {};
     std::size_t failed_count_ = 0;

@@ -43,9 +43,11 @@ Result<void> write_manifest(std::ostream& out, CollectionOptions const& options,
     };
     if (options.drawing)
         head["drawing"] = options.drawing->log.filename().string();
-    head["individuality"] = { { "branches", options.individuality.branches },
-                              { "size", options.individuality.size },
-                              { "turn", options.individuality.turn } };
+    head["individuality"] = {
+        { "branches", options.individuality.branches }, { "size", options.individuality.size },
+        { "turn", options.individuality.turn },         { "age", options.individuality.age },
+        { "organs", options.individuality.organs },     { "seeds", options.individuality.seeds }
+    };
     if (options.construction > 0)
         head["construction"] = options.construction;
     if (auto const& season = options.growth.season)

@@ -9,6 +9,7 @@
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/make_mesh.h"
 #include "engine/mesh/mesh_measures.h"
+#include "engine/scene/varied_scene.h"
 #include "engine/variation/growth.h"
 
 #include <algorithm>
@@ -45,10 +46,8 @@ class Sequence {
 public:
     static Result<Sequence> create(scene::Scene const& scene, JobOptions const& options)
     {
-        Sequence sequence(options, TRY(PlantGroup::create(scene)));
-        if (options.growth.along_ground)
-            sequence.group_.keep_above_ground();
-        sequence.group_.make_individuals(options.individuality);
+        Sequence sequence(options, scene, TRY(PlantGroup::create(scene)));
+        sequence.set_up(sequence.group_);
         if (options.all_seasons)
             for (auto const* name : { "spring", "summer", "autumn", "winter" }) {
                 auto season = options.growth.season.value_or(scene::Season());
@@ -70,13 +69,12 @@ public:
     // Valid until the next call.
     Plant const& grow(std::size_t index)
     {
-        return index < options_->variations
-            ? group_.grow({ options_->seed, static_cast<std::uint32_t>(index) }, options_->age)
-            : season(index).plant;
+        return index < options_->variations ? variation(static_cast<std::uint32_t>(index))
+                                            : season(index).plant;
     }
 
     // True if the last returned variation has branches below the ground.
-    bool has_underground() const { return group_.underground() > 0; }
+    bool has_underground() const { return underground_ > 0; }
 
 private:
     struct InSeason {
@@ -84,10 +82,36 @@ private:
         Plant plant;
     };
 
-    Sequence(JobOptions const& options, PlantGroup group)
+    Sequence(JobOptions const& options, scene::Scene const& scene, PlantGroup group)
         : options_(&options)
+        , scene_(&scene)
+        , is_stochastic_(options.individuality.seeds > 0 && scene::has_stochastic_models(scene))
         , group_(std::move(group))
     {
+    }
+
+    void set_up(PlantGroup& group) const
+    {
+        if (options_->growth.along_ground)
+            group.keep_above_ground();
+        group.make_individuals(options_->individuality);
+    }
+
+    Plant const& variation(std::uint32_t index)
+    {
+        variation::PlantKey const key { options_->seed, index };
+        auto const& how = options_->individuality;
+        auto* group = &group_;
+        if (is_stochastic_ && variation::has_own_seed(key, how)) {
+            auto own = PlantGroup::create(scene::with_own_seed(*scene_, key.seed, index));
+            if (own) {
+                group = &own_.emplace(*std::move(own));
+                set_up(*group);
+            }
+        }
+        auto const& plant = group->grow(key, variation::individual_age(key, how, options_->age));
+        underground_ = group->underground();
+        return plant;
     }
 
     InSeason const& season(std::size_t index) const
@@ -96,7 +120,11 @@ private:
     }
 
     JobOptions const* options_;
+    scene::Scene const* scene_;
+    bool is_stochastic_ = false; // Models have stochastic rules and get seeds of their own.
     PlantGroup group_;
+    std::optional<PlantGroup> own_; // The group of the last plant with a seed of its own.
+    std::size_t underground_ = 0;
     std::vector<InSeason> seasons_;
 };
 

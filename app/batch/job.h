@@ -25,8 +25,8 @@ struct JobOptions {
     std::filesystem::path folder = "."; // Output folder, created if missing.
     GrowthOptions growth {};
     // How much plants of one bed differ in addition to their growth.
-    variation::Individuality individuality { .branches = 0.08, .size = 0.12, .turn = 1 };
-    double age = 1;             // Age of all plants; see Grower::grow().
+    variation::Individuality individuality = variation::kPlantsOfOneBed;
+    double age = 1;             // Age of the oldest plants; see Grower::grow().
     bool all_seasons = false;   // True: adds the unvaried drawing in four seasons.
     exports::GlbOptions glb {}; // Options of the collection's file; `mesh` contains further ones.
     mesh::MeshOptions mesh {};

@@ -22,7 +22,7 @@ struct VaryArguments {
     batch::CollectionOptions collection;
     std::string model;
     options::DrawingArguments drawing;
-    std::string ages = "1";
+    std::string ages {};
     std::string stand = "grid";
     std::string shard = "1/1";
     std::string wind = "none";
@@ -37,8 +37,11 @@ Result<void> vary(VaryArguments const& arguments, tools::Methods const& methods)
     options.model = TRY(files::find_model(arguments.model));
     options.kinds = methods.edits;
     options.drawing = options::drawing_options(arguments.drawing, methods);
-    auto const [youngest, oldest] = options::parse_range(arguments.ages).value();
-    options.ages = { youngest, oldest };
+    if (!arguments.ages.empty()) {
+        auto const [youngest, oldest] = options::parse_range(arguments.ages).value();
+        options.ages = { youngest, oldest };
+        options.individuality.age = 0;
+    }
     auto const [number, parts] = options::parse_part(arguments.shard).value();
     options.shard = { number, parts };
     options.mesh.min_sides = std::min(options.mesh.min_sides, options.mesh.max_sides);
@@ -131,10 +134,9 @@ void add_vary_command(CLI::App& root, options::Action& action, tools::Methods co
     command
         ->add_option("--ages", arguments->ages,
                      "How old the plants are, from the youngest to the oldest: above 0, and 1 is "
-                     "full-grown")
+                     "full-grown; without it, as --younger says")
         ->type_name("A..B")
-        ->check(options::number_range(0.01, 1))
-        ->capture_default_str();
+        ->check(options::number_range(0.01, 1));
     command
         ->add_option("--spread", arguments->stand,
                      "How they stand: grid, in rows, or scatter, out of line")

@@ -50,6 +50,30 @@ void add_growth_options(CLI::App& command, batch::GrowthOptions& growth, std::st
     add_season_options(command, growth.season);
 }
 
+static void add_bed_options(CLI::App& command, variation::Individuality& how)
+{
+    command
+        .add_option("--younger", how.age,
+                    "Share of its age by which a plant is younger, at most; 0 for all of one age")
+        ->type_name("X")
+        ->check(number(0, 0.9))
+        ->capture_default_str();
+    command
+        .add_option("--leaf-size", how.organs,
+                    "Share by which a plant's leaves and other organs are larger or smaller, at "
+                    "most; 0 for none")
+        ->type_name("X")
+        ->check(number(0, 0.5))
+        ->capture_default_str();
+    command
+        .add_option("--own-seeds", how.seeds,
+                    "Share of the plants for which a model's stochastic rules have a seed of their "
+                    "own; 0 for none")
+        ->type_name("X")
+        ->check(number(0, 1))
+        ->capture_default_str();
+}
+
 void add_individuality_options(CLI::App& command, variation::Individuality& how)
 {
     command
@@ -72,6 +96,7 @@ void add_individuality_options(CLI::App& command, variation::Individuality& how)
         ->type_name("X")
         ->check(number(0, 1))
         ->capture_default_str();
+    add_bed_options(command, how);
 }
 
 void add_season_options(CLI::App& command, std::optional<scene::Season>& season)

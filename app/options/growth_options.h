@@ -15,8 +15,8 @@ namespace tractus::options {
 void add_growth_options(CLI::App& command, batch::GrowthOptions& growth,
                         std::string const& without);
 
-// Adds "--branches X", "--size X" and "--turn X": how much the plants of a collection differ from
-// each other. `how` must outlive the command.
+// Adds "--branches X", "--size X", "--turn X", "--younger X", "--leaf-size X" and "--own-seeds
+// X": how much the plants of a collection differ from each other. `how` must outlive the command.
 void add_individuality_options(CLI::App& command, variation::Individuality& how);
 
 // Adds "--season WHEN" and "--fallen X": the time of year. `season` must outlive the command.

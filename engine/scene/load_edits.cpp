@@ -132,6 +132,16 @@ std::string described(LoadMeasured const& edit)
 
 } // namespace
 
+std::optional<PlantSource> with_model_seed(PlantSource const& source, std::uint64_t seed)
+{
+    auto const* const loaded = source.get<LoadModel>(kLSystem);
+    if (!loaded)
+        return std::nullopt;
+    auto other = *loaded;
+    other.seed = seed;
+    return PlantSource(kLSystem, std::move(other));
+}
+
 LoadModel const* loaded_model(PlantSource const& source)
 {
     return source.get<LoadModel>(kLSystem);

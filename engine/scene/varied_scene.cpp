@@ -1,8 +1,12 @@
 #include "engine/scene/varied_scene.h"
 
+#include "engine/base/random.h"
+#include "engine/scene/lsystem_source.h"
 #include "engine/scene/scene_builder.h"
+#include "engine/variation/like_branches.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace tractus::scene {
@@ -15,6 +19,129 @@ bool has_sources_that_vary(Scene const& scene)
             || std::any_of(plant->grafts.begin(), plant->grafts.end(),
                            [](Graft const& graft) { return graft.source.can_vary(); });
     });
+}
+
+namespace {
+
+constexpr std::uint32_t kModelSeeds = 0x6D6F6400; // Random stream of the seeds of models.
+constexpr std::uint32_t kMaxSeeds = 6;
+// Branches that differ less than this (LikeBranches::greatest_difference()) are alike enough for
+// the strokes drawn on them, so that no further seed is tried.
+constexpr double kAlike = 0.5;
+
+// Number of strokes that shape a branch, in all plants of the scene.
+std::size_t strokes_with_branch(Scene const& scene)
+{
+    std::size_t count = shaping_numbers(scene).size();
+    for (auto const& plant : scene.plants)
+        if (plant->drawn != scene.drawn)
+            count += shaping_numbers(*plant).size();
+    return count;
+}
+
+// The state with a seed for each model from a file; no value if there is no such model.
+std::optional<DocumentState> reseeded(DocumentState state, std::uint64_t seed, std::uint32_t plant,
+                                      std::uint32_t attempt)
+{
+    bool has_models = false;
+    std::uint32_t number = 0;
+    auto const reseed = [&](PlantSource& source) {
+        Random random({ seed, kModelSeeds + attempt, plant + (number++ << 20) });
+        if (auto other = with_model_seed(source, random.next_u64())) {
+            source = *std::move(other);
+            has_models = true;
+        }
+    };
+    for (std::size_t i = 0; i < state.plants.size(); ++i)
+        change_plant(state, i, [&](PlantState& changed) {
+            reseed(changed.source);
+            for (auto& graft : changed.grafts)
+                reseed(graft.source);
+        });
+    return has_models ? std::optional(std::move(state)) : std::nullopt;
+}
+
+// Moves the strokes of a plant to the branches of another individual, `grown`, that are most
+// similar to those that they were drawn on, `drawn`. A stroke without such a branch stays at its
+// address. Returns how much the branches differ at most (LikeBranches::greatest_difference()).
+double move_strokes(PlantState& state, BuiltPlant const& drawn, BuiltPlant const& grown)
+{
+    variation::LikeBranches branches(*drawn.base, *grown.base);
+    for (std::size_t i = 0; i < drawn.associations.size(); ++i) {
+        auto const& association = drawn.associations[i].what;
+        if (association.is_orphaned)
+            continue;
+        auto const path = branches.like(association.path.vector());
+        if (!path)
+            continue;
+        auto stroke = state.strokes[i];
+        stroke.at = { grown.rest->addresses.address_of(*grown.base, *path) };
+        state.strokes.replace(i, std::move(stroke));
+    }
+    return branches.greatest_difference();
+}
+
+// The built plant number `i` of a scene, which has the active plant also as a base class.
+BuiltPlant const& plant_of(Scene const& scene, std::size_t i)
+{
+    auto const& plant = *scene.plants[i];
+    return plant.drawn->id == scene.drawn->id ? static_cast<BuiltPlant const&>(scene) : plant;
+}
+
+bool is_like(Plant const& one, Plant const& other)
+{
+    return one.node_position_mm == other.node_position_mm;
+}
+
+// True if all base plants of two scenes of one document have the same shape.
+bool has_same_bases(Scene const& one, Scene const& other)
+{
+    return is_like(*one.base, *other.base)
+        && std::equal(one.plants.begin(), one.plants.end(), other.plants.begin(),
+                      other.plants.end(),
+                      [](auto const& a, auto const& b) { return is_like(*a->base, *b->base); });
+}
+
+} // namespace
+
+Scene with_own_seed(Scene const& scene, std::uint64_t seed, std::uint32_t plant)
+{
+    auto const wanted = strokes_with_branch(scene);
+    SceneBuilder builder(scene, {});
+    std::optional<Scene> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t attempt = 0; attempt < kMaxSeeds; ++attempt) {
+        auto state = reseeded(scene.state, seed, plant, attempt);
+        if (!state)
+            break;
+        auto grown = builder.build(*std::move(state));
+        if (!grown)
+            continue;
+        auto moved = grown->state;
+        double differs = 0;
+        for (std::size_t i = 0; i < moved.plants.size(); ++i)
+            change_plant(moved, i, [&](PlantState& changed) {
+                differs = std::max(differs,
+                                   move_strokes(changed, plant_of(scene, i), plant_of(*grown, i)));
+            });
+        auto built = builder.build(std::move(moved));
+        if (!built || strokes_with_branch(*built) < wanted || differs >= least)
+            continue;
+        least = differs;
+        best = *std::move(built);
+        if (differs <= kAlike)
+            break;
+    }
+    return best.value_or(scene);
+}
+
+bool has_stochastic_models(Scene const& scene)
+{
+    auto state = reseeded(scene.state, 1, 1, 0);
+    if (!state)
+        return false;
+    auto const built = SceneBuilder(scene, {}).build(*std::move(state));
+    return built && !has_same_bases(scene, *built);
 }
 
 Result<Scene> varied(Scene const& scene, SourceVariation const& variation)

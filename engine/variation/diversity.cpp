@@ -38,23 +38,73 @@ double distance_mm(std::span<Vec3 const> one, std::span<Vec3 const> other)
 }
 
 Diversity::Diversity(Plant const& drawn)
-    : stride_(std::max<std::size_t>(1, drawn.node_position_mm.size() / kNodes))
-    , drawn_mm_(looked_at(drawn))
+    : axes_(drawn.axes)
 {
+    auto const nodes = drawn.node_position_mm.size();
+    auto const stride = std::max<std::size_t>(1, nodes / kNodes);
+    AddressIndex const index(drawn);
+    AxisId axis = 0;
+    for (std::size_t i = 0; i < nodes; i += stride) {
+        while (axis < axes_.size() && i > axes_[axis].first_node + axes_[axis].segment_count)
+            ++axis;
+        Place place { .node = static_cast<NodeId>(i) };
+        if (axis < axes_.size()) {
+            auto const steps = place.node - axes_[axis].first_node;
+            place.is_base = steps == 0;
+            place.segment
+                = index.address_of(drawn, axes_[axis].first_segment + (steps ? steps - 1 : 0));
+        }
+        places_.push_back(std::move(place));
+        drawn_mm_.push_back(drawn.node_position_mm[i]);
+    }
 }
 
-std::vector<Vec3> Diversity::looked_at(Plant const& plant) const
+bool Diversity::is_like_drawn(Plant const& plant) const
 {
-    std::vector<Vec3> nodes;
-    for (std::size_t i = 0; i < plant.node_position_mm.size(); i += stride_)
-        nodes.push_back(plant.node_position_mm[i]);
-    return nodes;
+    return std::equal(axes_.begin(), axes_.end(), plant.axes.begin(), plant.axes.end(),
+                      [](Axis const& one, Axis const& other) {
+                          return one.parent_segment == other.parent_segment
+                              && one.segment_count == other.segment_count;
+                      });
+}
+
+// Position of the node at the end of the segment at an address, or, if there is no such segment, at
+// the end of the last one before it on the way from the ground.
+static Vec3 position_at(Plant const& plant, AddressIndex const& index, SegmentAddress address,
+                        bool is_base)
+{
+    while (!address.empty()) {
+        if (auto const found = index.find_segment(plant, address)) {
+            auto const& axis = plant.axes[axis_of(plant, *found)];
+            auto const end = axis.first_node + (*found - axis.first_segment) + 1;
+            return plant.node_position_mm[is_base ? end - 1 : end];
+        }
+        is_base = false;
+        if (address.back() > 0)
+            --address.back();
+        else
+            address.resize(address.size() - 2);
+    }
+    return plant.node_position_mm.empty() ? Vec3(Vec3::Zero()) : plant.node_position_mm.front();
+}
+
+std::vector<Vec3> Diversity::positions_in(Plant const& plant) const
+{
+    std::vector<Vec3> positions_mm;
+    if (is_like_drawn(plant)) {
+        for (auto const& place : places_)
+            positions_mm.push_back(plant.node_position_mm[place.node]);
+        return positions_mm;
+    }
+    AddressIndex const index(plant);
+    for (auto const& place : places_)
+        positions_mm.push_back(position_at(plant, index, place.segment, place.is_base));
+    return positions_mm;
 }
 
 void Diversity::add(Plant const& plant)
 {
-    plants_mm_.push_back(looked_at(plant));
-    CHECK(plants_mm_.back().size() == drawn_mm_.size());
+    plants_mm_.push_back(positions_in(plant));
 }
 
 DistanceSpread Diversity::between_plants() const

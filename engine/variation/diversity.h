@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/plant/branch_address.h"
 #include "engine/plant/plant.h"
 
 #include <cstddef>
@@ -20,10 +21,12 @@ struct DistanceSpread {
 };
 
 // Measures how much the plants of a collection differ from each other and from the plant as drawn.
-// Uses about 2,000 evenly spaced nodes of each plant, so that many plants can be compared.
+// Compares about 2,000 evenly spaced nodes of the drawn plant, so that many plants can be compared,
+// with the nodes at the same addresses of each other plant. A plant that lacks a branch is
+// represented by the place where that branch would begin.
 class Diversity {
 public:
-    // `drawn` is the plant as drawn (at_variability() at 0); all others must have its topology.
+    // `drawn` is the plant as drawn (at_variability() at 0).
     explicit Diversity(Plant const& drawn);
 
     void add(Plant const& plant);
@@ -32,9 +35,18 @@ public:
     DistanceSpread from_drawn() const;
 
 private:
-    std::vector<Vec3> looked_at(Plant const& plant) const;
+    // A node of the drawn plant, as the end or the beginning of the segment at an address.
+    struct Place {
+        NodeId node = 0;
+        SegmentAddress segment {};
+        bool is_base = false;
+    };
 
-    std::size_t stride_ = 1;
+    std::vector<Vec3> positions_in(Plant const& plant) const;
+    bool is_like_drawn(Plant const& plant) const;
+
+    std::vector<Place> places_;
+    std::vector<Axis> axes_; // Axes of the drawn plant.
     std::vector<Vec3> drawn_mm_;
     std::vector<std::vector<Vec3>> plants_mm_;
 };

@@ -16,6 +16,9 @@ namespace {
 constexpr std::uint32_t kWhole = 0x696E6400; // Random stream of sizes and rotations.
 // Random stream of branches, used with the axis number.
 constexpr std::uint32_t kBranches = 0x696E6401;
+constexpr std::uint32_t kAges = 0x696E6402;   // Random stream of ages.
+constexpr std::uint32_t kOrgans = 0x696E6403; // Random stream of the sizes of organs.
+constexpr std::uint32_t kSeeds = 0x696E6404;  // Random stream of who has a seed of its own.
 
 // What happens to a lateral branch.
 struct Fate {
@@ -158,6 +161,19 @@ void resize(Plant& plant, double scale)
         vertex_mm *= scale;
 }
 
+// Scales organs about their places, and polygons, which are leaves, about their first vertices.
+void resize_organs(Plant& plant, double scale)
+{
+    for (auto& organ : plant.organs)
+        organ.scale *= static_cast<float>(scale);
+    for (auto const& polygon : plant.polygons) {
+        auto const first = plant.polygon_vertices_mm.begin() + polygon.first_vertex;
+        Vec3 const base_mm = *first;
+        for (std::uint32_t i = 1; i < polygon.vertex_count; ++i)
+            first[i] = base_mm + scale * (first[i] - base_mm);
+    }
+}
+
 Plant other_branches(Plant const& grown, PlantKey const& key, double share,
                      std::vector<bool> const& kept)
 {
@@ -195,6 +211,16 @@ std::vector<bool> axes_below_paths(Plant const& plant,
     return is_below;
 }
 
+double individual_age(PlantKey const& key, Individuality const& how, double age)
+{
+    return age * (1 - how.age * Random({ key.seed, kAges, key.plant_index }).uniform());
+}
+
+bool has_own_seed(PlantKey const& key, Individuality const& how)
+{
+    return Random({ key.seed, kSeeds, key.plant_index }).uniform() < how.seeds;
+}
+
 Plant sized_and_turned(Plant const& grown, PlantKey const& key, Individuality const& how)
 {
     Random random({ key.seed, kWhole, key.plant_index });
@@ -203,6 +229,9 @@ Plant sized_and_turned(Plant const& grown, PlantKey const& key, Individuality co
     Plant plant = grown;
     if (how.size > 0)
         resize(plant, scale);
+    if (how.organs > 0)
+        resize_organs(
+            plant, 1 + how.organs * Random({ key.seed, kOrgans, key.plant_index }).uniform(-1, 1));
     if (!(how.turn > 0))
         return plant;
     Plant turned;

@@ -17,9 +17,28 @@ struct Individuality {
     double size = 0; // Maximum relative change in size, uniformly distributed; 0 to 0.5.
     // Maximum rotation about the vertical as a share of a full turn, uniformly distributed; 0 to 1.
     double turn = 0;
+    // Maximum share by which a plant is younger than the others, uniformly distributed; 0 to 0.9.
+    double age = 0;
+    // Maximum relative change in the size of leaves and other organs, uniformly distributed; 0 to
+    // 0.5.
+    double organs = 0;
+    // Share of the plants for which a model's stochastic rules have a seed of their own
+    // (with_own_seed() in engine/scene/varied_scene.h); 0 to 1.
+    double seeds = 0;
 
     bool operator==(Individuality const&) const = default;
 };
+
+// The differences between plants of one bed that a collection has if nothing else is said.
+constexpr Individuality kPlantsOfOneBed {
+    .branches = 0.08, .size = 0.4, .turn = 1, .age = 0.25, .organs = 0.15, .seeds = 1
+};
+
+// Age of the plant of `key`, if `age` is the age of the oldest.
+double individual_age(PlantKey const& key, Individuality const& how, double age = 1);
+
+// True if the plant of `key` has a seed of its own for a model's stochastic rules.
+bool has_own_seed(PlantKey const& key, Individuality const& how);
 
 // By axis of `plant`: true if the axis or one of its descendants is on one of the paths. Such axes
 // are never removed.

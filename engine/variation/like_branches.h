@@ -1,0 +1,43 @@
+#pragma once
+
+#include "engine/plant/plant.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace tractus::variation {
+
+// Finds, for branches of one plant, the most similar branches of another individual of its kind,
+// whose branches are other ones in number and place. Two branches are similar if they leave similar
+// branches at a similar height, in a similar direction, and are similarly long. Each branch of the
+// other plant is found for at most one branch.
+class LikeBranches {
+public:
+    // Both plants must outlive the object.
+    LikeBranches(Plant const& from, Plant const& to);
+
+    // Returns the path between the segments that lie at the same share of the length of the
+    // similar branches. `path` as in Association: not empty, from the ground towards a tip. No
+    // value if the other plant has no such branch.
+    std::optional<std::vector<SegmentId>> like(std::vector<SegmentId> const& path);
+
+    // How much the branches found so far differ at most from those they were found for: the sum of
+    // three times the difference in height as a share of the bearer, the angle between their
+    // chords in radians, and the natural logarithm of the ratio of their lengths.
+    double greatest_difference() const { return greatest_difference_; }
+
+private:
+    std::optional<AxisId> like_axis(AxisId axis);
+    std::optional<SegmentId> like_segment(SegmentId segment);
+
+    Plant const& from_;
+    Plant const& to_;
+    std::vector<std::vector<AxisId>> borne_; // By axis of to_: the axes on it; last, on the ground.
+    std::map<AxisId, std::optional<AxisId>> found_;
+    std::set<AxisId> taken_;
+    double greatest_difference_ = 0;
+};
+
+} // namespace tractus::variation
