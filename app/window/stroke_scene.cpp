@@ -231,16 +231,19 @@ std::optional<std::size_t> curve_at(std::span<view::DrawnCurveView const> curves
     std::optional<std::size_t> nearest;
     float least = reach_px * reach_px;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        std::optional<Vec2f> last;
+        bool has_last = false; // False where the point before is behind the camera.
+        Vec2f last = Vec2f::Zero();
         for (auto const& point : curves[i].line.points) {
             auto const here = projection.to_px(point.position_mm);
-            float const squared = here && last ? squared_distance_to_segment(place_px, *last, *here)
-                                               : std::numeric_limits<float>::max();
+            float const squared = here && has_last
+                ? squared_distance_to_segment(place_px, last, *here)
+                : std::numeric_limits<float>::max();
             if (squared <= least) {
                 least = squared;
                 nearest = i;
             }
-            last = here;
+            has_last = here.has_value();
+            last = here.value_or(last);
         }
     }
     return nearest;
