@@ -18,8 +18,8 @@ struct LimbTool {
 };
 
 // Returns the limb that a stroke draws: it is joined to the nearest wood of any plant that is
-// shown, as strokes have bent it, at the nearest point of that axis. Fails, as the user's fault, if
-// no wood is within a quarter of its plant's height, or the stroke is empty.
+// shown, as strokes have bent it, at the nearest point of that axis. Fails with a user error if no
+// wood is within a quarter of its plant's height, or the stroke is empty.
 Result<scene::DrawLimb> drawn_limb(LimbTool const& tool, Stroke const& stroke,
                                    scene::Scene const& scene);
 

@@ -9,6 +9,7 @@
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/draw_tool.h"
 #include "app/tools/erase_tool.h"
+#include "app/tools/limb_tool.h"
 #include "app/tools/oversketch_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/smooth_tool.h"
@@ -61,9 +62,10 @@ TEST(Tool, IsReadAndWrittenAsWords)
 
 TEST(Tool, NamesTheToolsThereAre)
 {
-    EXPECT_NE(
-        parse_tool(tools(), "hammer", "").error().message.find("draw_in_order, draw, oversketch"),
-        std::string::npos);
+    EXPECT_NE(parse_tool(tools(), "hammer", "")
+                  .error()
+                  .message.find("draw_in_order, draw, draw_limb, oversketch"),
+              std::string::npos);
     EXPECT_NE(parse_tool(tools(), "draw", "now").error().message.find("needs a stroke"),
               std::string::npos);
     for (auto const* view : { "view=1,2", "view=0,90,1,0,0,254,159", "view=0,0,1,0,0,254,159,3",
@@ -391,6 +393,8 @@ TEST(Tool, HasAnOtherEnd)
         ASSERT_TRUE(other) << kind->word;
         if (kind == &SelectTool::kKind) {
             EXPECT_EQ(Tool(*other, options()), Tool(SelectTool { Selecting::Take }));
+        } else if (kind == &LimbTool::kKind) {
+            EXPECT_EQ(Tool(*other, options()), Tool(LimbTool { LimbTool::Does::Erase }));
         } else {
             EXPECT_EQ(other->ink.look, InkStyle::Look::Eraser) << kind->word;
         }
