@@ -39,6 +39,9 @@ changed_since() {
                 continue
             fi
             ;;
+        *.clang-tidy)
+            if cmp -s <(git show "$1:$name" | grep -v '^ *#') <(grep -v '^ *#' "$name"); then continue; fi
+            ;;
         esac
         echo "$name"
     done
