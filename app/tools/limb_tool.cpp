@@ -27,8 +27,8 @@ constexpr double kAboveLimb_mm = 30;
 
 // In the order of Does.
 constexpr std::array<OptionWord, 2> kLimbWords { {
-    { "draw", "New limb" },
-    { "erase", "Erase limb", "Erase a drawn limb" },
+    { "add", "New limb" },
+    { "take", "Erase limb", "Erase a drawn limb" },
 } };
 
 void visit(OptionVisitor& visitor, LimbTool& tool)

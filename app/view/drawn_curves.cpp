@@ -1,6 +1,5 @@
 #include "app/view/drawn_curves.h"
 
-#include "app/tools/draw_tool.h"
 #include "app/view/branch_words.h"
 #include "app/view/ink_line.h"
 
@@ -30,7 +29,7 @@ std::string propagation_in_words(variation::Propagation propagation)
 
 std::string stroke_name(variation::Propagation propagation, std::vector<PathAddress> const& paths)
 {
-    return fmt::format("{}: {}{}", tools::DrawTool::kKind.label,
+    return fmt::format("Draw: {}{}",
                        paths.size() == 1 ? branch_in_words(paths.front().last)
                                          : fmt::format("{} branches", paths.size()),
                        propagation_in_words(propagation));
