@@ -8,8 +8,15 @@ namespace {
 
 std::vector<PlantPlace> places(std::size_t count, Shard shard, Stand stand = Stand::Scatter)
 {
-    return place_plants(
-        { .ages = { 0.25, 0.75 }, .seed = 7, .count = count, .shard = shard, .stand = stand }, 100);
+    auto how = variation::kPlantsOfOneBed;
+    how.age = 0; // Nothing but the range of ages counts.
+    return place_plants({ .individuality = how,
+                          .ages = { 0.25, 0.75 },
+                          .seed = 7,
+                          .count = count,
+                          .shard = shard,
+                          .stand = stand },
+                        100);
 }
 
 TEST(Collection, ItsPartsAreTheWhole)

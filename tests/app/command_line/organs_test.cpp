@@ -94,7 +94,7 @@ TEST_F(Organs, AFileThatManyProgramsOpenSlowlySaysSoBeforeItIsWritten)
 {
     // Limits the size of files, to show that the note is printed before writing fails.
     auto const outcome
-        = run("ulimit -f 64; tractus vary daisy --count 5000 --sides 64 -o large.glb");
+        = run("ulimit -f 64; tractus vary daisy --count 3500 --sides 64 -o large.glb");
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_NE(outcome.err.find("million triangles and"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("--organs instanced"), std::string::npos) << outcome.err;
