@@ -15,13 +15,6 @@ std::vector<Vec3> bent_nodes(Scene const& scene)
     return nodes_mm;
 }
 
-Associate shaping(variation::Propagation propagation)
-{
-    return { .stroke = stroke_towards({ 0, 150, -120 }),
-             .propagation = propagation,
-             .laying = variation::StrokeLaying::HeadingAndPitch };
-}
-
 TEST(LimbStrokes, AreSelectedAndShapedAsOtherBranches)
 {
     auto scene = tree_scene();

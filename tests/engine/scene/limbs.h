@@ -41,6 +41,14 @@ inline Stroke stroke_of(std::vector<Vec3> const& places_mm, double pressure = 0.
     return stroke;
 }
 
+// The edit that shapes the selected branches, or what they bear, by a stroke that hangs.
+inline Associate shaping(variation::Propagation propagation)
+{
+    return { .stroke = stroke_towards({ 0, 150, -120 }),
+             .propagation = propagation,
+             .laying = variation::StrokeLaying::HeadingAndPitch };
+}
+
 // A stroke that begins at a place and winds upwards and outwards.
 inline std::vector<Vec3> winding(Vec3 const& from_mm, double length_mm)
 {
