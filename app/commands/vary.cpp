@@ -131,19 +131,20 @@ void add_vary_command(CLI::App& root, options::Action& action, tools::Methods co
     options::add_seed_option(*command, arguments->collection.seed);
     options::add_growth_options(*command, arguments->collection.growth,
                                 "usual, or as in a session");
+    options::add_individuality_options(*command, arguments->collection.individuality);
     command
         ->add_option("--ages", arguments->ages,
                      "How old the plants are, from the youngest to the oldest: above 0, and 1 is "
                      "full-grown; without it, as --younger says")
         ->type_name("A..B")
-        ->check(options::number_range(0.01, 1));
+        ->check(options::number_range(0.01, 1))
+        ->excludes("--younger");
     command
         ->add_option("--spread", arguments->stand,
                      "How they stand: grid, in rows, or scatter, out of line")
         ->check(options::one_of({ "grid", "scatter" }))
         ->type_name("HOW")
         ->capture_default_str();
-    options::add_individuality_options(*command, arguments->collection.individuality);
     add_output_options(*command, *arguments);
     command->footer(
         "A manifest in JSON says of each plant how to make it again and where it stands.\n"

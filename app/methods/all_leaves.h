@@ -68,9 +68,9 @@ Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Dressing c
 Result<std::vector<scene::Edit>> dressing_edits(scene::Scene const& scene, scene::ItemId plant,
                                                 Dressing const& dressing);
 
-// What the user chose for the plant to wear, or no value if the plant has its own leaves or leaves
-// of unknown origin. `drawn` is set only while the drawn leaf is in the document; after that its
-// grammar is among those stored in the document.
+// The leaves that the user chose for the plant, or no value if the plant has its own leaves or
+// leaves of unknown origin. `drawn` is set only while the drawn leaf is in the document; after that
+// its grammar is among those stored in the document.
 std::optional<Dressing> worn_leaves(scene::DocumentState const& state, scene::ItemId plant);
 
 // Edits that must follow a step that changes the drawing of a leaf that plants wear: they store its

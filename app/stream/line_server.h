@@ -34,7 +34,7 @@ public:
     LineServer& operator=(LineServer&&) noexcept;
     ~LineServer(); // Closes the socket and removes its file.
 
-    // What happens to a line if a reader is too slow.
+    // The treatment of a line if a reader is too slow.
     enum class Importance {
         // The line is dropped; a line with the number of dropped lines precedes the next kept one.
         LeaveOut,

@@ -108,8 +108,8 @@ Result<std::vector<SeenStroke>> strokes_on_pad(scene::Scene const& scene)
     return strokes;
 }
 
-// What the eraser has touched: associations by their index in the scene, each with the touched
-// tips, and indices of indicators.
+// The items that the eraser has touched: associations by their index in the scene, each with the
+// touched tips, and indices of indicators.
 struct Touched {
     std::map<std::size_t, std::vector<bool>> associations;
     std::vector<std::size_t> indicators;

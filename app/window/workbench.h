@@ -30,7 +30,7 @@ struct Workbench {
         Collection, // Shows variations of the plant to choose from.
     };
     Shown shown = Shown::All;
-    // What a drawing begins with. No value: the pad for a pen tablet, otherwise all.
+    // The view that a drawing begins with. No value: the pad for a pen tablet, otherwise all views.
     std::optional<Shown> shown_first {};
     // Only the growing plant is shown, over the whole window; the pen draws as on the pad.
     bool is_on_stage = false;

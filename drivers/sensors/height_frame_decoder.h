@@ -14,7 +14,7 @@ bool is_height_frame_device(DeviceInfo const&);
 // Makes a decoder for the station's own height sensor (firmware-notes/height-sensor-protocol.md).
 // It accepts the sensor's frames in pieces of any length. Each reading gets the time at which it
 // was taken: the sensor's clock is mapped to the host's, so a late frame does not shift the height.
-// Of the latency only the minimum transmission time remains. Times never go back.
+// The times contain the minimum transmission time as their only latency, and never go back.
 //
 // Fails, as the device's fault, if the greatest reading is missing from the device's string.
 // Decoding fails for reports with corrupt frames, bytes between frames or impossible readings, and

@@ -24,7 +24,7 @@ struct PlantState;
 // A limb of a document's plant.
 struct DrawnLimb {
     ItemId id = 0;
-    // Where on its segment (Graft::at) the limb is joined, from 0 at the segment's base to 1.
+    // Position of the joint on its segment (Graft::at): 0 is the segment's base, 1 its end.
     double joint = 1;
     // Points of the limb from where the stroke begins, relative to that place. Plant frame at rest,
     // millimetres at the plant's natural size; at least two distinct ones.

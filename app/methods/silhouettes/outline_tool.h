@@ -32,7 +32,7 @@ struct OutlineTool {
     } what
         = What::GoOn;
 
-    // What a drawn branch grows on: always the trunk, the trunk's branch on which the line begins,
+    // The bearer of a drawn branch: always the trunk, the trunk's branch on which the line begins,
     // or any branch on which it begins. `style` tells which other branches take the style of a
     // branch that is drawn on. Logs from before these options lack them; their lines grow on the
     // trunk, and no style is passed on.

@@ -82,7 +82,7 @@ void expect_the_same_kind(drivers::Log const& log, scene::Scene const& before,
         auto const& found = *drawn.scene.plants[i];
         auto const& expected = *meant.scene.plants[i];
         EXPECT_EQ(kind_of(found), kind_of(expected));
-        // Where branches lie close together, a hook or a tremor may choose the neighbour, which a
+        // A hook or a tremor may choose the neighbour of a branch that lies close to it, which a
         // person would see.
         auto const count = std::min(found.associations.size(), expected.associations.size());
         std::size_t others = 0;
@@ -91,7 +91,7 @@ void expect_the_same_kind(drivers::Log const& log, scene::Scene const& before,
         EXPECT_LE(others, 1u);
         double const height_mm = size_mm(*expected.base).z();
         EXPECT_NEAR(size_mm(*found.base).z(), height_mm, 0.15 * height_mm);
-        // What nobody draws of an outlined tree is by chance, and other for each outline.
+        // The branches of an outlined tree that nobody draws are random and differ by outline.
         auto const segments = static_cast<double>(found.base->segment_count());
         auto const meant_segments = static_cast<double>(expected.base->segment_count());
         EXPECT_GE(segments, 0.5 * meant_segments);

@@ -71,7 +71,7 @@ TEST(LimbStrokes, FollowWhatBearsThem)
     auto const nodes_mm = bent_nodes(scene);
     EXPECT_GT(nodes_mm[3].x(), 50) << "the trunk leans";
     EXPECT_LT((nodes_mm[limb.first_node] - nodes_mm[3]).norm(), 1e-9);
-    // What is drawn on the leaning trunk stands where it was drawn.
+    // A limb drawn on the leaning trunk stands where it was drawn.
     variation::RestShape const& rest = *scene.rest;
     SceneShaper shaper;
     ASSERT_TRUE(shaper.set_plant(scene));

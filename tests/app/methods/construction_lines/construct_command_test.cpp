@@ -467,7 +467,7 @@ TEST_F(ConstructCommand, TakesStrokesAsTheyAreDrawn)
     EXPECT_EQ(told["leaf_tips"].size(), 2U * 9);
 }
 
-// The same sketch must be read from a drawing and from numbers.
+// An SVG drawing and a list of numbers must be read as one sketch.
 TEST_F(ConstructCommand, ReadsAnSvgDrawing)
 {
     std::ofstream(folder_ / "drawn.svg")

@@ -95,7 +95,7 @@ TEST(MethodsCurves, AreThoseOfTheActivePlant)
     EXPECT_LT(box_of(steps.scene()).max_mm.x(), 0);
 }
 
-// What was drawn in space keeps its depth: the lines of the view are those of the hand.
+// Strokes drawn in space keep their depth: the lines of the view are those of the hand.
 TEST(MethodsCurves, AreWhereTheHandDrewThem)
 {
     auto const scene = scene_of(grow_along_stroke);
