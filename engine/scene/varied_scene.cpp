@@ -29,13 +29,23 @@ constexpr std::uint32_t kMaxSeeds = 6;
 // the strokes drawn on them, so that no further seed is tried.
 constexpr double kAlike = 0.5;
 
-// Number of strokes that shape a branch, in all plants of the scene.
-std::size_t strokes_with_branch(Scene const& scene)
+// Number of strokes, limbs and grafted plants that have a branch in a plant of the scene.
+std::size_t items_with_branch(BuiltPlant const& plant)
 {
-    std::size_t count = shaping_numbers(scene).size();
+    auto const& grafts = plant.drawn->grafts;
+    auto const seated = std::count_if(grafts.begin(), grafts.end(), [&](Graft const& graft) {
+        return plant.rest->addresses.find_segment(*plant.base, graft.at).has_value();
+    });
+    return shaping_numbers(plant).size() + static_cast<std::size_t>(seated);
+}
+
+// Number of such items in all plants of the scene.
+std::size_t items_with_branch(Scene const& scene)
+{
+    std::size_t count = items_with_branch(static_cast<BuiltPlant const&>(scene));
     for (auto const& plant : scene.plants)
         if (plant->drawn != scene.drawn)
-            count += shaping_numbers(*plant).size();
+            count += items_with_branch(*plant);
     return count;
 }
 
@@ -106,7 +116,7 @@ bool has_same_bases(Scene const& one, Scene const& other)
 
 Scene with_own_seed(Scene const& scene, std::uint64_t seed, std::uint32_t plant)
 {
-    auto const wanted = strokes_with_branch(scene);
+    auto const wanted = items_with_branch(scene);
     SceneBuilder builder(scene, {});
     std::optional<Scene> best;
     double least = std::numeric_limits<double>::infinity();
@@ -125,7 +135,7 @@ Scene with_own_seed(Scene const& scene, std::uint64_t seed, std::uint32_t plant)
                                    move_strokes(changed, plant_of(scene, i), plant_of(*grown, i)));
             });
         auto built = builder.build(std::move(moved));
-        if (!built || strokes_with_branch(*built) < wanted || differs >= least)
+        if (!built || items_with_branch(*built) < wanted || differs >= least)
             continue;
         least = differs;
         best = *std::move(built);

@@ -18,7 +18,7 @@ Result<Scene> varied(Scene const& scene, SourceVariation const& variation);
 // Returns the scene with each model from a file derived by a seed of its own, for one plant of a
 // collection: another individual. Its strokes lie on the branches that are most similar to those
 // they were drawn on (variation/like_branches.h). Several seeds are tried, until these are
-// alike; the scene itself is returned if every one lacks a branch for a stroke.
+// alike; the scene itself is returned if every one lacks a branch for a stroke, a limb or a graft.
 Scene with_own_seed(Scene const& scene, std::uint64_t seed, std::uint32_t plant);
 
 // True if with_own_seed() can return another scene: a model from a file has stochastic rules.
