@@ -48,6 +48,13 @@ changed_since() {
     git ls-files --others --exclude-standard
 }
 
+# Prints the files, changed since a commit, that a build or its tests can depend on: all but the manual, notes, and
+# scripts that only drive the finished program.
+build_inputs_changed_since() {
+    changed_since "$1" | grep -vE '\.md$|\.checked$|^(app/manual|firmware-notes|\.ci|tests/manual|tests/bench)/' \
+        | grep -vE '^tests/(run|one|alone|tidy|changed\.sh|app/window/[a-z_]+|vm/(boot|prepare))$' || true
+}
+
 # Records that everything in HEAD has been checked, unless there are uncommitted changes.
 #   record_all RECORD
 record_all() {
