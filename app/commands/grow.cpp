@@ -57,7 +57,7 @@ struct GrowArguments {
     bool is_for_a_model() const
     {
         return model.steps || !companions.view.empty() || !companions.colors.empty()
-            || !companions.environment.empty();
+            || !companions.environment.empty() || companions.dialect != io::kCpfgDialect;
     }
 };
 

@@ -5,6 +5,8 @@
 #include "app/terminal/error_text.h"
 #include "engine/base/file.h"
 #include "engine/export/glb_lines.h"
+#include "engine/lsystem/notations/book_text.h"
+#include "engine/lsystem/notations/foreign_text.h"
 #include "engine/lsystem/view/color_files.h"
 #include "engine/lsystem/view/environment_choice.h"
 #include "engine/plant/skeleton_lines.h"
@@ -101,18 +103,32 @@ static Result<void> add_colors(std::optional<std::filesystem::path> const& file,
     return {};
 }
 
+// Reads a text that ought to be a model; refuses other programs' languages.
+static Result<std::string> read_rules(std::filesystem::path const& path)
+{
+    auto text = TRY(read_text_file(path, kMaxFileSize));
+    if (auto const foreign = lsystem::find_foreign_notation(text))
+        return fail(Fault::User, lsystem::describe_foreign_text(path.string(), *foreign));
+    return text;
+}
+
 Result<lsystem::ModelSource> load_model_source(std::filesystem::path const& path,
                                                ModelCompanions const& companions)
 {
     lsystem::ModelSource source;
     source.name = path.string();
-    source.text = TRY(read_text_file(path, kMaxFileSize));
+    source.text = TRY(read_rules(path));
     auto view_path = path;
     view_path.replace_extension(".v");
     source.view_name = view_path.string();
     if (auto const view = view_of(path, companions)) {
         source.view_name = view->string();
         source.view_text = TRY(read_text_file(*view, kMaxFileSize));
+    }
+    if (companions.dialect == kBookDialect) {
+        auto book = lsystem::read_book_model(source.text);
+        source.text = std::move(book.text);
+        source.view_text += '\n' + book.view;
     }
     auto const& colors = companions.colors;
     if (!colors.empty() && colors.extension() != ".mat" && colors.extension() != ".map")
@@ -222,6 +238,8 @@ Result<scene::Edit> load_plant_edit(std::filesystem::path const& path,
     auto lines = TRY(load_lines(path));
     if (!lines.empty())
         return scene::LoadSkeleton { path.string(), std::move(lines) };
+    if (path.extension() == ".txt") // Measured plants have this extension, too.
+        TRY(read_rules(path));
     auto measured = TRY(load_measured_edit(path));
     if (measured)
         return *std::move(measured);
