@@ -233,7 +233,8 @@ Result<scene::Scene> load_session(GrowArguments const& arguments, std::filesyste
 Result<scene::Scene> load_model_scene(GrowArguments const& arguments,
                                       std::filesystem::path const& path)
 {
-    auto edit = TRY(io::load_plant_edit(path, arguments.companions));
+    auto edit = TRY(io::load_plant_quietly(path, arguments.companions));
+    bool const is_model = edit.get<scene::LoadModel>() != nullptr;
     if (auto const* const model = edit.get<scene::LoadModel>()) {
         auto with_options = *model;
         with_options.steps = arguments.model.steps;
@@ -248,6 +249,8 @@ Result<scene::Scene> load_model_scene(GrowArguments const& arguments,
     auto scene = TRY(scene::apply_edit({}, edit, document::make_load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
         terminal::print_warning(warning);
+    if (is_model)
+        io::warn_of_unused_companions(path, arguments.companions);
     return scene::apply_edit(std::move(scene),
                              scene::SetGrowth { TRY(variation::growth_preset("as drawn")),
                                                 arguments.model.seed.value_or(1) });

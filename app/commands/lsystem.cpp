@@ -66,7 +66,6 @@ Result<std::string> drawing_text(lsystem::Model const& model, lsystem::ModuleStr
 Result<void> check(LsystemArguments const& arguments)
 {
     auto const path = TRY(files::find_model(arguments.model.model));
-    io::warn_of_unused_companions(path, arguments.companions);
     auto const model = TRY(io::load_model(path, arguments.companions));
     TRY(terminal::print_out(features_text(model) + "\nStep      modules   parameters\n"));
     auto options = options::derive_options(arguments.model, arguments.cost);
@@ -79,8 +78,10 @@ Result<void> check(LsystemArguments const& arguments)
     auto const string = TRY(lsystem::derive(model, options));
     TRY(std::move(printed));
     auto const drawing = TRY(drawing_text(model, string, options));
-    return terminal::print_out(
-        drawing + methods::describe_uses(path, document::load_options(arguments.cost)));
+    TRY(terminal::print_out(
+        drawing + methods::describe_uses(path, document::load_options(arguments.cost))));
+    io::warn_of_unused_companions(path, arguments.companions);
+    return {};
 }
 
 // Rules of the example that `tractus lsystem new` writes; comments explain each line.

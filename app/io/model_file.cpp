@@ -177,8 +177,13 @@ static std::vector<std::string> unused_companions(std::filesystem::path const& p
 
 void warn_of_unused_companions(std::filesystem::path const& path, ModelCompanions const& companions)
 {
-    for (auto const& warning : unused_companions(path, companions))
-        terminal::print_warning(warning);
+    constexpr std::size_t kMostTold = 3;
+    auto const unused = unused_companions(path, companions);
+    for (std::size_t i = 0; i < std::min(unused.size(), kMostTold); ++i)
+        terminal::print_warning(unused[i]);
+    if (unused.size() > kMostTold)
+        terminal::print_warning(fmt::format("{} more views and colour files beside {} are not used",
+                                            unused.size() - kMostTold, path.string()));
 }
 
 bool leads_out_of_folder(std::filesystem::path const& name)
@@ -232,8 +237,8 @@ static Result<std::vector<SkeletonPiece>> load_lines(std::filesystem::path const
     return std::vector<SkeletonPiece>();
 }
 
-Result<scene::Edit> load_plant_edit(std::filesystem::path const& path,
-                                    ModelCompanions const& companions)
+Result<scene::Edit> load_plant_quietly(std::filesystem::path const& path,
+                                       ModelCompanions const& companions)
 {
     auto lines = TRY(load_lines(path));
     if (!lines.empty())
@@ -243,10 +248,18 @@ Result<scene::Edit> load_plant_edit(std::filesystem::path const& path,
     auto measured = TRY(load_measured_edit(path));
     if (measured)
         return *std::move(measured);
-    warn_of_unused_companions(path, companions);
     // A named variable, as g++ 14 issues a false warning about the temporary's destruction.
     scene::LoadModel model = TRY(load_model_edit(path, companions));
     return model;
+}
+
+Result<scene::Edit> load_plant_edit(std::filesystem::path const& path,
+                                    ModelCompanions const& companions)
+{
+    auto edit = TRY(load_plant_quietly(path, companions));
+    if (edit.get<scene::LoadModel>())
+        warn_of_unused_companions(path, companions);
+    return edit;
 }
 
 Result<lsystem::Model> load_model(std::filesystem::path const& path,

@@ -34,7 +34,8 @@ Result<lsystem::ModelSource> load_model_source(std::filesystem::path const& path
                                                ModelCompanions const& companions = {});
 
 // Prints a warning for each view and colour file beside the model that is neither used nor belongs
-// to another model; skips kinds that the user has chosen explicitly.
+// to another model, for three at most, and how many more there are; skips kinds that the user has
+// chosen explicitly. To be called after what matters more has been printed.
 void warn_of_unused_companions(std::filesystem::path const& path,
                                ModelCompanions const& companions = {});
 
@@ -56,6 +57,10 @@ Result<scene::LoadModel> load_model_edit(std::filesystem::path const& path,
 // are refused. Warns about files that a model does not use.
 Result<scene::Edit> load_plant_edit(std::filesystem::path const& path,
                                     ModelCompanions const& companions = {});
+
+// Like load_plant_edit(), without the warnings about files.
+Result<scene::Edit> load_plant_quietly(std::filesystem::path const& path,
+                                       ModelCompanions const& companions);
 
 // Reads and compiles a model and its companions. Fails like load_model_edit().
 Result<lsystem::Model> load_model(std::filesystem::path const& path,

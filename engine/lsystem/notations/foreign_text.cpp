@@ -199,11 +199,11 @@ std::vector<SignLine> sign_lines(std::string_view text)
     return lines;
 }
 
-std::string_view remedy(Notation notation)
+std::string remedy(Notation notation, std::string_view file)
 {
     switch (notation) {
     case Notation::LParser:
-        return "\"tractus lsystem import\" makes a model of it";
+        return fmt::format("\"tractus lsystem import {} -o NAME.l\" makes a model of it", file);
     case Notation::JsonText:
         return "models are texts with \"Lsystem: 1\", an axiom and rules; \"tractus lsystem new\" "
                "writes one to begin with";
@@ -235,8 +235,11 @@ std::optional<ForeignText> find_foreign_notation(std::string_view written)
 
 std::string describe_foreign_text(std::string_view file, ForeignText const& foreign)
 {
-    return fmt::format("{}:{}: this is {}, not cpfg's language, as '{}' shows: {}", file,
-                       foreign.line, foreign.name, foreign.sign, remedy(foreign.notation));
+    auto const sign = foreign.notation == Notation::LParser
+        ? std::string("the three numbers up to here show")
+        : fmt::format("'{}' shows", foreign.sign);
+    return fmt::format("{}:{}: this is {}, not cpfg's language, as {}: {}", file, foreign.line,
+                       foreign.name, sign, remedy(foreign.notation, file));
 }
 
 } // namespace tractus::lsystem
