@@ -440,7 +440,24 @@ TEST(ArrangeTool, KeepsNodesAsTheyWereWhenTheTreeWasDrawn)
         auto const& form = outlined_tree(*document.newest()->scene.drawn)->form;
         EXPECT_EQ(form.has_whole_nodes, is_whole) << words;
         EXPECT_EQ(form.patterns[0], Pattern(Pattern::Whorls));
+        EXPECT_EQ(form.plane_branches, 0) << words; // Neither log has the option of later trees.
     }
+}
+
+TEST(OutlineTool, FillsOutlinesBySpacingUnlessALogIsOlder)
+{
+    auto const tools = methods::all_methods().tools;
+    auto const form_by = [&](tools::Tool const& tool) {
+        document::Document document({}, document::Document::Working::AtOnce);
+        document.draw({ trunk_at(0), tool });
+        return outlined_tree(*document.newest()->scene.drawn)->form;
+    };
+    EXPECT_EQ(form_by(OutlineTool {}).plane_branches, kUsualPlaneBranches);
+    EXPECT_EQ(form_by(OutlineTool { .form = OutlineTool::Form::Poplar }).base_angle_deg, 35);
+    auto const older
+        = form_by(tools::parse_tool(tools, "outline", "poplar closely whole_nodes").value());
+    EXPECT_EQ(older.plane_branches, 0);
+    EXPECT_EQ(older.base_angle_deg, 0);
 }
 
 // A branch must be erased before the trunk that bears it, and the outline last, which leaves a bare
