@@ -71,6 +71,12 @@ std::string describe_wrong_arrow(std::string_view line)
     return {};
 }
 
+bool is_figure_of_book(std::string_view line)
+{
+    line = trimmed_line(line);
+    return line.starts_with("n") && trimmed_line(line.substr(1)).starts_with("=");
+}
+
 bool is_axiom_of_book(std::string_view line)
 {
     line = trimmed_line(line);

@@ -24,4 +24,7 @@ std::string describe_wrong_arrow(std::string_view line);
 // True for "ω: F" and "w : F", which begin the axiom in books.
 bool is_axiom_of_book(std::string_view line);
 
+// True for "n=7, δ=22.5°", a derivation length with an angle increment.
+bool is_figure_of_book(std::string_view line);
+
 } // namespace tractus::lsystem

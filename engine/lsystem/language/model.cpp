@@ -151,6 +151,10 @@ tl::unexpected<Error> Parser::no_statement(std::string_view expected)
         return cursor_.error(fmt::format("found '{}', expected 'Axiom:', which books print as ω: "
                                          "(--dialect book reads it so)",
                                          shown(line)));
+    if (is_figure_of_book(line))
+        return cursor_.error(fmt::format("found '{}', expected {}; --dialect book reads models as "
+                                         "books print them",
+                                         shown(line), expected));
     auto const nearest = nearest_beginning(line, kStatements);
     return cursor_.error(
         nearest.empty() ? fmt::format("found '{}', expected {}", shown(line), expected)

@@ -216,9 +216,12 @@ std::vector<std::string> ModuleUses::warnings(SourceText const& source) const
             names.push_back(
                 fmt::format("{}: {}", source.place(name.position), describe_name(name)));
     std::vector<std::size_t> positions;
-    for (std::size_t i = 0; i < first_.size(); ++i)
-        if (first_[i] && !is_known(static_cast<char>(i)) && !continues_character(i))
+    for (std::size_t i = 0; i < first_.size(); ++i) {
+        char const symbol = static_cast<char>(i);
+        bool const may_separate = has_contexts_ && is_letter_or_digit(symbol);
+        if (first_[i] && !is_known(symbol) && !continues_character(i) && !may_separate)
             positions.push_back(*first_[i]);
+    }
     std::sort(positions.begin(), positions.end());
     std::vector<std::string> letters;
     for (auto const position : positions) {

@@ -27,6 +27,9 @@ public:
     // context, a list of ignored or considered letters names it, or it is the whole successor of a
     // rule, the state in which a module rests.
     void add_known(char symbol) { known_[index(symbol)] = true; }
+    // Notes that a rule has a context. Any letter then has an effect where it stands between
+    // others.
+    void add_context() { has_contexts_ = true; }
     // Adds a strict predecessor of `module_count` modules, as written at `position`.
     void add_predecessor(std::string_view written, std::size_t module_count, std::size_t position);
 
@@ -59,6 +62,7 @@ private:
 
     std::vector<Use> string_; // The axiom or successor being parsed, without names of organs etc.
     std::string prefix_;      // The @, @D, ~ or ? before the next module.
+    bool has_contexts_ = false;
     bool calls_systems_ = false; // True if a ?(...) calls a sub-L-system, which a $ ends.
     std::array<bool, 256> known_ {};
     std::array<bool, 256> used_ {};

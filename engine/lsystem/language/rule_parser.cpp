@@ -97,6 +97,8 @@ Result<void> RuleParser::predecessor(Rule& rule, ExpressionCompiler& compiler)
         return cursor_.unexpected("a module to replace");
     if (cursor_.take(">"))
         right = TRY(formal_modules());
+    if (!left.empty() || !right.empty())
+        names_.uses.add_context();
     std::reverse(left.begin(), left.end());
     TRY(add_parameters(strict, rule.predecessor, rule, compiler));
     rule.predecessor_parameter_count = rule.parameter_count;

@@ -46,6 +46,7 @@ TEST(OtherNotations, LettersWithARoleAreNotWarnedOf)
          { "Axiom: A\nA --> FB\nB --> B",               // Replaced, by itself.
            "Axiom: A\nA --> B",                         // The state in which A rests.
            "Axiom: MA\nM < A --> FA",                   // A context.
+           "Axiom: MA\nM < A --> FAX",                  // It parts modules that see each other.
            "ignore: X\nAxiom: XA\nA --> FA",            // Ignored on purpose.
            "Axiom: A\nA --> ~XF@vF@Gs@Gc@DiF?P(0,0,0)", // Names of organs and other symbols.
            "Axiom: 'F\n' --> F",                        // A rule's own '.
@@ -103,6 +104,9 @@ TEST(OtherNotations, ArrowsAreNamed)
                         "book reads both)");
     expect_begins(compile_error("Lsystem: 1\n\u03c9 : A\nA --> FA\n"),
                   "model.l:2:1: found '\u03c9 : A', expected 'Axiom:'");
+    EXPECT_EQ(compile_error("n=5, \u03b4=22.5\u00b0\n\u03c9 : A\n"),
+              "model.l:1:1: found 'n=5, \u03b4=22.5\u00b0', expected 'Lsystem:'; --dialect book "
+              "reads models as books print them");
 }
 
 TEST(OtherNotations, ChanceWithoutASeedIsWarnedOf)
