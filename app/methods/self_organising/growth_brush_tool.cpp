@@ -181,6 +181,7 @@ constexpr tools::ToolKind GrowthBrushTool::kKind {
       "another tree of this one",
     .group = "Sketch",
     .method = "Growth brush",
+    .icon = "5953 5735 5673 162441618486",
     .options = tools::options_type<GrowthBrushTool, visit>(),
     .mean = mean,
     .said = describe_grown,
