@@ -31,6 +31,7 @@ inline constexpr std::array kLParserCommands {
     LParserCommand { 'z', "* --> f(len[d]/2)", "* --> f(x)" },
     LParserCommand { 'g', "* --> g(len[d])", "* --> g(x)" },
     LParserCommand { 'G', "* --> *", "* --> *" },
+    LParserCommand { 't', "* --> *", "* --> *" }, // Droop, which is left out.
     LParserCommand { 'c', "* --> ;", "* --> ;(x)" },
     LParserCommand { '"', "{len[d] = len[d] * 1.1;} 1 --> *", "{len[d] = len[d] * x;} 1 --> *" },
     LParserCommand { '\'', "{len[d] = len[d] * 0.9;} 1 --> *", "{len[d] = len[d] * x;} 1 --> *" },
