@@ -9,6 +9,7 @@
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_layer.h"
 #include "app/methods/silhouettes/outline_previewer.h"
+#include "app/methods/sketch_lsystem/sketch_tool.h"
 #include "app/session/edit_record.h"
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/draw_tool.h"
@@ -78,13 +79,15 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     EXPECT_EQ(meant(line, tree, *of_branches.get<OutlineTool>()).search,
               silhouette::Search::OnTrunk);
     // Only these kinds have other defaults than logs without arguments: crowns with complete nodes
-    // that are filled by spacing, construction lines with depths that are read together, strokes
-    // laid by heading.
+    // that are filled by spacing, plants that stand at a stroke's foot, construction lines with
+    // depths that are read together, strokes laid by heading.
     constexpr auto kLeastTwist = variation::StrokeLaying::LeastTwist;
     for (auto const* const kind : tools) {
         auto const begun = kind == &OutlineTool::kKind ? tools::Tool(tool_of_old_logs())
             : kind == &CrownTool::kKind                ? tools::Tool(
                                  CrownTool { .nodes = NodesOption::AsAtFirst, .fills = FillsOption::AsAtFirst })
+            : kind == &sketch::SketchTool::kKind
+            ? tools::Tool(sketch::SketchTool { .stands = sketch::SketchTool::Stands::AsDrawn })
             : kind == &lines::LineTool::kKind ? tools::Tool(lines::LineTool {
                   .depth_by = lines::DepthBy::StemsHeight, .reading = lines::Reading::OneByOne })
             : kind == &tools::DrawTool::kKind
