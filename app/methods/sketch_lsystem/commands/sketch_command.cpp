@@ -326,6 +326,30 @@ Result<void> sketch_plant(SketchArguments const& arguments)
     return model.is_set() ? sketch_model(arguments, std::move(model)) : sketch_rule(arguments);
 }
 
+// Adds options that say which stroke is meant and how its plant stands.
+void add_stroke_options(CLI::App& command, SketchArguments& arguments)
+{
+    command.add_option("--stroke", arguments.number, "Which of the strokes in the file")
+        ->type_name("N")
+        ->check(options::whole_number(1, 1'000'000))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--surface", arguments.surface,
+            "Whether the stroke was drawn in \"space\", or on \"paper\" that stands upright; "
+            "without it a recording is on paper if its surface hardly moved")
+        ->type_name("SURFACE")
+        ->check(options::one_of({ "space", "paper" }));
+    command
+        .add_option(
+            "--stands", arguments.stands,
+            "Where the plant stands: where the stroke begins (\"begin\") or ends (\"end\"), "
+            "or at its foot (\"foot\"), so that one that runs down is turned round")
+        ->type_name("WHERE")
+        ->check(options::one_of({ "foot", "begin", "end" }))
+        ->capture_default_str();
+}
+
 void add_options(CLI::App& command, SketchArguments& arguments)
 {
     auto* const stroke
@@ -357,25 +381,7 @@ void add_options(CLI::App& command, SketchArguments& arguments)
             stroke->required(false);
             output->required(false);
         });
-    command.add_option("--stroke", arguments.number, "Which of the strokes in the file")
-        ->type_name("N")
-        ->check(options::whole_number(1, 1'000'000))
-        ->capture_default_str();
-    command
-        .add_option(
-            "--surface", arguments.surface,
-            "Whether the stroke was drawn in \"space\", or on \"paper\" that stands upright; "
-            "without it a recording is on paper if its surface hardly moved")
-        ->type_name("SURFACE")
-        ->check(options::one_of({ "space", "paper" }));
-    command
-        .add_option(
-            "--stands", arguments.stands,
-            "Where the plant stands: where the stroke begins (\"begin\") or ends (\"end\"), "
-            "or at its foot (\"foot\"), so that one that runs down is turned round")
-        ->type_name("WHERE")
-        ->check(options::one_of({ "foot", "begin", "end" }))
-        ->capture_default_str();
+    add_stroke_options(command, arguments);
     options::add_height_option(command, arguments.height);
     command
         .add_option("--seed", arguments.seed,
