@@ -56,7 +56,7 @@ double top_of(GrowingTree const& tree)
 }
 
 // Checks that links and laterals agree, and that all wood hangs together.
-void expect_sound(GrowingTree const& tree)
+void expect_sound_wood(GrowingTree const& tree)
 {
     std::vector<int> times_borne(tree.size());
     std::size_t laterals = 0;
@@ -86,13 +86,13 @@ TEST(Prune, CutsAHedgeThatGrowsBack)
     auto const removed = prune(tree, level_cut(height), hedge(), 3);
     ASSERT_TRUE(removed) << removed.error().message;
     EXPECT_GT(*removed, 100U);
-    expect_sound(tree);
+    expect_sound_wood(tree);
     EXPECT_LT(top_of(tree), height) << "nothing is left above the cut, nor in it";
     auto const stumps = living_buds(tree).size();
     Surroundings surroundings { .seed = 3 };
     for (int year = 0; year < 6; ++year)
         ASSERT_TRUE(grow_year(tree, surroundings, hedge()));
-    expect_sound(tree);
+    expect_sound_wood(tree);
     EXPECT_GT(living_buds(tree).size(), stumps);
     EXPECT_GT(top_of(tree), height + 200);
 }
@@ -109,7 +109,7 @@ TEST(Prune, WakesBudsBelowTheCut)
     auto const middle = tree.size() / 2; // The nodes of the pole are in order.
     std::vector<BrushBall> const ball { { .centre = tree.places[middle].position, .radius = 10 } };
     ASSERT_GT(prune(tree, ball, habit, 1).value(), 0U);
-    expect_sound(tree);
+    expect_sound_wood(tree);
     EXPECT_EQ(tree.size(), middle);
     auto const buds = living_buds(tree);
     EXPECT_EQ(buds.size(), 4U);
@@ -140,7 +140,7 @@ TEST(Prune, LeavesAStumpOfWhatIsCutWhole)
     std::vector<BrushBall> const all { { .centre = Vec3(0, 0, 0), .radius = 1e5 } };
     ASSERT_TRUE(prune(tree, all, hedge(), 3));
     EXPECT_EQ(tree.size(), 2U);
-    expect_sound(tree);
+    expect_sound_wood(tree);
     Surroundings surroundings { .seed = 3 };
     for (int year = 0; year < 3; ++year)
         ASSERT_TRUE(grow_year(tree, surroundings, hedge()));
@@ -208,7 +208,7 @@ Stroke upright_stroke(double height_mm)
     return { std::move(tips) };
 }
 
-scene::Scene folded(std::vector<scene::Edit> const& edits)
+scene::Scene pruned_in_steps(std::vector<scene::Edit> const& edits)
 {
     auto scene = scene::fold(edits);
     EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
@@ -219,13 +219,13 @@ TEST(PruneEdit, CutsWhatTheStrokeTouchesAndLetsItGrowBack)
 {
     scene::Edit const planted
         = PlantTree { .habit = hedge(), .seed = 3, .scale = 0.1, .first = { .years = 12 } };
-    auto const before = folded({ planted });
+    auto const before = pruned_in_steps({ planted });
     double const height_mm = bounds(*before.base).max_mm.z();
     LifePart const cut { .kind = LifePart::Kind::Prune,
                          .stroke = level_stroke(0.05 * height_mm, 0.2 * height_mm),
                          .least_radius_mm = 0.1 * height_mm,
                          .most_radius_mm = 0.1 * height_mm };
-    auto const after = folded({ planted, GrowOn { before.state.active, cut } });
+    auto const after = pruned_in_steps({ planted, GrowOn { before.state.active, cut } });
     check_plant(*after.base);
     EXPECT_LT(after.base->segment_count(), before.base->segment_count());
     for (auto const& node : after.base->node_position_mm)
@@ -233,8 +233,8 @@ TEST(PruneEdit, CutsWhatTheStrokeTouchesAndLetsItGrowBack)
                      && std::hypot(node.y(), node.z() - 0.5 * height_mm) < 0.99 * height_mm
                      && std::abs(node.x()) < 2 * height_mm && node.z() > 200)
             << "a node is left in the brush";
-    auto const later = folded({ planted, GrowOn { before.state.active, cut },
-                                GrowOn { before.state.active, { .years = 5 } } });
+    auto const later = pruned_in_steps({ planted, GrowOn { before.state.active, cut },
+                                         GrowOn { before.state.active, { .years = 5 } } });
     EXPECT_GT(later.base->segment_count(), after.base->segment_count());
     auto const* const tree = grown_tree_of(later.drawn->source);
     int years = 0;
@@ -250,18 +250,18 @@ TEST(ClearEdit, IsAsIfTheBrushHadNotBeenThere)
     };
     scene::Edit const planted
         = PlantTree { .habit = hedge(), .seed = 3, .scale = 0.1, .first = brushed };
-    auto const before = folded({ planted });
+    auto const before = pruned_in_steps({ planted });
     double const top_mm = bounds(*before.base).max_mm.z();
     LifePart const cleared { .kind = LifePart::Kind::Clear,
                              .stroke = level_stroke(160, 60),
                              .least_radius_mm = 60,
                              .most_radius_mm = 60 };
     scene::Edit const clear = GrowOn { before.state.active, cleared };
-    auto const after = folded({ planted, clear });
+    auto const after = pruned_in_steps({ planted, clear });
     EXPECT_LT(bounds(*after.base).max_mm.z(), 0.75 * top_mm);
     EXPECT_GT(after.base->segment_count(), 20U);
     // A later stroke sows there again.
-    auto const again = folded({ planted, clear, GrowOn { before.state.active, brushed } });
+    auto const again = pruned_in_steps({ planted, clear, GrowOn { before.state.active, brushed } });
     EXPECT_GT(bounds(*again.base).max_mm.z(), 0.9 * top_mm);
 }
 
@@ -272,7 +272,7 @@ TEST(ClearEdit, HoldsForAnotherHabitInTheSameVolume)
     };
     scene::Edit const planted
         = PlantTree { .habit = hedge(), .seed = 3, .scale = 0.1, .first = brushed };
-    auto const id = folded({ planted }).state.active;
+    auto const id = pruned_in_steps({ planted }).state.active;
     scene::Edit const clear = GrowOn { id,
                                        { .kind = LifePart::Kind::Clear,
                                          .stroke = level_stroke(160, 60),
@@ -281,14 +281,14 @@ TEST(ClearEdit, HoldsForAnotherHabitInTheSameVolume)
     auto other = hedge();
     other.name = "other";
     other.apical_control = 0.7;
-    auto const first = folded({ planted, clear });
+    auto const first = pruned_in_steps({ planted, clear });
     for (std::uint64_t seed = 3; seed < 6; ++seed) {
         scene::Edit const change = ChangeHabit { id, other, seed };
-        auto const changed = folded({ planted, clear, change });
+        auto const changed = pruned_in_steps({ planted, clear, change });
         EXPECT_LT(bounds(*changed.base).max_mm.z(),
-                  0.75 * bounds(*folded({ planted, change }).base).max_mm.z());
+                  0.75 * bounds(*pruned_in_steps({ planted, change }).base).max_mm.z());
         EXPECT_NE(changed.base->node_position_mm, first.base->node_position_mm);
-        auto const back = folded(
+        auto const back = pruned_in_steps(
             { planted, clear, ChangeHabit { id, other, seed }, ChangeHabit { id, hedge(), 3 } });
         EXPECT_EQ(back.base->node_position_mm, first.base->node_position_mm);
     }
@@ -297,7 +297,7 @@ TEST(ClearEdit, HoldsForAnotherHabitInTheSameVolume)
 TEST(PruneEdit, RefusesWhatMeansNothing)
 {
     scene::Edit const planted = PlantTree { .habit = hedge(), .first = { .years = 4 } };
-    auto const id = folded({ planted }).state.active;
+    auto const id = pruned_in_steps({ planted }).state.active;
     auto const refusal = [&](LifePart const& part) {
         auto const scene = scene::fold(std::vector<scene::Edit> { planted, GrowOn { id, part } });
         return scene ? std::string() : scene.error().message;
