@@ -1,5 +1,7 @@
 #include "sim/cp2112_model.h"
 
+#include "sim/cp2112_bus.h"
+
 #include <algorithm>
 #include <initializer_list>
 #include <utility>
@@ -61,6 +63,7 @@ drivers::DeviceInfo Cp2112Model::info()
     append_feature(descriptor, kSetLines, kSetLinesBytes);
     append_feature(descriptor, kVersion, 3);
     append_feature(descriptor, kBusConfiguration, 14);
+    Cp2112Bus::append_reports(descriptor);
     descriptor.push_back(std::byte { 0xc0 });
     return info;
 }

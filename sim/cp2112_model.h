@@ -14,8 +14,8 @@ namespace tractus::sim {
 
 // A Silicon Labs CP2112, a bridge from USB to I²C with eight GPIO lines, as seen through its HID
 // interface (application note AN495). It has the feature reports that the kernel's hid-cp2112 uses
-// to make a gpiochip with the label "cp2112_gpio", and leaves out the I²C bus. It uses no clock
-// and no randomness.
+// to make a gpiochip with the label "cp2112_gpio". The reports of its I²C bus are described, and
+// processed by cp2112_bus.h. No clock and no randomness.
 class Cp2112Model {
 public:
     static constexpr unsigned kLines = 8;
@@ -32,7 +32,7 @@ public:
     explicit Cp2112Model(Wiring wiring);
 
     // Returns the device as the kernel sees it: ids, name, and a report descriptor with the
-    // CP2112's feature reports.
+    // CP2112's feature reports and those of its bus.
     static drivers::DeviceInfo info();
 
     // Returns a feature report; no value for an unknown id, or for the lines' levels while readings

@@ -55,10 +55,12 @@ bool bit(unsigned levels, unsigned line)
     return levels >> line & 1;
 }
 
-// Emulates a CP2112. The model must outlive the device.
-Result<std::unique_ptr<UhidDevice>> play_bridge(Cp2112Model& bridge)
+// Emulates a CP2112, with or without something on its bus. The models must outlive the device.
+Result<std::unique_ptr<UhidDevice>> play_bridge(Cp2112Model& bridge, Cp2112Bus* bus = nullptr)
 {
     UhidAnswers answers;
+    if (bus)
+        answers.output = [bus](std::span<std::byte const> report) { return bus->output(report); };
     answers.get_feature = [&bridge](std::uint8_t id) { return bridge.get_feature(id); };
     answers.set_feature
         = [&bridge](std::span<std::byte const> report) { return bridge.set_feature(report); };
@@ -135,6 +137,20 @@ void Cp2112WithMcp3208::drive(std::uint8_t levels)
 std::uint8_t Cp2112WithMcp3208::levels() const
 {
     return static_cast<std::uint8_t>(converter_.dout().value_or(false) << wiring_.dout);
+}
+
+Cp2112WithMcp3421::Cp2112WithMcp3421(InputNow input)
+    : converter_(std::move(input))
+    , bridge_({})
+    , bus_({ .address = Mcp3421Model::kAddress,
+             .write = [this](std::span<std::byte const> bytes) { converter_.write(bytes); },
+             .read = [this](std::size_t size) { return converter_.read(size); } })
+{
+}
+
+Result<std::unique_ptr<UhidDevice>> Cp2112WithMcp3421::play()
+{
+    return play_bridge(bridge_, &bus_);
 }
 
 Cp2112WithEncoder::Cp2112WithEncoder(Wiring const& wiring, std::function<std::int64_t()> target)

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "sim/cp2112_bus.h"
 #include "sim/cp2112_model.h"
 #include "sim/linak_desk_model.h"
 #include "sim/mcp2221a_model.h"
 #include "sim/mcp3208_model.h"
+#include "sim/mcp3421_model.h"
 #include "sim/simulated_encoder.h"
 #include "sim/uhid_device.h"
 
@@ -60,6 +62,25 @@ private:
     Wiring wiring_;
     Mcp3208Model converter_;
     Cp2112Model bridge_;
+};
+
+// An emulated MCP3421 on the I²C bus of a CP2112. The kernel's hid-cp2112 makes a bus of it, and
+// its driver mcp3422, once told of the chip, a device of industrial I/O.
+class Cp2112WithMcp3421 {
+public:
+    // `input` is read anew for each reading.
+    explicit Cp2112WithMcp3421(InputNow input);
+
+    Cp2112WithMcp3421(Cp2112WithMcp3421 const&) = delete;
+    Cp2112WithMcp3421& operator=(Cp2112WithMcp3421 const&) = delete;
+
+    // Creates the device, which this object must outlive. Fails like UhidDevice::create().
+    Result<std::unique_ptr<UhidDevice>> play();
+
+private:
+    Mcp3421Model converter_;
+    Cp2112Model bridge_;
+    Cp2112Bus bus_;
 };
 
 // A quadrature encoder connected to two lines of a CP2112. The kernel polls the lines every ten

@@ -10,6 +10,7 @@ set(engine/base)
 set(engine/stroke    engine/base)
 set(engine/plant     engine/base engine/stroke)
 set(engine/lsystem/text engine/base)
+set(engine/lsystem/notations engine/base engine/lsystem/text)
 set(engine/lsystem/view engine/base engine/stroke engine/plant engine/lsystem/text)
 set(engine/lsystem/language engine/base engine/lsystem/text engine/lsystem/view)
 set(engine/lsystem/rewriting engine/base engine/lsystem/language)
@@ -78,8 +79,8 @@ set(app/controllers  engine drivers calib sim app/files app/render app/session a
 set(app/desktop      engine app/options)
 set(app/commands     engine drivers calib sim app)
 
-set(layers engine/base engine/stroke engine/plant engine/lsystem/text engine/lsystem/view
-           engine/lsystem/language engine/lsystem/rewriting engine/lsystem/fast_rewriting
+set(layers engine/base engine/stroke engine/plant engine/lsystem/text engine/lsystem/notations
+           engine/lsystem/view engine/lsystem/language engine/lsystem/rewriting engine/lsystem/fast_rewriting
            engine/lsystem/turtle engine/lsystem/fast_drawing engine/lsystem/derivation engine/variation engine/mesh
            engine/scene engine/export engine/methods/construction_lines engine/methods/leaves
            engine/methods/self_organising engine/methods/silhouettes engine/methods/sketch_lsystem

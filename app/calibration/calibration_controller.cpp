@@ -21,6 +21,8 @@ constexpr std::array<std::string_view, 6> kNames { "height", "travel", "latency"
 constexpr Duration kPenRest = std::chrono::milliseconds(500);
 constexpr double kPenStill_mm = 4;
 constexpr double kFarthest_mm = 10'000;
+// A longer time without readings, at the end of a capture, means that the sensor failed.
+constexpr Duration kSilence = std::chrono::milliseconds(250);
 
 Result<double> parse_height(std::string_view text)
 {
@@ -85,6 +87,12 @@ CalibrationController::create(std::span<drivers::DeviceInfo const> devices, Opti
 void CalibrationController::push(std::size_t device, Timestamp received,
                                  std::span<std::byte const> report)
 {
+    if (report.empty()) {
+        if (pending_ && device == height_device_)
+            refuse_capture("the height sensor was unplugged during it: plug it in, then capture "
+                           "that height again");
+        return;
+    }
     if (pen_decoder_ && device == pen_device_) {
         new_pens_.clear();
         (void)pen_decoder_->decode(received, report, new_pens_);
@@ -128,19 +136,29 @@ void CalibrationController::push_height(drivers::HeightSample const& sample)
     if (sample.time - pending_->begin < calib::kCaptureTime)
         pending_->samples.push_back(sample);
     else
-        close_capture();
+        close_capture(sample.time);
 }
 
-void CalibrationController::close_capture()
+void CalibrationController::refuse_capture(std::string_view reason)
 {
-    auto const pending = *std::exchange(pending_, {});
-    auto const capture = calib::capture_at_rest(pending.samples, pending.ruler_mm);
-    if (!capture) {
-        refusal_
-            = fmt::format("the capture at {:g} mm: {}", pending.ruler_mm, capture.error().message);
-        refusals_.push_back(refusal_);
-        return;
-    }
+    refusal_ = fmt::format("the capture at {:g} mm: {}", pending_->ruler_mm, reason);
+    refusals_.push_back(refusal_);
+    pending_.reset();
+}
+
+// `now` is the time of the first reading after the capture.
+void CalibrationController::close_capture(Timestamp now)
+{
+    auto const last = pending_->samples.empty() ? pending_->begin : pending_->samples.back().time;
+    if (now - last > kSilence)
+        return refuse_capture(fmt::format("the height sensor was silent for {:.2f} s from within "
+                                          "it: was it unplugged? Check its cable, then capture "
+                                          "that height again",
+                                          to_seconds(now - last)));
+    auto const capture = calib::capture_at_rest(pending_->samples, pending_->ruler_mm);
+    if (!capture)
+        return refuse_capture(capture.error().message);
+    pending_.reset();
     refusal_.clear();
     captures_.push_back(*capture);
     captures_.back().from = calib::direction(last_ruler_mm_, capture->ruler_mm);

@@ -81,7 +81,8 @@ public:
                                                 Options options);
 
     // Processes one report of one of the devices, in the order of time. Invalid reports are
-    // ignored.
+    // ignored. An empty report means that the device was disconnected: a capture in progress is
+    // refused if it was the height sensor.
     void push(std::size_t device, Timestamp received, std::span<std::byte const> report);
 
     // Processes a command. Fails with a user error for unknown words, and for times that go
@@ -136,7 +137,8 @@ private:
 
     void push_pen(drivers::PenSample const& sample);
     void push_height(drivers::HeightSample const& sample);
-    void close_capture();
+    void refuse_capture(std::string_view reason);
+    void close_capture(Timestamp now);
     Result<void> capture(Timestamp time, std::string_view height);
     Result<void> drop(std::string_view number);
     void undo();

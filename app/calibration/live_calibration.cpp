@@ -69,8 +69,6 @@ private:
         reports_.clear();
         devices_.take(reports_);
         for (auto const& report : reports_) {
-            if (report.report.size == 0)
-                continue;
             controller_.push(report.device, time_in_log(report.report.received, options_.start),
                              report.report.bytes());
             newest_ = report.report.received;

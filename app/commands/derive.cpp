@@ -30,10 +30,10 @@ struct DeriveArguments {
 Result<void> run(DeriveArguments const& arguments)
 {
     auto const path = TRY(files::find_model(arguments.model.model));
-    io::warn_of_unused_companions(path, arguments.companions);
     auto const model = TRY(io::load_model(path, arguments.companions));
     for (auto const& warning : model.warnings)
         terminal::print_warning(warning);
+    io::warn_of_unused_companions(path, arguments.companions);
     auto const options = options::derive_options(arguments.model, arguments.cost);
     auto string = TRY(lsystem::derive(model, options));
     if (arguments.homomorphism) {

@@ -6,6 +6,7 @@
 #include "app/batch/plant_report.h"
 #include "app/batch/plant_season.h"
 #include "app/batch/session_plant.h"
+#include "app/commands/ageing_plant.h"
 #include "app/files/resources.h"
 #include "app/io/model_file.h"
 #include "app/methods/all_habits.h"
@@ -45,8 +46,13 @@ struct GrowArguments {
     std::size_t ages = 0;   // Number of ages of an animation in one file; 0: no animation.
     std::size_t frames = 0; // Number of frames of an animation in separate files; 0: no animation.
     double seconds = 10;
-    std::string habit; // Habit of a tree that grows by itself, instead of a model; empty: a model.
-    int years = 20;    // Age of the tree that grows by itself.
+    // Habit of a tree that grows by itself, from a seed or, with a model, from that; empty: only
+    // the model.
+    std::string habit;
+    int years = 20;       // Number of years that it grows.
+    int stand = 1;        // Number of trees that grow beside each other.
+    double spacing_m = 4; // Their distance.
+    bool fills = false;   // True: it fills the crown of the model, which was drawn by its outline.
     bool report = false;
 
     bool is_varied() const
@@ -57,7 +63,7 @@ struct GrowArguments {
     bool is_for_a_model() const
     {
         return model.steps || !companions.view.empty() || !companions.colors.empty()
-            || !companions.environment.empty();
+            || !companions.environment.empty() || companions.dialect != io::kCpfgDialect;
     }
 };
 
@@ -70,41 +76,14 @@ std::filesystem::path frame_path(std::filesystem::path const& output, std::size_
     return output.parent_path() / name;
 }
 
-// Grows a plant at successive ages.
-class AgeingPlant {
-public:
-    AgeingPlant(variation::GrowthPlan const& plan, scene::Scene const& scene, bool along_ground)
-        : plan_(plan)
-        , grower_(plan)
-        , key_ { scene.growth.seed, 0 }
-        , along_ground_(along_ground)
-    {
-    }
-
-    // Valid until the next call.
-    Plant const& grow(double age = 1)
-    {
-        auto const& grown = grower_.grow(key_, age);
-        if (!along_ground_)
-            return grown;
-        bent_ = grown;
-        variation::bend_along_ground(bent_, plan_.base);
-        return bent_;
-    }
-
-private:
-    variation::GrowthPlan const& plan_;
-    variation::Grower grower_;
-    variation::PlantKey key_;
-    bool along_ground_;
-    Plant bent_;
-};
-
-Result<variation::GrowthPlan> plan_animation(scene::Scene const& scene, std::string const& name)
+Result<std::unique_ptr<AgeingPlant>>
+ageing_plant(GrowArguments const& arguments, scene::Scene const& scene, std::string const& name)
 {
     if (scene.base->segment_count() == 0)
         return fail(Fault::User, fmt::format("{}: the plant has no branch that could grow", name));
-    return scene::plan_growth(scene);
+    return arguments.is_varied()
+        ? varied_plant(scene, arguments.growth.along_ground)
+        : plant_of_ages(scene, document::make_load_options(arguments.cost));
 }
 
 // Message about what was written; a graph has no triangles to count.
@@ -126,17 +105,16 @@ double age_of(std::size_t frame, std::size_t frames)
 Result<void> write_sequence(GrowArguments const& arguments, scene::Scene const& scene,
                             std::string const& name)
 {
-    auto const plan = TRY(plan_animation(scene, name));
-    AgeingPlant ageing(plan, scene, arguments.growth.along_ground);
+    auto const ageing = TRY(ageing_plant(arguments, scene, name));
     auto file = arguments.file;
     if (arguments.output.extension() == ".png") {
         render::Framing framing({}, batch::PictureSize().aspect());
-        framing.add(mesh::make_mesh(ageing.grow()));
+        framing.add(mesh::make_mesh(ageing->parts(1)));
         file.camera = framing.camera(); // One camera for all ages, fitted to the fully grown plant.
     }
     for (std::size_t i = 1; i <= arguments.frames; ++i) {
         double const age = age_of(i, arguments.frames);
-        auto const plant = variation::without_unborn(ageing.grow(age));
+        auto const plant = ageing->parts(age);
         auto const path = frame_path(arguments.output, i, arguments.frames);
         auto const triangles = TRY(batch::write_plant_file(plant, name, path, file));
         TRY(terminal::print_out(fmt::format("{}: age {:.3f}, {}\n", path.string(), age,
@@ -154,14 +132,13 @@ Result<void> write_animation(GrowArguments const& arguments, scene::Scene const&
                     fmt::format("{}: an animation in one file is a .glb; --sequence writes {} "
                                 "files, one for each age",
                                 arguments.output.string(), arguments.output.extension().string()));
-    auto const plan = TRY(plan_animation(scene, name));
-    AgeingPlant ageing(plan, scene, arguments.growth.along_ground);
-    Plant const whole = ageing.grow();
+    auto const ageing = TRY(ageing_plant(arguments, scene, name));
+    Plant const whole = ageing->grow(1);
     mesh::AgedMesh const mesh(whole);
     exports::GrowthFilm film { .name = name, .mesh = &mesh, .seconds = arguments.seconds };
     for (std::size_t i = 1; i <= arguments.ages; ++i)
         film.ages.push_back(age_of(i, arguments.ages));
-    film.plant_at = [&](double age) -> Plant const& { return ageing.grow(age); };
+    film.plant_at = [&](double age) -> Plant const& { return ageing->grow(age); };
     exports::GlbSummary summary;
     auto const write = [&](std::ostream& out) -> Result<void> {
         summary = TRY(exports::write_glb(out, film));
@@ -201,6 +178,24 @@ Result<void> write_varied(GrowArguments const& arguments, scene::Scene const& sc
     return write_one(arguments, plant, name);
 }
 
+// Prints what is measured of each plant of a scene, as a list, and writes them if a file is named.
+Result<void> report_all(GrowArguments const& arguments, scene::Scene const& scene,
+                        std::string const& name)
+{
+    if (!arguments.output.empty()) {
+        auto group = TRY(batch::PlantGroup::create(scene));
+        TRY(batch::write_plant_file(group.as_set(), name, arguments.output, arguments.file));
+    }
+    std::string list;
+    for (auto const& plant : scene.plants) {
+        auto report = batch::print_plant_report(*plant->base);
+        while (!report.empty() && report.back() == '\n')
+            report.pop_back();
+        list += (list.empty() ? "[" : ",\n ") + report;
+    }
+    return terminal::print_out(list + "]\n");
+}
+
 // Warns if drawn indicators have no effect because growth does not follow them.
 void warn_of_ignored_indicators(scene::Scene const& scene)
 {
@@ -233,7 +228,8 @@ Result<scene::Scene> load_session(GrowArguments const& arguments, std::filesyste
 Result<scene::Scene> load_model_scene(GrowArguments const& arguments,
                                       std::filesystem::path const& path)
 {
-    auto edit = TRY(io::load_plant_edit(path, arguments.companions));
+    auto edit = TRY(io::load_plant_quietly(path, arguments.companions));
+    bool const is_model = edit.get<scene::LoadModel>() != nullptr;
     if (auto const* const model = edit.get<scene::LoadModel>()) {
         auto with_options = *model;
         with_options.steps = arguments.model.steps;
@@ -248,6 +244,8 @@ Result<scene::Scene> load_model_scene(GrowArguments const& arguments,
     auto scene = TRY(scene::apply_edit({}, edit, document::make_load_options(arguments.cost)));
     for (auto const& warning : scene.model_warnings)
         terminal::print_warning(warning);
+    if (is_model)
+        io::warn_of_unused_companions(path, arguments.companions);
     return scene::apply_edit(std::move(scene),
                              scene::SetGrowth { TRY(variation::growth_preset("as drawn")),
                                                 arguments.model.seed.value_or(1) });
@@ -261,6 +259,14 @@ Result<scene::Scene> load_tree_scene(GrowArguments const& arguments)
                     "a habit is no L-system: --steps, --view, --colors and --environment are for "
                     "those");
     auto const seed = arguments.model.seed.value_or(1);
+    if (arguments.stand > 1) {
+        auto const edits = TRY(methods::stand_of_habit({ .habit = arguments.habit,
+                                                         .years = arguments.years,
+                                                         .seed = seed,
+                                                         .count = arguments.stand,
+                                                         .spacing_m = arguments.spacing_m }));
+        return scene::apply_edits({}, edits, document::make_load_options(arguments.cost));
+    }
     auto const edit = TRY(methods::tree_of_habit(arguments.habit, arguments.years, seed));
     auto scene = TRY(scene::apply_edit({}, edit, document::make_load_options(arguments.cost)));
     return scene::apply_edit(std::move(scene),
@@ -304,11 +310,16 @@ struct NamedPlant {
 
 Result<NamedPlant> load_plant(GrowArguments const& arguments, tools::Methods const& methods)
 {
-    if (arguments.model.model.empty() == arguments.habit.empty())
+    if (arguments.model.model.empty() && arguments.habit.empty())
         return fail(Fault::User,
-                    "give either a model or, with --habit, the habit of a tree that grows by "
-                    "itself");
-    if (!arguments.habit.empty()) {
+                    "give a model or, with --habit, the habit of a tree that grows by itself");
+    if (arguments.stand > 1 && !arguments.model.model.empty())
+        return fail(Fault::User, "--stand plants trees of a habit: leave the model out");
+    if (arguments.model.model.empty() && arguments.fills)
+        return fail(Fault::User,
+                    "--fill fills the crown of a tree that was drawn by its outline: "
+                    "give the session with that tree, too");
+    if (arguments.model.model.empty()) {
         auto scene = TRY(load_tree_scene(arguments));
         auto const name = scene.model_name;
         return NamedPlant { std::move(scene), name };
@@ -317,6 +328,15 @@ Result<NamedPlant> load_plant(GrowArguments const& arguments, tools::Methods con
     bool const is_session = batch::is_session_file(path);
     auto scene = TRY(is_session ? load_session(arguments, path, methods.edits)
                                 : load_model_scene(arguments, path));
+    if (!arguments.habit.empty()) {
+        auto const edit = TRY(methods::growth_from(scene,
+                                                   { .habit = arguments.habit,
+                                                     .years = arguments.years,
+                                                     .seed = arguments.model.seed.value_or(1),
+                                                     .fills = arguments.fills }));
+        scene = TRY(
+            scene::apply_edit(std::move(scene), edit, document::make_load_options(arguments.cost)));
+    }
     return NamedPlant { std::move(scene), path.stem().string(), is_session };
 }
 
@@ -337,7 +357,9 @@ Result<void> grow_plant(GrowArguments const& arguments, tools::Methods const& me
         return write_animation(arguments, scene, name);
     if (arguments.frames > 0)
         return write_sequence(arguments, scene, name);
-    if (!is_session && !arguments.is_varied())
+    if (arguments.report && scene.plants.size() > 1)
+        return report_all(arguments, scene, name);
+    if (!is_session && !arguments.is_varied() && scene.plants.size() == 1)
         return write_one(arguments, *scene.in_season, name);
     return write_varied(arguments, scene, name);
 }
@@ -347,15 +369,34 @@ void add_habit_options(CLI::App& command, GrowArguments& arguments)
     auto* const habit
         = command
               .add_option("--habit", arguments.habit,
-                          "In place of a model, a tree that grows by itself: a species by its "
-                          "English or Latin name, or a .habit file")
-              ->type_name("HABIT")
-              ->excludes("MODEL");
+                          "A tree that grows by itself, from a seed or, with a model, from that "
+                          "plant as it stands: a species by its English or Latin name, or a .habit "
+                          "file")
+              ->type_name("HABIT");
     command.add_option("--years", arguments.years, "How many years it grows")
         ->type_name("N")
         ->check(options::whole_number(1, 200))
         ->needs(habit)
         ->capture_default_str();
+    auto* const stand
+        = command
+              .add_option("--stand", arguments.stand,
+                          "How many trees of the habit grow beside each other, in rows, and shade "
+                          "each other")
+              ->type_name("N")
+              ->check(options::whole_number(1, 400))
+              ->needs(habit)
+              ->capture_default_str();
+    command.add_option("--spacing", arguments.spacing_m, "The distance of their rows, in metres")
+        ->type_name("M")
+        ->check(options::number(0.1, 1000))
+        ->needs(stand)
+        ->capture_default_str();
+    command
+        .add_flag("--fill", arguments.fills,
+                  "It fills the crown of a tree that was drawn by its outline, in a session; trunk "
+                  "and drawn branches remain")
+        ->needs(habit);
     command.add_flag("--report", arguments.report,
                      "Print as JSON what is measured of the plant: height, crown, slenderness, "
                      "Horton's ratios");

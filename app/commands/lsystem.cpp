@@ -6,17 +6,22 @@
 #include "app/options/checks.h"
 #include "app/options/model_options.h"
 #include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
 #include "engine/base/file.h"
 #include "engine/base/printable.h"
 #include "engine/lsystem/derivation/derive.h"
 #include "engine/lsystem/derivation/features.h"
 #include "engine/lsystem/fast_drawing/interpret.h"
+#include "engine/lsystem/notations/book_text.h"
+#include "engine/lsystem/notations/foreign_text.h"
+#include "engine/lsystem/notations/lparser_text.h"
 
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace tractus::commands {
 
@@ -61,7 +66,6 @@ Result<std::string> drawing_text(lsystem::Model const& model, lsystem::ModuleStr
 Result<void> check(LsystemArguments const& arguments)
 {
     auto const path = TRY(files::find_model(arguments.model.model));
-    io::warn_of_unused_companions(path, arguments.companions);
     auto const model = TRY(io::load_model(path, arguments.companions));
     TRY(terminal::print_out(features_text(model) + "\nStep      modules   parameters\n"));
     auto options = options::derive_options(arguments.model, arguments.cost);
@@ -74,8 +78,10 @@ Result<void> check(LsystemArguments const& arguments)
     auto const string = TRY(lsystem::derive(model, options));
     TRY(std::move(printed));
     auto const drawing = TRY(drawing_text(model, string, options));
-    return terminal::print_out(
-        drawing + methods::describe_uses(path, document::load_options(arguments.cost)));
+    TRY(terminal::print_out(
+        drawing + methods::describe_uses(path, document::load_options(arguments.cost))));
+    io::warn_of_unused_companions(path, arguments.companions);
+    return {};
 }
 
 // Rules of the example that `tractus lsystem new` writes; comments explain each line.
@@ -107,10 +113,9 @@ initial color: 1
 organ: l leaf kind=blade material=2 length=4 width=2.2 petiole=0.6
 )";
 
-Result<void> write_new(std::filesystem::path const& path)
+// Fails if the name is not one for rules, or if the rules or the view are there already.
+Result<void> check_new_model(std::filesystem::path const& path, std::filesystem::path const& view)
 {
-    auto view = path;
-    view.replace_extension(".v");
     if (view == path)
         return fail(Fault::User,
                     fmt::format("{} is the name of a view; a model's ends in .l", path.string()));
@@ -119,6 +124,14 @@ Result<void> write_new(std::filesystem::path const& path)
         if (std::filesystem::exists(file, ignored))
             return fail(Fault::User,
                         fmt::format("{} is there already; choose another name", file.string()));
+    return {};
+}
+
+Result<void> write_new(std::filesystem::path const& path)
+{
+    auto view = path;
+    view.replace_extension(".v");
+    TRY(check_new_model(path, view));
     TRY(write_file(view, kNewView));
     TRY(write_file(path, kNewModel));
     return terminal::print_out(
@@ -127,12 +140,81 @@ Result<void> write_new(std::filesystem::path const& path)
                     path.string(), view.string(), path.string()));
 }
 
+struct ImportArguments {
+    std::string input;
+    std::string output;
+    std::string notation;
+};
+
+// Reads a model in another notation: as the option says, or else as it looks.
+Result<lsystem::ImportedModel> read_imported(ImportArguments const& arguments)
+{
+    constexpr std::size_t kMaxFileSize = std::size_t { 16 } << 20;
+    auto const text = TRY(read_text_file(arguments.input, kMaxFileSize));
+    auto const foreign = lsystem::find_foreign_notation(text);
+    bool const is_lparser = arguments.notation == "lparser"
+        || (arguments.notation.empty() && foreign
+            && foreign->notation == lsystem::Notation::LParser);
+    if (is_lparser)
+        return lsystem::read_lparser_model(arguments.input, text);
+    if (foreign && arguments.notation.empty())
+        return fail(Fault::User, lsystem::describe_foreign_text(arguments.input, *foreign));
+    auto book = lsystem::read_book_model(text);
+    return lsystem::ImportedModel { std::move(book.text), std::move(book.view), {} };
+}
+
+Result<void> import_model(ImportArguments const& arguments)
+{
+    auto const made = TRY(read_imported(arguments));
+    std::filesystem::path const path(arguments.output);
+    auto view = path;
+    view.replace_extension(".v");
+    TRY(check_new_model(path, view));
+    TRY(lsystem::compile_model({ .name = arguments.input, .text = made.text }));
+    TRY(write_file(path, made.text));
+    if (!made.view.empty())
+        TRY(write_file(view, made.view));
+    for (auto const& warning : made.warnings)
+        terminal::print_warning(warning);
+    return terminal::print_out(
+        fmt::format("{} is written{}: see it with\n  tractus grow {} -o "
+                    "plant.png\n",
+                    path.string(), made.view.empty() ? "" : ", with its view", path.string()));
+}
+
+void add_import_command(CLI::App& command, options::Action& action)
+{
+    // Shared with the callback, which outlives this function.
+    auto const arguments = std::make_shared<ImportArguments>();
+    auto* const import_command = command.add_subcommand(
+        "import", "Make a model of one in a book's or another program's notation");
+    import_command
+        ->add_option("FILE", arguments->input,
+                     "A model as The Algorithmic Beauty of Plants prints it, or LParser's (.ls)")
+        ->required()
+        ->check(CLI::ExistingFile);
+    import_command
+        ->add_option("-o,--output", arguments->output,
+                     "Where to; neither it nor its view, .v, may be there yet")
+        ->type_name("NAME.l")
+        ->required();
+    import_command
+        ->add_option("--from", arguments->notation,
+                     "The file's notation: book or lparser; without it, as the file looks")
+        ->type_name("NOTATION")
+        ->check(options::one_of({ "book", "lparser" }));
+    import_command->callback(
+        [&action, arguments] { action = [arguments] { return import_model(*arguments); }; });
+}
+
 } // namespace
 
 void add_lsystem_command(CLI::App& root, options::Action& action)
 {
-    auto* const command = root.add_subcommand("lsystem", "Check an L-system, or begin one");
+    auto* const command
+        = root.add_subcommand("lsystem", "Check an L-system, import one, or begin one");
     command->require_subcommand(1);
+    add_import_command(*command, action);
     auto* const check_command = command->add_subcommand(
         "check", "List what a model uses, its warnings, and the modules after each step");
     // Shared with the callback, which outlives this function.

@@ -5,11 +5,18 @@
 #include "app/commands/sim_play.h"
 #include "app/options/checks.h"
 #include "app/terminal/console.h"
+#include "drivers/reports/device_address.h"
 #include "sim/feature_store.h"
+#include "sim/pty_serial_port.h"
+#include "sim/serial_board.h"
 #include "sim/uhid_device.h"
 
 #include <fmt/core.h>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace tractus::commands {
@@ -80,6 +87,81 @@ void add_uhid_command(CLI::App& sim, options::Action& action)
         [arguments, &action] { action = [arguments] { return play_through_uhid(*arguments); }; });
 }
 
+struct SimSerialArguments {
+    SimPlayArguments play;
+    double rate_hz = 400;
+    std::optional<int> full_scale;
+    std::string link;
+};
+
+class SerialBoardPart final : public play::DevicePart {
+public:
+    explicit SerialBoardPart(sim::SerialBoard& board)
+        : board_(board)
+    {
+    }
+
+    void begin(Timestamp now) override { board_.begin(now); }
+    Timestamp due() const override { return board_.due(); }
+    Result<void> play(Timestamp now) override { return board_.play(now); }
+    bool is_over(Timestamp now) const override { return board_.is_over(now); }
+
+private:
+    sim::SerialBoard& board_;
+};
+
+Result<void> play_serial_board(SimSerialArguments const& arguments)
+{
+    if (auto const address = drivers::parse_device_address(arguments.link); !arguments.link.empty()
+        && !(address && std::holds_alternative<drivers::SerialAddress>(*address)))
+        return fail(Fault::User,
+                    fmt::format("no program would look for a serial line at {}: choose a link in "
+                                "/dev, such as /dev/ttyHEIGHT",
+                                arguments.link));
+    auto const log = TRY(load_sim_play(arguments.play));
+    auto heights = TRY(sim::HeightCurve::read(log));
+    auto const port = TRY(sim::PtySerialPort::create(arguments.link));
+    sim::SerialBoard board(*port, std::move(heights),
+                           { .rate_hz = arguments.rate_hz, .full_scale = arguments.full_scale });
+    SerialBoardPart part(board);
+    terminal::print_error(fmt::format("a board on a serial line: --device {}@max={}\n",
+                                      port->address(), board.full_scale()));
+    play::DevicePlay play;
+    play.devices = { port.get() };
+    play.parts = { &part };
+    return run_sim_play(std::move(play), arguments.play);
+}
+
+void add_serial_command(CLI::App& sim, options::Action& action)
+{
+    auto* const command = sim.add_subcommand(
+        "serial", "A board on a serial line that prints a recording's heights; needs no root");
+    auto arguments = std::make_shared<SimSerialArguments>();
+    add_sim_play_options(*command, arguments->play);
+    command->add_option("--rate", arguments->rate_hz, "How many lines it prints per second")
+        ->type_name("HZ")
+        ->check(options::number(0.1, 10'000))
+        ->capture_default_str();
+    command
+        ->add_option("--max", arguments->full_scale,
+                     "The number that it prints at the full scale of the recording's sensor; "
+                     "without it, what that sensor read there")
+        ->type_name("NUMBER")
+        ->check(options::whole_number(1, 2'000'000'000));
+    command
+        ->add_option("--link", arguments->link,
+                     "A symbolic link to the line, such as /dev/ttyHEIGHT, by which it is found "
+                     "again when it is plugged in anew")
+        ->type_name("FILE");
+    command->footer(
+        "It prints the address to read it by, of a pseudo-terminal, which every command takes\n"
+        "for a serial port: the heights begin to move when a program opens it. Ctrl-C unplugs\n"
+        "it. Started again, it usually gets the same address; --link makes sure of that, and\n"
+        "needs root for a link in /dev, where the station looks for serial lines.");
+    command->callback(
+        [arguments, &action] { action = [arguments] { return play_serial_board(*arguments); }; });
+}
+
 } // namespace
 
 void add_sim_command(CLI::App& root, options::Action& action)
@@ -88,6 +170,7 @@ void add_sim_command(CLI::App& root, options::Action& action)
         = root.add_subcommand("sim", "Play a tablet and a height sensor to the kernel");
     command->require_subcommand(1);
     add_uhid_command(*command, action);
+    add_serial_command(*command, action);
     add_sim_gadget_command(*command, action);
     add_sim_converter_commands(*command, action);
 }

@@ -127,6 +127,15 @@ Result<void> play_encoder(SimEncoderArguments const& arguments)
     return play_part(*device, part, arguments.play);
 }
 
+Result<void> play_iio(SimPlayArguments const& arguments)
+{
+    auto const log = TRY(load_sim_play(arguments));
+    HeightPart part(TRY(sim::HeightCurve::read(log)));
+    sim::Cp2112WithMcp3421 bridge([&part] { return part.fraction_now(); });
+    auto const device = TRY(bridge.play());
+    return play_part(*device, part, arguments);
+}
+
 Result<void> play_cp2112(SimConvertersArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments.play));
@@ -167,6 +176,23 @@ void add_desk_command(CLI::App& sim, options::Action& action)
         "from when a program reads it. Needs root, or the right to use /dev/uhid.");
     command->callback(
         [arguments, &action] { action = [arguments] { return play_desk(*arguments); }; });
+}
+
+void add_iio_command(CLI::App& sim, options::Action& action)
+{
+    auto* const command = sim.add_subcommand(
+        "iio", "An MCP3421 on the I2C bus of a CP2112, for the kernel's industrial I/O");
+    auto arguments = std::make_shared<SimPlayArguments>();
+    add_sim_play_options(*command, *arguments);
+    command->footer(
+        "The kernel's driver hid-cp2112 makes a bus of it, and has to be told of the chip:\n"
+        "  modprobe mcp3422\n"
+        "  echo mcp3421 0x68 > /sys/bus/i2c/devices/i2c-N/new_device\n"
+        "where the name of i2c-N begins with CP2112. Then the station's address is\n"
+        "iio:device0:voltage0@max=2047, or as \"tractus devices\" lists it. Needs root, or the\n"
+        "right to use /dev/uhid.");
+    command->callback(
+        [arguments, &action] { action = [arguments] { return play_iio(*arguments); }; });
 }
 
 void add_cp2112_command(CLI::App& sim, options::Action& action)
@@ -236,6 +262,7 @@ void add_sim_converter_commands(CLI::App& sim, options::Action& action)
 {
     add_mcp2221a_command(sim, action);
     add_desk_command(sim, action);
+    add_iio_command(sim, action);
     add_cp2112_command(sim, action);
     add_encoder_command(sim, action);
 }

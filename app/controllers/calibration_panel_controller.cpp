@@ -31,8 +31,7 @@ CalibrationPanelController::CalibrationPanelController(
 
 void CalibrationPanelController::push(devices::LiveReport const& report)
 {
-    if (report.report.size > 0)
-        controller_.push(report.device, report.report.received, report.report.bytes());
+    controller_.push(report.device, report.report.received, report.report.bytes());
 }
 
 void CalibrationPanelController::advance()

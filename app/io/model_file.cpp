@@ -5,6 +5,8 @@
 #include "app/terminal/error_text.h"
 #include "engine/base/file.h"
 #include "engine/export/glb_lines.h"
+#include "engine/lsystem/notations/book_text.h"
+#include "engine/lsystem/notations/foreign_text.h"
 #include "engine/lsystem/view/color_files.h"
 #include "engine/lsystem/view/environment_choice.h"
 #include "engine/plant/skeleton_lines.h"
@@ -101,18 +103,32 @@ static Result<void> add_colors(std::optional<std::filesystem::path> const& file,
     return {};
 }
 
+// Reads a text that ought to be a model; refuses other programs' languages.
+static Result<std::string> read_rules(std::filesystem::path const& path)
+{
+    auto text = TRY(read_text_file(path, kMaxFileSize));
+    if (auto const foreign = lsystem::find_foreign_notation(text))
+        return fail(Fault::User, lsystem::describe_foreign_text(path.string(), *foreign));
+    return text;
+}
+
 Result<lsystem::ModelSource> load_model_source(std::filesystem::path const& path,
                                                ModelCompanions const& companions)
 {
     lsystem::ModelSource source;
     source.name = path.string();
-    source.text = TRY(read_text_file(path, kMaxFileSize));
+    source.text = TRY(read_rules(path));
     auto view_path = path;
     view_path.replace_extension(".v");
     source.view_name = view_path.string();
     if (auto const view = view_of(path, companions)) {
         source.view_name = view->string();
         source.view_text = TRY(read_text_file(*view, kMaxFileSize));
+    }
+    if (companions.dialect == kBookDialect) {
+        auto book = lsystem::read_book_model(source.text);
+        source.text = std::move(book.text);
+        source.view_text += '\n' + book.view;
     }
     auto const& colors = companions.colors;
     if (!colors.empty() && colors.extension() != ".mat" && colors.extension() != ".map")
@@ -161,8 +177,13 @@ static std::vector<std::string> unused_companions(std::filesystem::path const& p
 
 void warn_of_unused_companions(std::filesystem::path const& path, ModelCompanions const& companions)
 {
-    for (auto const& warning : unused_companions(path, companions))
-        terminal::print_warning(warning);
+    constexpr std::size_t kMostTold = 3;
+    auto const unused = unused_companions(path, companions);
+    for (std::size_t i = 0; i < std::min(unused.size(), kMostTold); ++i)
+        terminal::print_warning(unused[i]);
+    if (unused.size() > kMostTold)
+        terminal::print_warning(fmt::format("{} more views and colour files beside {} are not used",
+                                            unused.size() - kMostTold, path.string()));
 }
 
 bool leads_out_of_folder(std::filesystem::path const& name)
@@ -216,19 +237,29 @@ static Result<std::vector<SkeletonPiece>> load_lines(std::filesystem::path const
     return std::vector<SkeletonPiece>();
 }
 
-Result<scene::Edit> load_plant_edit(std::filesystem::path const& path,
-                                    ModelCompanions const& companions)
+Result<scene::Edit> load_plant_quietly(std::filesystem::path const& path,
+                                       ModelCompanions const& companions)
 {
     auto lines = TRY(load_lines(path));
     if (!lines.empty())
         return scene::LoadSkeleton { path.string(), std::move(lines) };
+    if (path.extension() == ".txt") // Measured plants have this extension, too.
+        TRY(read_rules(path));
     auto measured = TRY(load_measured_edit(path));
     if (measured)
         return *std::move(measured);
-    warn_of_unused_companions(path, companions);
     // A named variable, as g++ 14 issues a false warning about the temporary's destruction.
     scene::LoadModel model = TRY(load_model_edit(path, companions));
     return model;
+}
+
+Result<scene::Edit> load_plant_edit(std::filesystem::path const& path,
+                                    ModelCompanions const& companions)
+{
+    auto edit = TRY(load_plant_quietly(path, companions));
+    if (edit.get<scene::LoadModel>())
+        warn_of_unused_companions(path, companions);
+    return edit;
 }
 
 Result<lsystem::Model> load_model(std::filesystem::path const& path,

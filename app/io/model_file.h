@@ -6,9 +6,13 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tractus::io {
+
+inline constexpr std::string_view kCpfgDialect = "cpfg";
+inline constexpr std::string_view kBookDialect = "book";
 
 // Files that cpfg gets on its command line in addition to the rules; by default those beside the
 // model.
@@ -16,17 +20,22 @@ struct ModelCompanions {
     std::filesystem::path view;
     std::filesystem::path colors; // Colour file, a .mat or .map file.
     std::string environment;      // Text for parse_environment(); empty: the view's environment.
+    // Notation of the rules: kCpfgDialect, or kBookDialect (engine/lsystem/notations/book_text.h),
+    // which is translated when it is read.
+    std::string dialect { kCpfgDialect };
 };
 
 // Reads a model: the rules at `path` and the view beside them (MODEL.v for MODEL.l) if there is
 // one. Colours, which cpfg keeps in separate files, are added to the view: MODEL.mat and MODEL.map,
 // or the only such files in a folder that has no other model (a file without "Lsystem:" is not a
-// model). Fails with a user error if the rules cannot be read or a colour file is invalid.
+// model). Fails with a user error if the rules cannot be read, if they are in another program's
+// language (engine/lsystem/notations/foreign_text.h), or if a colour file is invalid.
 Result<lsystem::ModelSource> load_model_source(std::filesystem::path const& path,
                                                ModelCompanions const& companions = {});
 
 // Prints a warning for each view and colour file beside the model that is neither used nor belongs
-// to another model; skips kinds that the user has chosen explicitly.
+// to another model, for three at most, and how many more there are; skips kinds that the user has
+// chosen explicitly. To be called after what matters more has been printed.
 void warn_of_unused_companions(std::filesystem::path const& path,
                                ModelCompanions const& companions = {});
 
@@ -48,6 +57,10 @@ Result<scene::LoadModel> load_model_edit(std::filesystem::path const& path,
 // are refused. Warns about files that a model does not use.
 Result<scene::Edit> load_plant_edit(std::filesystem::path const& path,
                                     ModelCompanions const& companions = {});
+
+// Like load_plant_edit(), without the warnings about files.
+Result<scene::Edit> load_plant_quietly(std::filesystem::path const& path,
+                                       ModelCompanions const& companions);
 
 // Reads and compiles a model and its companions. Fails like load_model_edit().
 Result<lsystem::Model> load_model(std::filesystem::path const& path,

@@ -9,6 +9,7 @@
 #include "app/methods/construction_lines/line_pattern_tool.h"
 #include "app/methods/construction_lines/line_role_tool.h"
 #include "app/methods/construction_lines/line_tool.h"
+#include "app/methods/fill_crown_tool.h"
 #include "app/methods/indicators/delete_indicator_tool.h"
 #include "app/methods/indicators/indicate_tool.h"
 #include "app/methods/indicators/indicator_curves.h"
@@ -29,6 +30,7 @@
 #include "app/methods/plants/take_off_tool.h"
 #include "app/methods/self_organising/growth_brush_curves.h"
 #include "app/methods/self_organising/growth_brush_tool.h"
+#include "app/methods/self_organising/prune_tool.h"
 #include "app/methods/silhouettes/arrange_tool.h"
 #include "app/methods/silhouettes/crown_tool.h"
 #include "app/methods/silhouettes/erase_crown_tool.h"
@@ -85,6 +87,8 @@ constexpr std::array kTools {
     &silhouette::ArrangeTool::kKind,
     &silhouette::EraseOutlineTool::kKind,
     &self_organising::GrowthBrushTool::kKind,
+    &self_organising::PruneTool::kKind,
+    &FillCrownTool::kKind,
     &lines::LineTool::kKind,
     &lines::LinePatternTool::kKind,
     &lines::LayerNodesTool::kKind,
@@ -142,7 +146,8 @@ std::vector<scene::EditKind const*> edit_kinds()
                { &leaf::AddLeafLine::kKind, &leaf::EraseLeafLine::kKind, &leaf::FormLeaf::kKind });
     all.insert(all.end(),
                { &self_organising::PlantTree::kKind, &self_organising::GrowOn::kKind,
-                 &self_organising::GrowFrom::kKind, &self_organising::ChangeHabit::kKind });
+                 &self_organising::GrowFrom::kKind, &self_organising::ChangeHabit::kKind,
+                 &self_organising::GrowStand::kKind });
     return all;
 }
 

@@ -41,6 +41,7 @@ constexpr std::array kExamples = std::to_array<Example>({
     { "session export", "session export kept.tractus -o kept-files" },
     { "lsystem new", "lsystem new mine.l" },
     { "lsystem check", "lsystem check mine.l" },
+    { "lsystem import", "lsystem import tree.ls -o tree.l", false },
     { "derive", "derive shrub -n 3 --count" },
     { "derive", "derive shrub -n 1 --string" },
     { "demo", "demo --plant daisy -o daisy-demo" },

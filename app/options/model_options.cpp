@@ -39,6 +39,13 @@ void add_companion_options(CLI::App& command, io::ModelCompanions& companions)
                     "What answers the model's ?E modules: light, space, terrain or water, and its "
                     "numbers, such as light:cell=2,shade=0.1; the manual names them")
         ->type_name("NAME[:KEY=NUMBER,...]");
+    command
+        .add_option("--dialect", companions.dialect,
+                    "Notation of the rules: cpfg, or book, as The Algorithmic Beauty of Plants "
+                    "prints them")
+        ->type_name("DIALECT")
+        ->check(one_of({ std::string(io::kCpfgDialect), std::string(io::kBookDialect) }))
+        ->capture_default_str();
 }
 
 void add_cost_options(CLI::App& command, document::ModelCost& cost)

@@ -20,7 +20,7 @@ struct ModelOptions {
     std::optional<std::uint64_t> seed; // Default: the session's seed, or 1.
 };
 
-// Adds --view, --colors and --environment. `companions` must outlive the command.
+// Adds --view, --colors, --environment and --dialect. `companions` must outlive the command.
 void add_companion_options(CLI::App& command, io::ModelCompanions& companions);
 
 // Adds MODEL, --steps and --seed to a command. `options` must outlive the command.

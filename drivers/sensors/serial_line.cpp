@@ -78,8 +78,10 @@ public:
     }
     ~SerialPort()
     {
-        if (file_ >= 0)
-            ::close(file_);
+        if (file_ < 0)
+            return;
+        ::ioctl(file_, TIOCNXCL); // A pseudo-terminal would stay exclusive after it was closed.
+        ::close(file_);
     }
     SerialPort(SerialPort&& other) noexcept
         : file_(std::exchange(other.file_, -1))

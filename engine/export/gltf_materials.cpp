@@ -69,10 +69,11 @@ std::size_t GltfMaterials::index_of(Material const& material)
         made["alphaMode"] = "MASK";
     if (is_thin(material.kind))
         made["doubleSided"] = true;
-    if (textures.translucency) {
+    if (textures.translucency || (is_thin(material.kind) && material.translucency > 0)) {
         json_.optional_extensions.insert("KHR_materials_diffuse_transmission");
         auto& passes = made["extensions"]["KHR_materials_diffuse_transmission"];
-        passes["diffuseTransmissionFactor"] = six_digits(material.translucency);
+        passes["diffuseTransmissionFactor"]
+            = six_digits(std::clamp(material.translucency, 0.0f, 1.0f));
         refer(passes, "diffuseTransmissionTexture", textures.translucency);
     }
     made["extras"]

@@ -14,11 +14,11 @@ namespace tractus {
 // Caraglio 1998, "A multiscale model of plant topological structures"; syntax: OpenAlea's MTG User
 // Guide).
 
-// Writes a plant: class P for each part that stands on the ground, A for axes, S for segments, L
-// for leaves, F for flowers and petals, O for other organs. All but P and A have the columns XX, YY
-// and ZZ (the upper end of a segment, or the attachment of an organ; plant frame) and Length; S
-// also has TopDiameter and BottomDiameter. All are in millimetres. An S of length 0 is the base of
-// an axis on the ground.
+// Writes a plant: class P for the whole, which has all trunks as its components, A for axes, S for
+// segments, L for leaves, F for flowers and petals, O for other organs. All but P and A have the
+// columns XX, YY and ZZ (the upper end of a segment, or the attachment of an organ; plant frame)
+// and Length; S also has TopDiameter and BottomDiameter. All are in millimetres. An S of length 0
+// is the base of an axis on the ground.
 //
 // Organs are attached (+) to their segment, or to the base of the first axis if they are on the
 // ground. They have further columns: Width; Depth, if it differs from Width (mtg_organs.h);

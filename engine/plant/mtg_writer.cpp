@@ -66,13 +66,16 @@ public:
         std::uint32_t orders = 0;
         for (AxisId i = 0; i < plant.axes.size(); ++i) {
             orders = std::max(orders, plant.axes[i].order);
-            if (plant.axes[i].parent_segment != kNone)
+            if (plant.axes[i].parent_segment == kNone)
+                trunks_.push_back(i);
+            else
                 standing_[plant.axes[i].parent_segment].push_back(i);
         }
         for (std::size_t i = 0; i < plant.organs.size(); ++i)
             (plant.organs[i].segment == kNone ? on_ground_ : organs_[plant.organs[i].segment])
                 .push_back(i);
-        columns_ = orders + 2; // Organs are one column further to the right.
+        trunk_column_ = trunks_.size() > 1 ? 1 : 0;
+        columns_ = trunk_column_ + orders + 2; // Organs are one column further to the right.
     }
 
     void write()
@@ -82,24 +85,24 @@ public:
             out_ << column << (column == kMtgOrganColumns.back() ? "\tALPHA\n" : "\tREAL\n");
         out_ << "\nMTG:\nENTITY-CODE" << std::string(columns_, '\t') << "XX\tYY\tZZ\t"
              << kSegmentColumns << '\t' << fmt::format("{}\n", fmt::join(kOwnColumns, "\t"));
-        for (AxisId i = 0; i < plant_.axes.size(); ++i)
-            if (plant_.axes[i].parent_segment == kNone)
-                write_part(i);
+        if (!trunks_.empty())
+            out_ << "/P1\n";
+        for (auto const trunk : trunks_)
+            write_trunk(trunk);
     }
 
 private:
-    // Writes a part with an explicit stack of axes and their progress instead of recursion, since
-    // plants can be deep.
-    void write_part(AxisId trunk)
+    // Writes a trunk with all that it bears, with an explicit stack of axes and their progress
+    // instead of recursion, since plants can be deep.
+    void write_trunk(AxisId trunk)
     {
-        out_ << fmt::format("/P{}\n", ++part_count_);
         std::vector<std::pair<AxisId, std::uint32_t>> open;
         begin_axis(trunk, '/');
         auto const base = plant_.axes[trunk].first_node;
-        write_entity(0, "^/S0", plant_.node_position_mm[base]);
+        write_entity(trunk_column_, "^/S0", plant_.node_position_mm[base]);
         out_ << fmt::format("\t0\t{0}\t{0}\n", diameter_mm(base));
         for (auto const organ : std::exchange(on_ground_, {}))
-            write_organ(1, organ);
+            write_organ(trunk_column_ + 1, organ);
         open.emplace_back(trunk, 0);
         while (!open.empty()) {
             auto& [axis, segment] = open.back();
@@ -110,7 +113,7 @@ private:
             auto const id = plant_.axes[axis].first_segment + segment;
             write_segment(axis, segment++);
             for (auto const organ : organs_[id])
-                write_organ(plant_.axes[axis].order + 1, organ);
+                write_organ(column_of(axis) + 1, organ);
             // The last axis is pushed first, so that the top of the stack is written first.
             auto const& standing = standing_[id];
             if (!standing.empty())
@@ -126,12 +129,17 @@ private:
             open.emplace_back(*i, 0);
     }
 
+    // Several trunks are components of the plant, in a column of their own; ^ means the entity
+    // above in the same column, which is the plant where there is one trunk.
     void begin_axis(AxisId id, char relation)
     {
-        write_code(plant_.axes[id].order,
-                   fmt::format("{}{}A{}", relation == '/' ? "^" : "", relation, id + 1));
+        bool const continues_plant = relation == '/' && trunk_column_ == 0;
+        write_code(column_of(id),
+                   fmt::format("{}{}A{}", continues_plant ? "^" : "", relation, id + 1));
         out_ << '\n';
     }
+
+    std::uint32_t column_of(AxisId id) const { return trunk_column_ + plant_.axes[id].order; }
 
     void write_segment(AxisId id, std::uint32_t segment)
     {
@@ -141,7 +149,7 @@ private:
             begin_axis(id, '+');
         auto const from = axis.first_node + segment;
         auto const& top_mm = plant_.node_position_mm[from + 1];
-        write_entity(axis.order,
+        write_entity(column_of(id),
                      fmt::format("^{}S{}", segment == 0 && !is_trunk ? '/' : '<', segment + 1),
                      top_mm);
         out_ << fmt::format("\t{}\t{}\t{}\n", (top_mm - plant_.node_position_mm[from]).norm(),
@@ -183,11 +191,12 @@ private:
 
     std::ostream& out_;
     Plant const& plant_;
+    std::vector<AxisId> trunks_;                // Axes on the ground.
     std::vector<std::vector<AxisId>> standing_; // By segment: the axes attached to its end.
     std::vector<std::vector<std::size_t>> organs_;
     std::vector<std::size_t> on_ground_; // Organs on the ground that have not been written yet.
+    std::uint32_t trunk_column_ = 0;     // Column of the trunks.
     std::uint32_t columns_ = 0;          // Number of columns for entities.
-    std::size_t part_count_ = 0;
 };
 
 } // namespace

@@ -3,7 +3,7 @@
 kernel=build/vm/kernel # Contains vmlinux, release (its version), lib/modules.
 
 # Folders that may contain modules for the scenarios' devices.
-kernel_module_folders=(crypto drivers/{block,char,gpio,hid,i2c,input,leds,power,spi,usb,virtio} fs/configfs lib)
+kernel_module_folders=(crypto drivers/{block,char,gpio,hid,i2c,iio,input,leds,power,spi,usb,virtio} fs/configfs lib)
 
 # Prints the name of the current package of Debian's kernel for PCs, according to the given package lists.
 #   kernel_package APT_OPTION...

@@ -16,8 +16,9 @@ public:
     {
         auto const& tool = *stroke.tool.get<GrowthBrushTool>();
         Stroke const ink { std::vector(stroke.ink.begin(), stroke.ink.end()) };
+        using What = GrowthBrushTool::What;
         bool const is_at_once
-            = tool.what != GrowthBrushTool::What::GoOn && tool.what != GrowthBrushTool::What::New;
+            = tool.what != What::GoOn && tool.what != What::New && tool.what != What::From;
         auto life = is_at_once ? Result<BrushedLife>(BrushedLife {})
                                : brushed_life(tool, ink, *stroke.scene);
         if (is_at_once || !life)
@@ -38,10 +39,20 @@ private:
                                           scene::Scene const& scene)
     {
         shown_years_ = life.part.years;
-        auto const scale = scene.state.scale.value_or(LifePart {}.scale);
+        auto scale = scene.state.scale.value_or(LifePart {}.scale);
         GrownTree tree;
         Vec3 stands_at_mm = scene.drawn->stands_at_mm;
-        if (life.plant != 0) {
+        bool const is_from = tool.what == GrowthBrushTool::What::From;
+        if (is_from && scene.plants.empty())
+            return {};
+        if (is_from) {
+            auto begun = tree_from(tool, scene);
+            if (!begun)
+                return {};
+            tree = *std::move(begun);
+            if (tree.life.empty()) // The tree begins with the plant as it is shown.
+                scale = tree.start->scale;
+        } else if (life.plant != 0) {
             tree = *grown_tree_of(scene.drawn->source);
         } else {
             tree.habit = habit_of(tool.species);
@@ -62,6 +73,20 @@ private:
         for (auto const& axis : plant.axes)
             lines.push_back(line_of(plant, axis, from, scene.placement));
         return lines;
+    }
+
+    // The active plant as the beginning of a tree.
+    static Result<GrownTree> tree_from(GrowthBrushTool const& tool, scene::Scene const& scene)
+    {
+        auto const edit = TRY(grow_from_active(scene, habit_of(tool.species), {}));
+        auto const* const from = edit.get<GrowFrom>();
+        if (!from)
+            return *grown_tree_of(scene.drawn->source);
+        scene::SceneBuilder builder(scene, {});
+        auto const number = TRY(scene::plant_number(scene.state, scene.drawn->id));
+        return GrownTree { .habit = from->habit,
+                           .seed = from->seed,
+                           .start = TRY(beginning_from(scene.state, number, {}, true, builder)) };
     }
 
     static tools::SkeletonLine line_of(Plant const& plant, Axis const& axis,

@@ -1,7 +1,7 @@
 #include "app/methods/self_organising/growth_brush_tool.h"
 
 #include "app/methods/self_organising/habit_text.h"
-#include "app/tools/erase_tool.h"
+#include "app/methods/self_organising/prune_tool.h"
 #include "engine/base/check.h"
 #include "engine/methods/self_organising/life.h"
 
@@ -40,20 +40,22 @@ constexpr std::array<tools::OptionWord, 16> kHabitWords { {
 } };
 
 // Names in the order of `What`.
-constexpr std::array<tools::OptionWord, 6> kWhatWords { {
+constexpr std::array<tools::OptionWord, 10> kWhatWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },
     { "year", "A year by itself", nullptr, true },
     { "ten_years", "Ten years", nullptr, true },
     { "habit", "To this tree", nullptr, true },
     { "reseed", "Another one", nullptr, true },
+    { "from", "From any plant" },
+    { "from_year", "A year from it", nullptr, true },
+    { "all_year", "A year for all", nullptr, true },
+    { "all_ten_years", "Ten for all", nullptr, true },
 } };
 
 void visit(tools::OptionVisitor& visitor, GrowthBrushTool& tool)
 {
-    visitor.choice(
-        { .words = kHabitWords, .offered = tools::WordOption::Offered::Cards, .label = "Habit" },
-        tool.species);
+    visit_species(visitor, tool.species);
     visitor.number({ "years_per_s", "", 0.5, 20, 0.5, "Years a second" }, tool.years_per_s);
     visitor.number({ "least_radius", "mm", 1, 100, 1, "Light" }, tool.least_radius_mm);
     visitor.number({ "radius", "mm", 2, 200, 2, "Pressed" }, tool.most_radius_mm);
@@ -111,13 +113,21 @@ Result<std::vector<scene::Edit>> mean(tools::Tool const& tool, Stroke const& str
     auto const& options = *tool.get<GrowthBrushTool>();
     if (options.what == What::Year || options.what == What::TenYears)
         return grow_by_itself(options, scene);
+    if (options.what == What::AllYear || options.what == What::AllTenYears)
+        return std::vector<scene::Edit> { GrowStand { .years
+                                                      = options.what == What::AllYear ? 1 : 10 } };
+    auto const habit = habit_of(options.species);
+    if (options.what == What::FromYear)
+        return std::vector { TRY(grow_from_active(scene, habit, { .years = 1 })) };
     if (options.what == What::Habit || options.what == What::Reseed)
         return change_habit(options, scene);
     auto life = TRY(brushed_life(options, stroke, scene));
+    if (options.what == What::From)
+        return std::vector { TRY(grow_from_active(scene, habit, std::move(life.part))) };
     if (life.plant != 0)
         return std::vector<scene::Edit> { GrowOn { life.plant, std::move(life.part) } };
     return std::vector<scene::Edit> { PlantTree {
-        .habit = habit_of(options.species),
+        .habit = habit,
         .seed = 1 + scene.plants.size(), // A different seed for each tree of a drawing.
         .first = std::move(life.part) } };
 }
@@ -129,12 +139,40 @@ std::string describe_grown(tools::Tool const&, scene::Scene const& after)
         return {};
     int years = 0;
     for (auto const& part : tree->life)
-        years += part.years;
+        years += years_of(part);
     return fmt::format("The {} has grown {} years: {} branches, {} leaves", tree->habit.name, years,
                        after.base->axes.size(), after.base->organs.size());
 }
 
 } // namespace
+
+void visit_species(tools::OptionVisitor& visitor, GrowthBrushTool::Species& species)
+{
+    visitor.choice(
+        { .words = kHabitWords, .offered = tools::WordOption::Offered::Cards, .label = "Habit" },
+        species);
+}
+
+bool is_as_grown(scene::PlantState const& plant)
+{
+    return plant.strokes.empty() && plant.indicators.empty() && plant.grafts.empty()
+        && plant.hidden_branches.empty();
+}
+
+Result<scene::Edit> grow_from_active(scene::Scene const& scene, Habit const& habit, LifePart part)
+{
+    if (scene.plants.empty())
+        return fail(Fault::User,
+                    "there is no plant from which a tree could grow: draw or open one first");
+    auto const& drawn = *scene.drawn;
+    auto const* const tree = grown_tree_of(drawn.source);
+    if (tree && is_as_grown(drawn))
+        return scene::Edit(GrowOn { drawn.id, std::move(part) });
+    return scene::Edit(GrowFrom { .plant = drawn.id,
+                                  .habit = tree ? tree->habit : habit,
+                                  .seed = tree ? tree->seed : 1 + scene.plants.size(),
+                                  .next = std::move(part) });
+}
 
 Habit habit_of(GrowthBrushTool::Species species)
 {
@@ -178,14 +216,17 @@ constexpr tools::ToolKind GrowthBrushTool::kKind {
     = "a tree of a species grows into the volume that the pen sweeps as a ball, as wide as it "
       "is pressed, so many years a second: a new one, or the active one where the stroke "
       "begins on it; at once a year or ten by itself, another species in the same volume, or "
-      "another tree of this one",
+      "another tree of this one; or the active plant of any method as it stands and as strokes "
+      "have bent it, along a stroke or for a year by itself; or all trees of the drawing beside "
+      "each other, in each other's shade",
     .group = "Sketch",
     .method = "Growth brush",
+    .icon = "5953 5735 5673 162441618486",
     .options = tools::options_type<GrowthBrushTool, visit>(),
     .mean = mean,
     .said = describe_grown,
     .previewer = growth_brush_previewer,
-    .other_end = { &tools::EraseTool::kKind },
+    .other_end = { &PruneTool::kKind },
 };
 
 } // namespace tractus::self_organising

@@ -43,9 +43,26 @@ struct GrowthBrushTool {
         TenYears,
         Habit,  // Needs no stroke: regrows the active tree with the tool's habit.
         Reseed, // Needs no stroke: regrows the active tree with another random seed.
+        // Continues the active plant, of whatever method, as it stands, with all bends: its
+        // branches become wood.
+        From,
+        FromYear,    // Needs no stroke: the same, for a year without a brush.
+        AllYear,     // Needs no stroke: all trees of the drawing grow for a year beside each other.
+        AllTenYears, // The same for ten years.
     } what
         = What::GoOn;
 };
+
+// Passes a choice of species to a visitor of options.
+void visit_species(tools::OptionVisitor& visitor, GrowthBrushTool::Species& species);
+
+// True if strokes have not bent the plant, and nothing of it was grafted or hidden.
+bool is_as_grown(scene::PlantState const& plant);
+
+// The edit that lets the active plant of a scene grow on as it stands. A self-organising tree that
+// nothing has bent, grafted or hidden grows on as it would have; any other plant becomes wood first
+// (GrowFrom), by `habit` unless it is such a tree. Fails with a user error if there is no plant.
+Result<scene::Edit> grow_from_active(scene::Scene const& scene, Habit const& habit, LifePart part);
 
 // The habit of a species.
 Habit habit_of(GrowthBrushTool::Species species);

@@ -30,6 +30,7 @@ void visit_crown(tools::OptionVisitor& visitor, CrownTool& tool)
         { .words = kCrownWords, .offered = tools::WordOption::Offered::InHand, .label = "Crown" },
         tool.what);
     visit_nodes(visitor, tool.nodes);
+    visit_fills(visitor, tool.fills);
 }
 
 // The active tree if the line goes around its trunk, and thus belongs to its crown; null otherwise.
@@ -120,6 +121,8 @@ Result<DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke, scene:
         return edit;
     }
     edit.form.has_whole_nodes = tool.nodes == NodesOption::Whole;
+    if (tool.fills == FillsOption::BySpacing)
+        edit.form.plane_branches = kUsualPlaneBranches;
     // The new tree's sheet is centred on the line and as large as the tablet.
     paper = { paper.sheet_of_world(Vec3(paper.stands_mm.x(), 0, 0)),
               Vec3(paper.stands_mm.x(), paper.stands_mm.y(), 0) };
@@ -143,7 +146,8 @@ constexpr tools::ToolKind CrownTool::kKind {
     .done = "The crown has the line",
     .help = "draws a tree's crown in space: rings around its trunk at several heights, a line that "
             "winds around it as it climbs, or outlines in upright planes; the branches reach to "
-            "the surface through these; of a new tree, or with whole nodes, as an outline's tree",
+            "the surface through these; of a new tree, or with whole nodes and filled by "
+            "spacing, as an outline's tree",
     .group = "Sketch",
     .method = "From an outline",
     .least_extent_mm = 5,

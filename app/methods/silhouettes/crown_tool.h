@@ -24,6 +24,7 @@ struct CrownTool {
         = What::GoOn;
 
     NodesOption nodes = NodesOption::Whole;
+    FillsOption fills = FillsOption::BySpacing;
 };
 
 // Interprets a stroke of the tool. Fails with a user error like kind_of() (crown_line.h).

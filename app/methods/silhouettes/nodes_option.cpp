@@ -18,4 +18,16 @@ void visit_nodes(tools::OptionVisitor& visitor, NodesOption& nodes)
         nodes);
 }
 
+void visit_fills(tools::OptionVisitor& visitor, FillsOption& fills)
+{
+    // Names in the order of FillsOption.
+    static constexpr std::array<tools::OptionWord, 2> kWords { {
+        { "fills_as_at_first", "as at first" },
+        { "fills_by_spacing", "by spacing" },
+    } };
+    visitor.choice(
+        { .words = kWords, .offered = tools::WordOption::Offered::BesideGlyph, .label = "Fills" },
+        fills);
+}
+
 } // namespace tractus::silhouette

@@ -9,7 +9,13 @@ namespace tractus::silhouette {
 // AsAtFirst.
 enum class NodesOption { AsAtFirst, Whole };
 
-// Lists the option for logs; it has no button.
+// How new trees, or those that a tool reshapes, fill an outline with few bumps
+// (TreeForm::plane_branches). New trees use BySpacing; logs from before this option existed lack it
+// and get AsAtFirst.
+enum class FillsOption { AsAtFirst, BySpacing };
+
+// List the options for logs; they have no buttons.
 void visit_nodes(tools::OptionVisitor& visitor, NodesOption& nodes);
+void visit_fills(tools::OptionVisitor& visitor, FillsOption& fills);
 
 } // namespace tractus::silhouette

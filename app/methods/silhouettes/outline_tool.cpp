@@ -111,6 +111,7 @@ void visit(tools::OptionVisitor& visitor, OutlineTool& tool)
                      .label = "What is seen" },
                    tool.seen);
     visit_nodes(visitor, tool.nodes);
+    visit_fills(visitor, tool.fills);
 }
 
 Result<std::vector<scene::Edit>> form_active(OutlineTool const& tool, scene::Scene const& scene)
@@ -152,7 +153,14 @@ TreeForm form_of(OutlineTool const& tool, TreeForm form)
         form.patterns = ready.patterns;
         form.leaf_width = ready.leaf_width;
         form.styles = ready.styles;
+        form.plane_branches = ready.plane_branches;
+        form.base_angle_deg = ready.base_angle_deg;
+        form.tip_angle_deg = ready.tip_angle_deg;
     }
+    if (tool.fills == FillsOption::AsAtFirst)
+        form.plane_branches = 0, form.base_angle_deg = 0, form.tip_angle_deg = 0;
+    else if (form.plane_branches == 0)
+        form.plane_branches = kUsualPlaneBranches;
     return form;
 }
 
@@ -172,7 +180,9 @@ constexpr tools::ToolKind OutlineTool::kKind {
       "crown in the picture behind is its outline; read closely, a trunk that ends just below a "
       "crown is its trunk, and a touch on a bump declares that a leaf; in a ready form, or with so "
       "many levels of branches, so many times as many as usual that nobody draws, so many leaves "
-      "on a twig; with whole nodes, so that the branches of a whorl or a pair stand together; a "
+      "on a twig; with whole nodes, so that the branches of a whorl or a pair stand together, and "
+      "filled by "
+      "spacing where an outline has few bumps; a "
       "new tree at each line, or at once these numbers, or other chance, for the tree that is "
       "there",
     .group = "Sketch",

@@ -51,6 +51,7 @@ struct OutlineTool {
         = Reads::Closely;
 
     NodesOption nodes = NodesOption::Whole;
+    FillsOption fills = FillsOption::BySpacing;
 
     // How long the features recognised in the outline are shown (kSeenLayer, outline_layer.h).
     enum class SeenFor { AWhile, Always, WithTriangles } seen = SeenFor::AWhile;

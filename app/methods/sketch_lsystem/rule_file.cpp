@@ -22,7 +22,7 @@ constexpr std::array kNumbers {
     NumberKey { "a", &Rule::angle_deg },           NumberKey { "s", &Rule::lateral_length },
     NumberKey { "v", &Rule::lateral_width },       NumberKey { "T", &Rule::axis_twist_deg },
     NumberKey { "t", &Rule::lateral_twist_deg },   NumberKey { "l_min", &Rule::shortest_mm },
-    NumberKey { "limit", &Rule::most_internodes },
+    NumberKey { "limit", &Rule::most_internodes }, NumberKey { "o", &Rule::gives_way_mm },
 };
 
 struct LateralKey {

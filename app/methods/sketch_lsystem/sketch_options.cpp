@@ -21,12 +21,17 @@ constexpr std::array<tools::OptionWord, 3> kSurfaceOptions { {
     { "space", "in space" },
     { "paper", "on paper" },
 } };
-constexpr std::array<tools::OptionWord, 5> kPlaceWords { {
+constexpr std::array<tools::OptionWord, 6> kPlaceWords { {
     { "ground", "Alone" },
     { "branch", "On a branch", "A rule grows along the stroke, on the branch where it begins" },
     { "in_place", "In its place", "A rule grows in the place of the branch" },
     { "again", "Again", "The stroke of a plant is drawn again" },
     { "change", "Change", nullptr, true },
+    { "turn_round", "Turn round", nullptr, true },
+} };
+constexpr std::array<tools::OptionWord, 2> kStandsWords { {
+    { "at_beginning", "at the stroke's beginning" },
+    { "at_foot", "at the stroke's foot" },
 } };
 constexpr std::array<tools::OptionWord, 2> kDrawnWords { {
     { "follow", "follows" },
@@ -224,6 +229,10 @@ void visit_sketch_options(tools::OptionVisitor& visitor, SketchTool& tool)
         tool.lateral_twist_deg);
     visitor.number({ "shortest", "mm", 0, 100, 1, "Shortest internode, 0: the rule's", OnGlyph },
                    tool.shortest_mm);
+    visitor.number({ "room", "mm", 0, 50, 1, "Gives way within, 0: not", OnGlyph }, tool.room_mm);
+    visitor.choice(
+        { .words = kStandsWords, .offered = tools::WordOption::Offered::InTurn, .label = "Stands" },
+        tool.stands);
 }
 
 sketch::ModelRule model_of(SketchTool const& tool)
@@ -251,6 +260,7 @@ sketch::Rule rule_of(SketchTool const& tool)
     rule.axis_twist_deg = as_twist_deg(twist_deg + tool.axis_twist_deg);
     rule.lateral_twist_deg = as_twist_deg(twist_deg + tool.lateral_twist_deg);
     rule.lateral_rules = lateral_rules_of(tool, rule);
+    rule.gives_way_mm = tool.room_mm;
     return rule;
 }
 
@@ -282,6 +292,7 @@ bool says_rule(SketchTool const& tool, sketch::Rule const& rule)
         && is_same(as_twist_deg(said.axis_twist_deg - rule.axis_twist_deg), 0)
         && is_same(as_twist_deg(said.lateral_twist_deg - rule.lateral_twist_deg), 0)
         && is_same(said.shortest_mm, rule.shortest_mm)
+        && is_same(said.gives_way_mm, rule.gives_way_mm)
         && (said.lateral_rules == rule.lateral_rules || !said_laterals(tool, rule));
 }
 
@@ -323,6 +334,7 @@ SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)
     double const twist_deg = twist_of_card(tool);
     tool.axis_twist_deg = as_twist_deg(rule.axis_twist_deg - twist_deg);
     tool.lateral_twist_deg = as_twist_deg(rule.lateral_twist_deg - twist_deg);
+    tool.room_mm = rule.gives_way_mm;
     tool.shortest_mm = rule.shortest_mm == ready_rule_of(tool).shortest_mm ? 0 : rule.shortest_mm;
     return tool;
 }

@@ -5,6 +5,7 @@
 #include "app/methods/sketch_lsystem/sketch_options.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
 #include "engine/methods/sketch_lsystem/change_edits.h"
+#include "engine/methods/sketch_lsystem/foot_first.h"
 #include "engine/scene/paper.h"
 
 #include <algorithm>
@@ -66,8 +67,31 @@ Result<std::vector<scene::Edit>> draw_again(SketchTool const& tool, Stroke const
 {
     auto const grown = TRY(grown_last(scene));
     auto again = TRY(drawn_again(tool, stroke, scene));
+    return std::vector<scene::Edit> { sketch::RedrawSketch { scene.drawn->id, grown.part,
+                                                             again.surface, std::move(again.stroke),
+                                                             again.is_turned_round } };
+}
+
+// Turns the stroke of the sketch grown last round. Done twice, the plant is again as it was.
+Result<std::vector<scene::Edit>> turn_round(scene::Scene const& scene)
+{
+    auto const grown = TRY(grown_last(scene));
     return std::vector<scene::Edit> { sketch::RedrawSketch {
-        scene.drawn->id, grown.part, again.surface, std::move(again.stroke) } };
+        scene.drawn->id, grown.part, grown.sketch->surface,
+        sketch::turned_round(grown.sketch->stroke), !grown.sketch->is_turned_round } };
+}
+
+// Says that the stroke was turned round, and how to turn it back.
+std::string say_turned(tools::Tool const& tool, scene::Scene const& after)
+{
+    auto const grown = sketch::newest_grown(*after.drawn);
+    auto const place = tool.get<SketchTool>()->place;
+    if (place == SketchTool::Place::TurnRound)
+        return "The stroke is turned round";
+    if (place == SketchTool::Place::Change || !grown || !grown->sketch->is_turned_round)
+        return {};
+    return "The stroke ran from the tip to the foot and is turned round: \"Turn round\" turns it "
+           "back";
 }
 
 // Applies changed options to all sketches that were grown by the old rule.
@@ -103,7 +127,7 @@ std::vector<Vec3> applications(tools::Tool const& tool, Stroke const& stroke,
                                scene::Scene const& scene)
 {
     auto const& options = *tool.get<SketchTool>();
-    if (options.place == SketchTool::Place::Change)
+    if (options.place == SketchTool::Place::Change || options.place == SketchTool::Place::TurnRound)
         return {};
     auto const grown = options.place == SketchTool::Place::Again
         ? drawn_again(options, stroke, scene)
@@ -126,6 +150,8 @@ Result<std::vector<scene::Edit>> grow(tools::Tool const& tool, Stroke const& str
         return change(options, scene);
     if (options.place == SketchTool::Place::Again)
         return draw_again(options, stroke, scene);
+    if (options.place == SketchTool::Place::TurnRound)
+        return turn_round(scene);
     auto grown = TRY(grown_along(options, stroke, scene));
     auto const place = TRY(place_of(options, grown, scene));
     if (!place)
@@ -156,6 +182,25 @@ static Result<void> take_from_plant(sketch::GrowAlongStroke& edit, scene::Scene 
     return {};
 }
 
+// Turns a stroke round that was drawn from the plant's tip to its foot. A plant on paper stands on
+// the desk. In space it stands where it was drawn, and what runs down there may hang: it is turned
+// if it ends as low as the other plants stand, or if there are none.
+static void stand_at_foot(sketch::GrowAlongStroke& edit, SketchTool const& tool,
+                          scene::Scene const& scene)
+{
+    if (tool.stands == SketchTool::Stands::AsDrawn || is_on_branch(tool))
+        return;
+    std::optional<double> ground_mm;
+    if (edit.surface == StrokeSurface::Space)
+        for (auto const& plant : scene.state.plants)
+            ground_mm
+                = std::min(ground_mm.value_or(plant->stands_at_mm.z()), plant->stands_at_mm.z());
+    edit.is_turned_round
+        = sketch::runs_to_its_foot(plant_tips(edit.stroke.tips.vector(), edit.surface), ground_mm);
+    if (edit.is_turned_round)
+        edit.stroke = sketch::turned_round(edit.stroke);
+}
+
 Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const& stroke,
                                             scene::Scene const& scene)
 {
@@ -173,6 +218,7 @@ Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const
     edit.leaves = tool.leaves;
     if (!scene.plants.empty())
         edit.scale = scene.placement.scale;
+    stand_at_foot(edit, tool, scene);
     return edit;
 }
 
@@ -182,6 +228,9 @@ Result<sketch::GrowAlongStroke> drawn_again(SketchTool const& tool, Stroke const
     auto again = *TRY(grown_last(scene)).sketch;
     again.stroke = stroke;
     again.surface = decide_surface(stroke.tips, tool.surface);
+    again.is_turned_round = false;
+    if (TRY(grown_last(scene)).part == 0)
+        stand_at_foot(again, tool, scene);
     return again;
 }
 
@@ -224,7 +273,9 @@ constexpr tools::ToolKind SketchTool::kKind {
       "drawn in space, on "
       "paper that stands upright, or whichever the "
       "surface's way shows; alone, on the branch where the stroke begins, or in its place; "
-      "or another stroke, or at once these numbers, for what has grown along a stroke last; "
+      "or another stroke, or at once these numbers, or the stroke turned round, for what has grown "
+      "along a stroke last; laterals that give way stay so many mm away from other parts of the "
+      "axis; a plant stands where its stroke begins, or at the stroke's foot; "
       "in the rule's place one of our models, whose trunk or stem the stroke becomes, or what "
       "the plant is that takes what is drawn",
     .group = "Sketch",
@@ -237,6 +288,7 @@ constexpr tools::ToolKind SketchTool::kKind {
     .mean = grow,
     .follow = follow,
     .like_drawn = like_drawn,
+    .said = say_turned,
     .previewer = sketch_previewer,
     .steps = applications,
     .other_end = { &ShortenSketchTool::kKind },

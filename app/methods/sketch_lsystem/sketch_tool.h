@@ -63,6 +63,8 @@ struct SketchTool {
         InPlace, // The plant replaces the branch on which the stroke begins; that branch is hidden.
         Again,   // The sketch grown last is regrown along this stroke.
         Change,  // Needs no stroke: the sketch grown last is regrown with these numbers.
+        // Needs no stroke: the stroke of the sketch grown last is turned round, tip for foot.
+        TurnRound,
     } place
         = Place::Ground;
     // Whether plants grown by the rule follow when the user changes its numbers.
@@ -73,6 +75,11 @@ struct SketchTool {
     double axis_twist_deg = 0;
     double lateral_twist_deg = 0;
     double shortest_mm = 0; // Shortest internode; 0: the preset's value.
+    double room_mm = 0; // Occupancy radius of laterals that give way (Rule::gives_way_mm); 0: none.
+    // The end of a stroke at which the plant stands: always the beginning, or the foot, so that a
+    // stroke that was drawn down to the ground is turned round (foot_first.h). Logs from before
+    // this option existed lack it and get AsDrawn.
+    enum class Stands { AsDrawn, AtFoot } stands = Stands::AtFoot;
 };
 
 // Interprets an unfinished or finished stroke of the tool, except for where the plant stands. Fails

@@ -214,9 +214,7 @@ Result<Register> ExpressionCompiler::variable(std::string const& name, std::size
         return target;
     }
     if (new_names_ == NewNames::Global) {
-        names_.warn_of(name,
-                       fmt::format("{}: {} is not defined; its value is 0",
-                                   cursor_.source().place(position), name));
+        names_.warn_undefined(name, cursor_.source().place(position));
         return frame_.constant(0);
     }
     auto const reg = TRY(frame_.add());

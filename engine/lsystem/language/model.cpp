@@ -1,5 +1,6 @@
 #include "engine/lsystem/language/model.h"
 
+#include "engine/lsystem/language/book_habits.h"
 #include "engine/lsystem/language/definition_parser.h"
 #include "engine/lsystem/language/expression_compiler.h"
 #include "engine/lsystem/language/rule_parser.h"
@@ -87,6 +88,9 @@ private:
     // Symbol lists of the L-systems parsed so far, the main one first.
     std::vector<SymbolList> ignored_;
     bool has_axiom_ = false;
+    bool has_seed_ = false; // True if the L-system being parsed has a seed.
+    // Place of its first production with a probability.
+    std::optional<std::string> probability_place_;
 };
 
 // Consumes a word of the language, ignoring case; a blank in `word` matches any blanks.
@@ -115,10 +119,19 @@ bool Parser::sees_word(std::string_view word)
 // instead.
 Result<void> Parser::rule_or_misspelt_statement()
 {
+    cursor_.skip();
     auto const begin = cursor_.position();
-    auto result = rule();
-    auto const text = std::string_view(cursor_.source().text).substr(begin);
+    auto const text = cursor_.rest();
     auto const line = text.substr(0, text.find('\n'));
+    auto const label = label_of_production(line, names_);
+    if (label) {
+        names_.warn(fmt::format("{}: {}", cursor_.source().place(begin), describe_label(*label)));
+        names_.uses.add_known(trimmed_line(line.substr(line.find(':') + 1)).front());
+    }
+    auto result = rule();
+    auto const arrow = result ? "" : describe_wrong_arrow(line);
+    if (!result && (label || !arrow.empty()))
+        return cursor_.error_at(begin, arrow.empty() ? describe_label(*label) : arrow);
     auto const has = [&](std::string_view part) { return line.find(part) != line.npos; };
     auto const next = text.substr(std::min(line.size() + 1, text.size()), 1);
     if (result || has("-->") || has("-o>"))
@@ -134,6 +147,14 @@ Result<void> Parser::rule_or_misspelt_statement()
 tl::unexpected<Error> Parser::no_statement(std::string_view expected)
 {
     auto const line = trimmed_line(cursor_.rest().substr(0, cursor_.rest().find('\n')));
+    if (is_axiom_of_book(line))
+        return cursor_.error(fmt::format("found '{}', expected 'Axiom:', which books print as ω: "
+                                         "(--dialect book reads it so)",
+                                         shown(line)));
+    if (is_figure_of_book(line))
+        return cursor_.error(fmt::format("found '{}', expected {}; --dialect book reads models as "
+                                         "books print them",
+                                         shown(line), expected));
     auto const nearest = nearest_beginning(line, kStatements);
     return cursor_.error(
         nearest.empty() ? fmt::format("found '{}', expected {}", shown(line), expected)
@@ -186,6 +207,8 @@ Result<void> Parser::system()
     rules_ = &system_.rules;
     seen_ = {};
     has_axiom_ = false;
+    has_seed_ = false;
+    probability_place_.reset();
     names_.variables = system_.globals;
     names_.arrays.clear();
     TRY(header());
@@ -254,6 +277,7 @@ Result<bool> Parser::header_item()
             model_.steps = static_cast<int>(std::clamp(value, 0.0, 1e9));
     } else if (take_word("seed:")) {
         auto const value = TRY(constant_value(cursor_, names_));
+        has_seed_ = true;
         if (rules_ == &system_.rules) {
             system_.stochastic = true;
             system_.seed = static_cast<std::uint64_t>(std::clamp(value, 0.0, 1e15));
@@ -330,9 +354,14 @@ Result<void> Parser::rule()
 {
     if (rules_->rules.size() >= kMaxRules)
         return cursor_.error("the model has more than 65000 rules");
+    cursor_.skip();
+    auto const begin = cursor_.position();
     auto rule = TRY(rules_parser_.rule());
-    if (rule.has_probability && rules_ == &system_.rules)
+    if (rule.has_probability && rules_ == &system_.rules) {
         system_.stochastic = true;
+        if (!probability_place_)
+            probability_place_ = cursor_.source().place(begin);
+    }
     auto const first = rule.predecessor.front();
     rules_->by_kind[first].push_back(static_cast<std::uint16_t>(rules_->rules.size()));
     rules_->rules.push_back(std::move(rule));
@@ -352,6 +381,13 @@ Result<void> Parser::axiom()
 
 Result<void> Parser::finish_system()
 {
+    if (probability_place_ && !has_seed_)
+        names_.warn(fmt::format("{}: rules have probabilities, but there is no seed: cpfg then "
+                                "always takes the first one, while one is drawn here; write "
+                                "'Seed: 0' above the axiom, which keeps this plant",
+                                *probability_place_));
+    for (char const symbol : seen_.symbols)
+        names_.uses.add_known(symbol);
     system_.globals = std::move(names_.variables);
     if (is_main())
         static_cast<LSystem&>(model_) = std::move(system_);
@@ -380,9 +416,12 @@ Model Parser::finish()
                                 "sub-L-systems cannot keep it at the string's end",
                                 model_.name));
     model_.formats = std::move(names_.formats);
+    // What changes the plant most comes first.
     auto& warnings = model_.warnings;
-    warnings = std::move(model_.view.warnings);
-    warnings.insert(warnings.end(), names_.warnings.begin(), names_.warnings.end());
+    warnings = std::move(names_.warnings);
+    for (auto const& more :
+         { names_.uses.warnings(cursor_.source()), model_.view.warnings, names_.told_undefined() })
+        warnings.insert(warnings.end(), more.begin(), more.end());
     return std::move(model_);
 }
 

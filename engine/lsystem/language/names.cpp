@@ -1,6 +1,7 @@
 #include "engine/lsystem/language/names.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace tractus::lsystem {
 
@@ -30,6 +31,24 @@ void Names::warn_of(std::string const& thing, std::string warning)
 {
     if (warned_of.insert(thing).second)
         warn(std::move(warning));
+}
+
+void Names::warn_undefined(std::string const& name, std::string const& place)
+{
+    if (warned_of.insert(name).second)
+        undefined.push_back(fmt::format("{}: {} is not defined; its value is 0", place, name));
+}
+
+std::vector<std::string> Names::told_undefined() const
+{
+    constexpr std::size_t kMaxTold = 3;
+    auto const told = std::min(undefined.size(), kMaxTold);
+    std::vector<std::string> result(undefined.begin(),
+                                    undefined.begin() + static_cast<std::ptrdiff_t>(told));
+    if (undefined.size() > told)
+        result.push_back(fmt::format("{} more names are not defined; their values are 0",
+                                     undefined.size() - told));
+    return result;
 }
 
 } // namespace tractus::lsystem

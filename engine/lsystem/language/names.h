@@ -2,6 +2,7 @@
 
 #include "engine/base/result.h"
 #include "engine/lsystem/language/cursor.h"
+#include "engine/lsystem/language/module_uses.h"
 #include "engine/lsystem/language/print_format.h"
 
 #include <cstddef>
@@ -30,8 +31,10 @@ struct Names {
     std::vector<std::string> curves;
     std::vector<PrintFormat> formats;
     std::vector<std::string> texts; // Strings that are parameters of modules, as in @L("leaf").
+    ModuleUses uses;
     std::vector<std::string> warnings;
     std::set<std::string> warned_of;
+    std::vector<std::string> undefined; // Warnings of names without a definition.
 
     // Limit on the number of variables, and of arrays: their indices have 16 bits.
     static constexpr std::size_t kMax = 60'000;
@@ -43,6 +46,10 @@ struct Names {
     void warn(std::string warning); // Adds a warning unless it exists already.
     // Adds a warning unless one about the same thing exists: the first place is enough.
     void warn_of(std::string const& thing, std::string warning);
+    // Adds a warning that a name read at `place` has no definition, for its first place only.
+    void warn_undefined(std::string const& name, std::string const& place);
+    // The warnings of undefined names: the first three, and how many more there are.
+    std::vector<std::string> told_undefined() const;
 };
 
 } // namespace tractus::lsystem

@@ -9,6 +9,8 @@
 namespace tractus::lsystem {
 
 static constexpr std::size_t kMaxParameters = 64;
+static constexpr std::string_view kWrongArrow
+    = "found ->, expected -->: the arrow of rules has two dashes here (--dialect book reads both)";
 
 Result<KindId> RuleParser::kind(char symbol, std::size_t parameter_count)
 {
@@ -34,6 +36,9 @@ Result<char> RuleParser::symbol()
 {
     static constexpr std::string_view kNotSymbols = "<>:*()\n";
     char const c = cursor_.peek();
+    auto const at = cursor_.position();
+    if (c == '>' && at > 0 && cursor_.source().text[at - 1] == '-')
+        return cursor_.error_at(at - 1, kWrongArrow);
     if (c == '\0' || kNotSymbols.find(c) != std::string_view::npos)
         return cursor_.unexpected("a module");
     return cursor_.take_character();
@@ -77,15 +82,23 @@ Result<void> RuleParser::predecessor(Rule& rule, ExpressionCompiler& compiler)
 {
     std::vector<FormalModule> left;
     std::vector<FormalModule> right;
+    cursor_.skip();
+    auto begin = cursor_.position();
     auto strict = TRY(formal_modules());
     if (cursor_.take("<")) {
         left = std::move(strict);
+        cursor_.skip();
+        begin = cursor_.position();
         strict = TRY(formal_modules());
     }
+    names_.uses.add_predecessor(std::string_view(cursor_.source().text).substr(begin),
+                                strict.size(), begin);
     if (strict.empty())
         return cursor_.unexpected("a module to replace");
     if (cursor_.take(">"))
         right = TRY(formal_modules());
+    if (!left.empty() || !right.empty())
+        names_.uses.add_context();
     std::reverse(left.begin(), left.end());
     TRY(add_parameters(strict, rule.predecessor, rule, compiler));
     rule.predecessor_parameter_count = rule.parameter_count;
@@ -99,6 +112,7 @@ Result<void> RuleParser::add_parameters(std::vector<FormalModule> const& modules
 {
     for (auto const& module : modules) {
         kinds.push_back(module.kind);
+        names_.uses.add_known(alphabet_[module.kind].symbol);
         for (auto const& parameter : module.parameters) {
             if (!compiler.add_parameter(parameter))
                 return cursor_.error(fmt::format("the rule has two parameters {}", parameter));
@@ -127,9 +141,11 @@ Result<void> RuleParser::condition(Rule& rule, ExpressionCompiler& compiler)
 Result<void> RuleParser::modules(SuccessorTemplate& result, ExpressionCompiler& compiler,
                                  Program& program)
 {
+    names_.uses.begin_string();
     while (!cursor_.at_line_end() && !cursor_.sees(":")) {
         if (cursor_.take("*"))
             continue;
+        auto const position = cursor_.position();
         auto const name = TRY(symbol());
         std::size_t count = 0;
         if (cursor_.take("(")) {
@@ -146,13 +162,17 @@ Result<void> RuleParser::modules(SuccessorTemplate& result, ExpressionCompiler& 
             return cursor_.error(
                 fmt::format("a module may have at most {} parameters", kMaxParameters));
         result.kinds.push_back(TRY(kind(name, count)));
+        names_.uses.add(name, position, count > 0);
     }
+    names_.uses.end_string();
     return {};
 }
 
 Result<void> RuleParser::successor(Rule& rule, ExpressionCompiler& compiler)
 {
     TRY(modules(rule.successor, compiler, rule.successor_program));
+    if (rule.successor.kinds.size() == 1)
+        names_.uses.add_known(alphabet_[rule.successor.kinds.front()].symbol);
     if (cursor_.take(":")) {
         rule.probability_result = TRY(compiler.expression(rule.probability));
         rule.has_probability = true;
@@ -169,7 +189,7 @@ void RuleParser::check_locals(Rule& rule, ExpressionCompiler const& compiler)
             continue;
         auto const place = cursor_.source().place(*local.first_read);
         if (!local.is_assigned) {
-            names_.warn_of(name, fmt::format("{}: {} is not defined; its value is 0", place, name));
+            names_.warn_undefined(name, place);
         } else if (is_read_before_set(rule, local.value)) {
             rule.keeps_locals = true;
             names_.warn(fmt::format("{}: {} is used before it is set; it then has the value that "

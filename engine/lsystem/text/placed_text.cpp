@@ -81,6 +81,15 @@ std::size_t token_end(std::string_view text, std::size_t begin)
     return end;
 }
 
+// Returns true if only blanks follow in the line. As in gcc, a \ before them is the last character
+// of its line.
+static bool ends_line(std::string_view source, std::size_t at)
+{
+    while (at < source.size() && is_blank(source[at]))
+        ++at;
+    return at < source.size() && source[at] == '\n';
+}
+
 PlacedText without_comments(std::string_view source, std::uint32_t file,
                             std::optional<SourcePlace>& open_comment)
 {
@@ -108,6 +117,10 @@ PlacedText without_comments(std::string_view source, std::uint32_t file,
                 open_comment = place;
             auto const end = std::min(close, source.size() - 2) + 2;
             while (i < end)
+                advance();
+        } else if (source[i] == '\\' && ends_line(source, i + 1)) {
+            result.push('\\', place);
+            while (i < source.size() && source[i] != '\n')
                 advance();
         } else {
             auto end = i + 1;

@@ -95,6 +95,17 @@ std::string_view meant_word(std::string_view word, std::string_view behind)
     return condition.empty() ? nearest_word(word, kWords) : condition;
 }
 
+// Returns true for "#define NAME(x)" and nothing else: its meaning is on the next line, after a \.
+bool is_bare_definition(std::string_view line)
+{
+    auto rest = trimmed_line(line);
+    if (rest.substr(0, 1) != "#" || first_name(trimmed_line(rest.substr(1))) != "define")
+        return false;
+    rest = trimmed_line(trimmed_line(rest.substr(1)).substr(6));
+    rest.remove_prefix(first_name(rest).size());
+    return rest.substr(0, 1) == "(" && rest.find(')') == rest.size() - 1;
+}
+
 // Returns true for a line marker `# 12 "FILE"`, which compilers write instead of `#line 12 "FILE"`.
 bool is_line_marker(std::string_view after_hash)
 {
@@ -119,7 +130,8 @@ Result<void> Preprocessor::add_file(std::string const& name, std::string_view so
     for (auto const& at : productions_cut_by_comments(source, file))
         warnings_.push_back(fmt::format(
             "{}:{}:{}: // begins a comment here, and the rest of the line is not read; for two "
-            "rolls, as books print them, write / / with a blank between",
+            "rolls, as books print them, write / / with a blank between (--dialect book reads it "
+            "so)",
             name, at.line, at.column));
     auto const around = conditions_.begin_file();
     auto const name_before = std::exchange(name_, name);
@@ -209,6 +221,8 @@ PlacedText Preprocessor::take_written_line(PlacedText const& text, std::size_t& 
 void Preprocessor::warn_of_joined_line(PlacedText const& definition, PlacedText const& line)
 {
     auto const rest = trimmed_line(line.characters);
+    if (is_bare_definition(definition.characters))
+        return;
     bool const is_statement = rest.find("-->") != std::string_view::npos
         || rest.find("xiom:") != std::string_view::npos || rest.substr(0, 1) == "#";
     if (!rest.empty() && !is_statement)

@@ -95,4 +95,11 @@ Result<LeafFit> fit_leaf(RecognisedLeaf const& leaf);
 // Intersection over union of the areas of two closed polylines.
 double overlap_of(FlatLine const& a, FlatLine const& b);
 
+// Overlap of the outline that a fitted leaf's grammar derives (derived_outline()) with the outline
+// as drawn: intersection over union with LeafFit::outline, times the share of the drawn area that
+// this outline still has. The share is below 1 where parts of the blade lie on no side of the
+// midrib, as those below a stalk in the middle of the blade.
+double overlap_with_drawing(RecognisedLeaf const& drawn, LeafFit const& fit,
+                            FlatLine const& derived);
+
 } // namespace tractus::leaf

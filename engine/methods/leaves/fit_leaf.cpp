@@ -154,6 +154,23 @@ double overlap_of(FlatLine const& a, FlatLine const& b)
     return all > 0 ? common / all : 0;
 }
 
+double overlap_with_drawing(RecognisedLeaf const& drawn, LeafFit const& fit,
+                            FlatLine const& derived)
+{
+    // A blade that bends up and down has a little less area than when it is laid flat.
+    constexpr double kWhole = 0.9;
+    double const overlap = overlap_of(derived, fit.outline);
+    if (drawn.edge == RecognisedLeaf::Edge::OneHalf || drawn.outline.empty())
+        return overlap;
+    Vec3 twice_mm2 = Vec3::Zero();
+    for (std::size_t i = 0; i < drawn.outline.size(); ++i)
+        twice_mm2 += (drawn.outline[i] - drawn.outline[0])
+                         .cross(drawn.outline[(i + 1) % drawn.outline.size()] - drawn.outline[0]);
+    double const drawn_mm2 = twice_mm2.norm() / 2;
+    double const kept_mm2 = std::abs(area_of(fit.outline)) * fit.leaf.size_mm * fit.leaf.size_mm;
+    return kept_mm2 < kWhole * drawn_mm2 ? overlap * kept_mm2 / drawn_mm2 : overlap;
+}
+
 Result<LeafFit> fit_leaf(RecognisedLeaf const& drawn)
 {
     constexpr double kLeastStalk = 0.02;

@@ -1,5 +1,6 @@
 #include "engine/methods/leaves/leaf_sketch_edits.h"
 
+#include "engine/methods/leaves/derived_outline.h"
 #include "engine/scene/edit_words.h"
 #include "engine/scene/make_edit_kind.h"
 #include "engine/scene/paper.h"
@@ -163,6 +164,12 @@ std::string said_of(LeafSketch const& sketch)
     auto const lengths = fmt::format("A leaf of {:.0f} mm", fit.leaf.size_mm);
     if (sketch.seen->is_midrib_guessed)
         return lengths + ": draw its midrib, from the stalk to the tip, and its veins";
+    auto const outline = derived_outline(fit.leaf);
+    constexpr double kFaithful = 0.95;
+    if (double const overlap = outline ? overlap_of(*outline, fit.outline) : 1; overlap < kFaithful)
+        return fmt::format("{} whose outline overlaps the drawn one by {:.0f} %: deep lobes and "
+                           "leaflets are not kept",
+                           lengths, 100 * overlap);
     auto const main = fit.leaf.mains.size() - 1;
     auto const side = static_cast<std::size_t>(std::ranges::count_if(
         fit.veins, [](LeafFit::Vein const& vein) { return vein.parent != vein.stroke; }));

@@ -105,6 +105,8 @@ public:
     }
 
 private:
+    static constexpr double kMostImbalance = 0.5; // Greatest imbalance() of a midrib.
+
     struct Attached {
         double distance = std::numeric_limits<double>::infinity();
         std::size_t parent = 0;
@@ -188,15 +190,44 @@ private:
             + 0.5 * length_of(flat_[stroke]) / extent_;
     }
 
+    // Difference between the parts on the two sides of a stroke, as a share of the leaf: of the
+    // straight line through its ends, or, if that is no midrib's, along the stroke from margin to
+    // margin.
     double imbalance(std::size_t stroke) const
     {
         auto const& line = flat_[stroke];
-        return std::abs(2 * share_left_of(ring_, line.front(), line.back()) - 1);
+        double const straight = std::abs(2 * share_left_of(ring_, line.front(), line.back()) - 1);
+        return straight < kMostImbalance || !spans_leaf(line) ? straight
+                                                              : std::abs(2 * share_along(line) - 1);
+    }
+
+    // True if a line reaches from margin to margin.
+    bool spans_leaf(FlatLine const& line) const
+    {
+        auto const reaches = [&](Vec2 const& at) {
+            return !is_inside(ring_, at) || distance_to_ring(at) < 2 * tolerance_mm();
+        };
+        return reaches(line.front()) && reaches(line.back());
+    }
+
+    // Share of the leaf on one side of a line from margin to margin, however it bends.
+    double share_along(FlatLine const& line) const
+    {
+        double const from = nearest_on(ring_, line.front()).along;
+        double const to = nearest_on(ring_, line.back()).along;
+        auto const n = ring_.size();
+        auto const first = static_cast<std::size_t>(std::ceil(from)) % n;
+        auto const last = static_cast<std::size_t>(std::ceil(to)) % n;
+        FlatLine side;
+        for (auto i = first; i != last; i = (i + 1) % n)
+            side.push_back(ring_[i]);
+        side.insert(side.end(), line.rbegin(), line.rend());
+        double const whole = std::abs(area_of(ring_));
+        return whole > 0 ? std::min(1.0, std::abs(area_of(side)) / whole) : 0;
     }
 
     Result<void> find_midrib()
     {
-        constexpr double kMostImbalance = 0.5;
         // Smallest length of a midrib, as a share of the outline's extent.
         constexpr double kLeastLength = 0.35;
         auto found = outline_.midrib;

@@ -5,6 +5,7 @@
 #include "engine/methods/self_organising/life.h"
 #include "engine/methods/self_organising/wood.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
@@ -26,6 +27,15 @@ constexpr std::size_t kMostSownCells = 4'000'000;
 double internode_mm(BrushSweep const& sweep, Habit const& habit)
 {
     constexpr double kInternodesInRadius = 4;
+    // Smallest number of internodes along the longest side of a volume's bounding box.
+    constexpr double kInternodesInVolume = 80;
+    if (sweep.is_volume) {
+        Eigen::AlignedBox3d box;
+        for (auto const& ball : sweep.balls)
+            box.extend(ball.centre);
+        return std::min(habit.internode_mm,
+                        std::max(box.sizes().maxCoeff(), 1.0) / kInternodesInVolume);
+    }
     double radius = 0;
     for (auto const& ball : sweep.balls)
         radius = std::max(radius, ball.radius);
@@ -41,27 +51,39 @@ public:
     {
     }
 
+    // Marks the cells of cleared volumes as covered, so that they are never sown.
+    Result<void> clear()
+    {
+        for (auto const& path : sweep_.cleared)
+            for (std::size_t i = 0; i < path.size(); ++i)
+                TRY(cover_way(path[i > 0 ? i - 1 : 0], path[i], nullptr));
+        return {};
+    }
+
     // Adds the markers of the cells that the balls before number `end` newly cover.
     Result<void> sow_until(std::size_t end, std::vector<Vec3>& markers)
     {
         for (; next_ < end; ++next_) {
-            auto const& ball = sweep_.balls[next_];
-            if (next_ == 0) {
-                TRY(cover(ball.centre, ball.radius, markers));
-                continue;
-            }
-            auto const& last = sweep_.balls[next_ - 1];
-            double const way = (ball.centre - last.centre).norm();
-            double const pieces = std::ceil(std::max(way / (0.5 * side_), 1.0));
-            TRY(check_cells(pieces));
-            for (double k = 1; k <= pieces; ++k)
-                TRY(cover(last.centre + (ball.centre - last.centre) * (k / pieces),
-                          last.radius + (ball.radius - last.radius) * (k / pieces), markers));
+            bool const is_alone = next_ == 0 || sweep_.is_volume;
+            TRY(cover_way(sweep_.balls[is_alone ? next_ : next_ - 1], sweep_.balls[next_],
+                          &markers));
         }
         return {};
     }
 
 private:
+    // Covers what a ball passes on its way from one place to the next, without the first place.
+    Result<void> cover_way(BrushBall const& last, BrushBall const& ball, std::vector<Vec3>* markers)
+    {
+        double const way = (ball.centre - last.centre).norm();
+        double const pieces = std::ceil(std::max(way / (0.5 * side_), 1.0));
+        TRY(check_cells(pieces));
+        for (double k = 1; k <= pieces; ++k)
+            TRY(cover(last.centre + (ball.centre - last.centre) * (k / pieces),
+                      last.radius + (ball.radius - last.radius) * (k / pieces), markers));
+        return {};
+    }
+
     Result<void> check_cells(double count) const
     {
         if (count <= static_cast<double>(kMostSownCells))
@@ -73,7 +95,8 @@ private:
                         kMostSownCells, side_));
     }
 
-    Result<void> cover(Vec3 const& centre, double radius, std::vector<Vec3>& markers)
+    // Without `markers` the newly covered cells stay empty.
+    Result<void> cover(Vec3 const& centre, double radius, std::vector<Vec3>* markers)
     {
         double const across = 2 * radius / side_ + 1;
         TRY(check_cells(across * across * across));
@@ -86,8 +109,8 @@ private:
                     Vec3 const middle
                         = (Vec3(double(i), double(j), double(k)) + Vec3::Constant(0.5)) * side_;
                     bool const is_covered = (middle - centre).squaredNorm() <= radius * radius;
-                    if (is_covered && covered_.insert({ i, j, k }).second)
-                        fill({ i, j, k }, markers);
+                    if (is_covered && covered_.insert({ i, j, k }).second && markers)
+                        fill({ i, j, k }, *markers);
                 }
         return check_cells(static_cast<double>(covered_.size()));
     }
@@ -118,6 +141,8 @@ private:
 std::size_t balls_until(BrushSweep const& sweep, int year)
 {
     auto const& balls = sweep.balls;
+    if (sweep.is_volume)
+        return balls.size();
     double const share = static_cast<double>(year) / sweep.years;
     double const seconds = sweep.seconds_per_year > 0
         ? sweep.seconds_per_year * sweep.years
@@ -139,24 +164,59 @@ Result<void> check_sweep(BrushSweep const& sweep)
             Fault::User,
             fmt::format("along a stroke a tree grows for 1 to {} years, and {} are asked for",
                         kMostYears, sweep.years));
-    for (auto const& ball : sweep.balls)
-        if (!(ball.radius > 0) || !std::isfinite(ball.radius) || !ball.centre.allFinite())
-            return fail(Fault::User, "the brush has no radius: give one above 0 mm");
+    TRY(check_balls(sweep.balls));
+    for (auto const& path : sweep.cleared)
+        TRY(check_balls(path));
     return {};
 }
 
 } // namespace
 
+Result<void> check_balls(std::span<BrushBall const> balls)
+{
+    for (auto const& ball : balls)
+        if (!(ball.radius > 0) || !std::isfinite(ball.radius) || !ball.centre.allFinite())
+            return fail(Fault::User, "the brush has no radius: give one above 0 mm");
+    return {};
+}
+
 Result<std::vector<Vec3>> sow(BrushSweep const& sweep, Habit const& habit)
 {
     TRY(check_sweep(sweep));
     std::vector<Vec3> markers;
-    TRY(Sower(sweep, habit).sow_until(sweep.balls.size(), markers));
+    Sower sower(sweep, habit);
+    TRY(sower.clear());
+    TRY(sower.sow_until(sweep.balls.size(), markers));
     return markers;
 }
 
+std::vector<BrushBall> dense_path(std::span<BrushBall const> balls)
+{
+    constexpr double kStep = 0.25; // Distance between balls, as a share of the smaller radius.
+    constexpr double kMostPieces = 10'000; // Limit for a jump of a faulty device.
+    std::vector<BrushBall> path;
+    for (auto const& ball : balls) {
+        if (path.empty()) {
+            path.push_back(ball);
+            continue;
+        }
+        auto const last = path.back();
+        double const way = (ball.centre - last.centre).norm();
+        double const step = kStep * std::min(ball.radius, last.radius);
+        bool const is_same = way < step && std::abs(ball.radius - last.radius) < step;
+        if (is_same && &ball != &balls.back())
+            continue;
+        double const pieces = std::clamp(std::ceil(way / step), 1.0, kMostPieces);
+        for (double k = 1; k <= pieces; ++k)
+            path.push_back({ last.seconds + (ball.seconds - last.seconds) * (k / pieces),
+                             last.centre + (ball.centre - last.centre) * (k / pieces),
+                             last.radius + (ball.radius - last.radius) * (k / pieces) });
+    }
+    return path;
+}
+
 Result<void> grow_along(GrowingTree& tree, BrushSweep const& sweep, Habit const& habit,
-                        std::uint64_t seed)
+                        std::uint64_t seed, OnYear const& on_year)
 {
     TRY(check_habit(habit));
     TRY(check_sweep(sweep));
@@ -164,6 +224,7 @@ Result<void> grow_along(GrowingTree& tree, BrushSweep const& sweep, Habit const&
         return {};
     Surroundings surroundings { .seed = seed };
     Sower sower(sweep, habit);
+    TRY(sower.clear());
     for (int year = 1; year <= sweep.years; ++year) {
         auto const count = balls_until(sweep, year);
         TRY(sower.sow_until(count, surroundings.markers));
@@ -172,6 +233,9 @@ Result<void> grow_along(GrowingTree& tree, BrushSweep const& sweep, Habit const&
         if (sweep.waits_outside)
             surroundings.region = Region { ball.centre, ball.radius + laws.perception_radius };
         TRY(grow_step(tree, surroundings, laws));
+        tree.is_brushed = true;
+        if (on_year)
+            on_year(tree);
     }
     tree.is_brushed = true;
     auto const laws = laws_in_year(habit, tree.step);

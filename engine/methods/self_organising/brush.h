@@ -5,6 +5,8 @@
 #include "engine/methods/self_organising/habit.h"
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace tractus::self_organising {
@@ -26,8 +28,20 @@ struct BrushSweep {
     // True: a bud grows only while it is in the ball or within its perception radius of it. False:
     // buds grow wherever the brush has been.
     bool waits_outside = false;
+    // True: the balls fill a volume. All of it is sown before the first year, and nothing between
+    // one ball and the next.
+    bool is_volume = false;
+    // Paths of a ball whose cells are not sown: volumes that were cleared.
+    std::vector<std::vector<BrushBall>> cleared {};
     std::uint64_t seed = 1; // Seed of the markers' positions.
 };
+
+// Fails with a user error if a ball has no radius or no place.
+Result<void> check_balls(std::span<BrushBall const> balls);
+
+// The balls of a brush's path, so close together that they overlap by three quarters of the smaller
+// radius or more.
+std::vector<BrushBall> dense_path(std::span<BrushBall const> balls);
 
 // Computes the markers that a whole sweep sows, in the order in which the brush reaches their
 // cells. The markers in a cell follow from the cell's position and the seed alone: no cell is sown
@@ -35,9 +49,12 @@ struct BrushSweep {
 // many cells.
 Result<std::vector<Vec3>> sow(BrushSweep const& sweep, Habit const& habit);
 
+// Receives the tree after each year.
+using OnYear = std::function<void(GrowingTree const&)>;
+
 // Grows the tree along the sweep. The branches stay where they grew: only weight that is added
 // later bends them. `seed` drives the habit's random variation. Fails like sow() and grow_step().
 Result<void> grow_along(GrowingTree& tree, BrushSweep const& sweep, Habit const& habit,
-                        std::uint64_t seed);
+                        std::uint64_t seed, OnYear const& on_year = {});
 
 } // namespace tractus::self_organising

@@ -148,6 +148,7 @@ private:
         }
         auto const years = [&](std::size_t i) { return std::min(above_mm[i] / a_year, kOldest); };
         tree_.step = static_cast<std::uint16_t>(1 + std::floor(years(0)));
+        tree_.given_step = tree_.step;
         for (std::size_t i = 1; i < tree_.size(); ++i)
             tree_.links[i].step = static_cast<std::uint16_t>(tree_.step - std::floor(years(i)));
     }

@@ -51,6 +51,9 @@ struct GrowingTree {
     // Moment in kg mm that bent each node's internode to its present shape (sag.h).
     std::vector<Vec3> bent_by;
     std::uint16_t step = 0; // Number of growth steps so far.
+    // Last step in which wood was given rather than grown (given_wood.h); 0: all has grown. Given
+    // wood needs no light to stay: it does not count where branches are shed.
+    std::uint16_t given_step = 0;
     // True if a brush led the last steps: twigs that found no more space then stay alive.
     bool is_brushed = false;
 

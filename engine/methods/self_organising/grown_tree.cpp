@@ -1,8 +1,9 @@
 #include "engine/methods/self_organising/grown_tree.h"
 
 #include "engine/base/random.h"
-#include "engine/methods/self_organising/brush.h"
 #include "engine/methods/self_organising/life.h"
+#include "engine/methods/self_organising/prune.h"
+#include "engine/methods/self_organising/stand.h"
 #include "engine/methods/self_organising/tree_plant.h"
 
 #include <algorithm>
@@ -17,11 +18,13 @@ namespace {
 
 bool same_part(LifePart const& one, LifePart const& other)
 {
-    return one.years == other.years && one.stroke.tips.id() == other.stroke.tips.id()
+    return one.kind == other.kind && one.years == other.years && one.is_volume == other.is_volume
+        && one.stroke.tips.id() == other.stroke.tips.id()
         && one.least_radius_mm == other.least_radius_mm
         && one.most_radius_mm == other.most_radius_mm && one.waits_outside == other.waits_outside
         && one.seconds_per_year == other.seconds_per_year && one.stands_at_mm == other.stands_at_mm
-        && one.scale == other.scale;
+        && one.scale == other.scale && one.stand == other.stand
+        && one.place_in_stand == other.place_in_stand;
 }
 
 bool same(GrownTree const& one, GrownTree const& other)
@@ -51,33 +54,77 @@ constexpr scene::SourceKind kTree {
     },
 };
 
-// Converts a brush stroke to a sweep in the tree's frame.
-Result<BrushSweep> sweep_of(GrownTree const& tree, LifePart const& part, std::size_t number)
+// The sweep of the period with this number.
+Result<BrushSweep> sweep_of(GrownTree const& tree, std::size_t number)
+{
+    auto const& part = tree.life[number];
+    BrushSweep sweep { .balls = TRY(brush_balls(part)),
+                       .years = part.years,
+                       .seconds_per_year = part.seconds_per_year,
+                       .waits_outside = part.waits_outside,
+                       .is_volume = part.is_volume };
+    sweep.seed = Random({ tree.seed, 0x5157, static_cast<std::uint32_t>(number) }).next_u64();
+    for (auto i = number + 1; i < tree.life.size(); ++i)
+        if (tree.life[i].kind == LifePart::Kind::Clear)
+            sweep.cleared.push_back(TRY(brush_balls(tree.life[i])));
+    return sweep;
+}
+
+// Grows the tree through the period with this number.
+Result<void> live(GrowingTree& grown, GrownTree const& tree, std::size_t number,
+                  OnYear const& on_year)
+{
+    auto const& part = tree.life[number];
+    TRY(check_life(part));
+    if (part.kind == LifePart::Kind::Clear)
+        return {}; // It has acted on the earlier periods.
+    if (part.kind == LifePart::Kind::Prune) {
+        auto const balls = TRY(brush_balls(part));
+        TRY(prune(grown, balls, tree.habit, tree.seed));
+        return {};
+    }
+    if (!part.stroke.tips.empty())
+        return grow_along(grown, TRY(sweep_of(tree, number)), tree.habit, tree.seed, on_year);
+    Surroundings surroundings { .seed = tree.seed };
+    for (int year = 0; year < part.years; ++year) {
+        TRY(grow_year(grown, surroundings, tree.habit));
+        if (on_year)
+            on_year(grown);
+    }
+    return {};
+}
+
+} // namespace
+
+Result<std::vector<BrushBall>> brush_balls(LifePart const& part)
 {
     auto const tips = TRY(part.stroke.tips.in_memory());
-    BrushSweep sweep {
-        .years = part.years,
-        .seconds_per_year = part.seconds_per_year,
-        .waits_outside = part.waits_outside,
-        .seed = Random({ tree.seed, 0x5157, static_cast<std::uint32_t>(number) }).next_u64()
-    };
+    std::vector<BrushBall> balls;
     for (auto const& tip : tips) {
         double const pressure = std::clamp(tip.pressure, 0.0, 1.0);
         double const radius_mm
             = part.least_radius_mm + pressure * (part.most_radius_mm - part.least_radius_mm);
         auto const since = tip.time - tips.front().time;
-        sweep.balls.push_back({ .seconds = to_seconds(since),
-                                .centre = (tip.position_mm - part.stands_at_mm) / part.scale,
-                                .radius = radius_mm / part.scale });
+        balls.push_back({ .seconds = to_seconds(since),
+                          .centre = (tip.position_mm - part.stands_at_mm) / part.scale,
+                          .radius = radius_mm / part.scale });
     }
-    return sweep;
+    return balls;
 }
 
-} // namespace
+int years_of(LifePart const& part)
+{
+    return part.kind == LifePart::Kind::Grow ? part.years : 0;
+}
 
 Result<void> check_life(LifePart const& part)
 {
-    if (part.years < 1 || part.years > kMostYears)
+    bool const is_growing = part.kind == LifePart::Kind::Grow;
+    if (!is_growing && part.stroke.tips.empty())
+        return fail(Fault::User, "the stroke is empty: draw over what shall be cut or cleared");
+    if (!is_growing && part.is_volume)
+        return fail(Fault::User, "only growth can fill a volume: prune or clear along a stroke");
+    if (is_growing && (part.years < 1 || part.years > kMostYears))
         return fail(Fault::User,
                     fmt::format("a tree grows for 1 to {} years, and {} are asked for", kMostYears,
                                 part.years));
@@ -95,30 +142,46 @@ Result<void> check_age(GrownTree const& tree)
 {
     int years = 0;
     for (auto const& part : tree.life)
-        years = std::min(years, kMostYears) + std::min(part.years, kMostYears);
+        years = std::min(years, kMostYears) + std::min(years_of(part), kMostYears);
     if (years > kMostYears)
         return fail(Fault::User, fmt::format("the tree would be older than {} years", kMostYears));
     return {};
 }
 
-Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& options)
+// The tree after the period with this number, through which it grows in a stand.
+static Result<GrowingTree> grow_in_stand(GrownTree const& tree, std::size_t number,
+                                         scene::LoadOptions const& options, OnYear const& on_year)
+{
+    auto const& part = tree.life[number];
+    auto before = tree;
+    before.life.resize(number);
+    if (same(part.stand->place().members[part.place_in_stand].tree, before))
+        return part.stand->grow_member(part.place_in_stand, options, on_year);
+    // The tree has another habit or seed than it had: its neighbours live beside that one.
+    auto place = part.stand->place();
+    place.members[part.place_in_stand].tree = std::move(before);
+    return Stand(std::move(place)).grow_member(part.place_in_stand, options, on_year);
+}
+
+Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& options,
+                              OnYear const& on_year)
 {
     TRY(check_habit(tree.habit));
     TRY(check_age(tree));
-    auto grown = tree.start ? TRY(wood_of(*tree.start, tree.habit, tree.seed, options))
-                            : plant_seed(Vec3::Zero());
-    for (std::size_t i = 0; i < tree.life.size(); ++i) {
-        auto const& part = tree.life[i];
-        TRY(check_life(part));
-        if (!part.stroke.tips.empty()) {
-            auto const sweep = TRY(sweep_of(tree, part, i));
-            TRY(grow_along(grown, sweep, tree.habit, tree.seed));
-            continue;
-        }
-        Surroundings surroundings { .seed = tree.seed };
-        for (int year = 0; year < part.years; ++year)
-            TRY(grow_year(grown, surroundings, tree.habit));
+    std::size_t first = tree.life.size(); // First period after the last one in a stand.
+    while (first > 0 && !tree.life[first - 1].stand)
+        --first;
+    GrowingTree grown;
+    if (first > 0) {
+        grown = TRY(grow_in_stand(tree, first - 1, options, on_year));
+    } else {
+        grown = tree.start ? TRY(wood_of(*tree.start, tree.habit, tree.seed, options))
+                           : plant_seed(Vec3::Zero());
+        if (on_year)
+            on_year(grown);
     }
+    for (auto i = first; i < tree.life.size(); ++i)
+        TRY(live(grown, tree, i, on_year));
     return grown;
 }
 

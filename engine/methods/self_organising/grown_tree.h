@@ -1,22 +1,39 @@
 #pragma once
 
 #include "engine/methods/self_organising/beginning.h"
+#include "engine/methods/self_organising/brush.h"
 #include "engine/methods/self_organising/growing_tree.h"
 #include "engine/methods/self_organising/habit.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/plant_source.h"
 #include "engine/stroke/stroke.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace tractus::self_organising {
 
-// A period of a tree's life: some years of growth, either by itself or along a brush stroke.
+class Stand; // Defined in stand.h.
+
+// A period of a tree's life: some years of growth, either by itself or along a brush stroke; or a
+// stroke that prunes it or clears space.
 struct LifePart {
-    int years = 1; // Duration in years, 1 to kMostYears.
-    // Brush stroke, world frame. Empty: the tree grows by itself, competing for light.
+    enum class Kind {
+        Grow,
+        Prune, // The stroke cuts off what it touches (prune.h).
+        // The stroke clears space: the tree is as if the brush had not been there in any earlier
+        // period. A later one may sow there again.
+        Clear,
+    } kind
+        = Kind::Grow;
+    // Duration in years, 1 to kMostYears; ignored if the tree does not grow.
+    int years = 1;
+    // Brush stroke, world frame. Empty: the tree grows by itself, competing for light; only for
+    // Kind::Grow.
     Stroke stroke {};
+    bool is_volume = false; // See BrushSweep::is_volume.
     // Radius of the brush at zero and at full pen pressure, in millimetres on the desk.
     double least_radius_mm = 8;
     double most_radius_mm = 40;
@@ -27,6 +44,10 @@ struct LifePart {
     // was drawn. Set by the edits.
     Vec3 stands_at_mm = Vec3::Zero();
     double scale = 0.1;
+    // The trees beside which this one grows, and its number among them; null: it grows alone. Set
+    // by GrowStand.
+    std::shared_ptr<Stand const> stand {};
+    std::size_t place_in_stand = 0;
 };
 
 // Source of a self-organising tree: its life so far. The tree is grown anew from this whenever it
@@ -71,6 +92,9 @@ struct GrowFrom {
     Habit habit {};
     std::uint64_t seed = 1;
     LifePart next {};
+    // Keys of the axes that remain, with all that bear them; empty: all axes remain. Only for a
+    // plant whose axes have keys.
+    std::vector<std::uint32_t> kept_axes {};
 };
 
 // Edit: lets a tree live the same life again with another habit or another seed.
@@ -82,13 +106,29 @@ struct ChangeHabit {
     std::uint64_t seed = 1;
 };
 
+// The brush along a period's stroke, in the tree's frame. Fails if the stroke cannot be read.
+Result<std::vector<BrushBall>> brush_balls(LifePart const& part);
+
+// Edit: lets all visible self-organising trees of a document grow on by themselves beside each
+// other (stand.h), while the other plants shade them.
+struct GrowStand {
+    static scene::EditKind const kKind;
+
+    int years = 1;
+};
+
+// Number of years that a period takes; 0 if the tree does not grow.
+int years_of(LifePart const& part);
+
 // Checks of a period's values and of the tree's total age. Both fail with a user error.
 Result<void> check_life(LifePart const& part);
 Result<void> check_age(GrownTree const& tree);
 
-// Grows the tree from its beginning through all periods of its life. Fails with a user error for a
-// habit or life out of range and for a stroke that is not in memory.
-Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& options = {});
+// Grows the tree from its beginning through all periods of its life. `on_year` gets the tree at its
+// beginning and after each year. Fails with a user error for a habit or life out of range and for a
+// stroke that is not in memory.
+Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& options = {},
+                              OnYear const& on_year = {});
 
 // Grows the tree and converts it to a plant. Axes keep their keys when the tree grows older.
 Result<scene::BuiltSource> build_tree(GrownTree const& tree, scene::LoadOptions const& options);

@@ -25,7 +25,15 @@ void list_habit(scene::Fields& fields, Habit& habit)
 
 void list_part(scene::Fields& fields, LifePart& part)
 {
+    bool prunes = part.kind == LifePart::Kind::Prune;
+    bool clears = part.kind == LifePart::Kind::Clear;
+    fields.sparse_field("prunes", &prunes);
+    fields.sparse_field("clears", &clears);
+    part.kind = prunes ? LifePart::Kind::Prune
+        : clears       ? LifePart::Kind::Clear
+                       : LifePart::Kind::Grow;
     fields.field("years", &part.years);
+    fields.sparse_field("is_volume", &part.is_volume);
     fields.field("least_radius", &part.least_radius_mm);
     fields.field("most_radius", &part.most_radius_mm);
     fields.field("waits_outside", &part.waits_outside);
@@ -35,7 +43,14 @@ void list_part(scene::Fields& fields, LifePart& part)
 
 std::string describe_part(LifePart const& part)
 {
+    if (part.kind != LifePart::Kind::Grow)
+        return fmt::format("{} along a brush: {}",
+                           part.kind == LifePart::Kind::Prune ? "pruned" : "with space cleared",
+                           scene::describe_stroke(part.stroke));
     auto const years = scene::counted(static_cast<std::size_t>(std::max(part.years, 0)), "year");
+    if (part.is_volume)
+        return fmt::format("{} in a volume of {}", years,
+                           scene::counted(part.stroke.tips.size(), "ball"));
     return part.stroke.tips.empty()
         ? fmt::format("{} by itself", years)
         : fmt::format("{} along a brush: {}", years, scene::describe_stroke(part.stroke));
@@ -55,6 +70,10 @@ Result<scene::DocumentState> applied(scene::DocumentState state, PlantTree const
 {
     TRY(check_habit(edit.habit));
     TRY(check_life(edit.first));
+    if (edit.first.kind != LifePart::Kind::Grow)
+        return fail(Fault::User,
+                    "a new tree has nothing to cut and no space to clear: let it grow "
+                    "first");
     if (!(edit.scale >= 0 && std::isfinite(edit.scale)))
         return fail(Fault::User,
                     fmt::format("a tree cannot be shown {} times as large as it is", edit.scale));
@@ -127,6 +146,12 @@ Result<scene::DocumentState> applied(scene::DocumentState state, GrowOn const& e
 
 std::string described(GrowOn const& edit)
 {
+    if (edit.next.kind == LifePart::Kind::Prune)
+        return fmt::format("prunes {} along a brush: {}", scene::name_of(edit.plant),
+                           scene::describe_stroke(edit.next.stroke));
+    if (edit.next.kind == LifePart::Kind::Clear)
+        return fmt::format("clears space of {} along a brush: {}", scene::name_of(edit.plant),
+                           scene::describe_stroke(edit.next.stroke));
     return fmt::format("lets {} grow on, {}", scene::name_of(edit.plant), describe_part(edit.next));
 }
 
@@ -134,6 +159,7 @@ void list(scene::Fields& fields, GrowFrom& edit)
 {
     fields.field("plant", &edit.plant);
     fields.field("seed", &edit.seed);
+    fields.sparse_field("kept_axes", &edit.kept_axes);
     list_habit(fields, edit.habit);
     list_part(fields, edit.next);
 }
@@ -144,7 +170,8 @@ Result<scene::DocumentState> applied(scene::DocumentState state, GrowFrom const&
     TRY(check_habit(edit.habit));
     TRY(check_life(edit.next));
     auto const number = TRY(scene::plant_number(state, edit.plant));
-    auto const start = TRY(beginning_from(state, number, builder));
+    auto const start = TRY(
+        beginning_from(state, number, edit.kept_axes, !edit.next.stroke.tips.empty(), builder));
     auto part = edit.next;
     if (!part.stroke.tips.empty())
         state.scale = start->scale;

@@ -45,7 +45,14 @@ Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const
         for (auto j = y - reach; j <= y + reach; ++j) {
             double const up = offset(k, position.z());
             double const aside = offset(j, position.y());
-            if (aside * aside + up * up > farthest)
+            double const off_row = aside * aside + up * up; // Squared distance of the row of cells.
+            if (off_row > farthest)
+                continue;
+            // No cell of the row lies in the cone if even the row's direction nearest to the cone's
+            // axis, (x, aside, up) with the best x, is too far from it.
+            double const beside = std::max(aside * direction.y() + up * direction.z(), 0.0);
+            double const lengthwise = direction.x() * direction.x();
+            if (cosine > 0 && beside * beside < (narrowest - lengthwise) * off_row)
                 continue;
             for (auto i = x - reach; i <= x + reach; ++i) {
                 Vec3 const way(offset(i, position.x()), aside, up);
@@ -62,6 +69,8 @@ Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const
                 if (double const shade = grid.shade_at({ i, j, k }); shade < least - kSame) {
                     least = shade;
                     best = way * (1 / distance);
+                    if (least <= kSame) // No cell can be less shaded.
+                        return best;
                 }
             }
         }

@@ -112,17 +112,8 @@ private:
         made_.tree_nodes.push_back(node);
         Vec3 const at_mm = tree_.places[node].position - tree_.places[0].position;
         plant().node_position_mm.push_back(at_mm);
-        plant().node_radius_mm.push_back(
-            static_cast<float>(diameter_mm / 2 * flare_at(tree_.links[node], at_mm.z())));
-    }
-
-    // Widens the foot of the trunk, within about one trunk width of the ground.
-    double flare_at(NodeLinks const& node, double height_mm) const
-    {
-        if (node.order > 0)
-            return 1;
-        double const reach_mm = std::max(diameters_[0], 1e-6);
-        return 1 + habit_.flare * std::exp(-std::max(height_mm, 0.0) / reach_mm);
+        plant().node_radius_mm.push_back(static_cast<float>(
+            diameter_mm / 2 * flare_at(habit_, tree_.links[node], at_mm.z(), diameters_[0])));
     }
 
     // Axes are named in the order in which they grew. If the 32-bit keys of two axes collide, the
@@ -205,6 +196,15 @@ private:
 };
 
 } // namespace
+
+double flare_at(Habit const& habit, NodeLinks const& node, double height_mm,
+                double base_diameter_mm)
+{
+    if (node.order > 0)
+        return 1;
+    double const reach_mm = std::max(base_diameter_mm, 1e-6);
+    return 1 + habit.flare * std::exp(-std::max(height_mm, 0.0) / reach_mm);
+}
 
 TreePlant plant_of(GrowingTree const& tree, Habit const& habit, std::uint64_t seed)
 {

@@ -23,4 +23,9 @@ struct TreePlant {
 // of the leaves.
 TreePlant plant_of(GrowingTree const& tree, Habit const& habit, std::uint64_t seed);
 
+// Factor on the width of a tree's wood near the ground, where the trunk is wider within about one
+// trunk width. `height_mm` is that of the node above the base.
+double flare_at(Habit const& habit, NodeLinks const& node, double height_mm,
+                double base_diameter_mm);
+
 } // namespace tractus::self_organising

@@ -31,9 +31,11 @@ void shed_branches(GrowingTree& tree, std::vector<double> const& received, Laws 
 {
     if (laws.shed_below <= 0)
         return;
-    std::vector<std::uint32_t> internodes(tree.size(), 1);
-    for (std::size_t i = tree.size(); i-- > 1;)
+    std::vector<std::uint32_t> internodes(tree.size());
+    for (std::size_t i = tree.size(); i-- > 1;) {
+        internodes[i] += tree.links[i].step > tree.given_step ? 1U : 0U;
         internodes[tree.links[i].parent] += internodes[i];
+    }
     auto const sums = laws.keeps_dead_wood ? pipe_sums(tree, laws) : std::vector<double>();
     std::vector<bool> is_dead(tree.size());
     bool any = false;
@@ -46,7 +48,8 @@ void shed_branches(GrowingTree& tree, std::vector<double> const& received, Laws 
         for (auto k = node.first_lateral; k < node.first_lateral + node.lateral_count; ++k) {
             auto& lateral = tree.laterals[k];
             bool const is_old = lateral.node != kNone && lateral.node < received.size();
-            if (!is_old || received[lateral.node] / internodes[lateral.node] >= laws.shed_below)
+            if (!is_old || internodes[lateral.node] == 0
+                || received[lateral.node] / internodes[lateral.node] >= laws.shed_below)
                 continue;
             is_dead[lateral.node] = true;
             if (laws.keeps_dead_wood)

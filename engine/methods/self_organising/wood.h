@@ -15,9 +15,9 @@ std::vector<double> pipe_sums(GrowingTree const& tree, Laws const& laws);
 // The diameter of each node's internode by the pipe model.
 std::vector<double> diameters(GrowingTree const& tree, Laws const& laws);
 
-// Sheds lateral branches that receive less than Laws::shed_below per internode, with all that they
-// bear. `received` is the light or space of each node before this step's shoots grew; branches that
-// are younger stay.
+// Sheds lateral branches that receive less than Laws::shed_below per internode that has grown, with
+// all that they bear; given wood without growth stays. `received` is the light or space of each
+// node before this step's shoots grew; branches that are younger stay.
 void shed_branches(GrowingTree& tree, std::vector<double> const& received, Laws const& laws);
 
 } // namespace tractus::self_organising

@@ -1,6 +1,7 @@
 #include "engine/methods/silhouettes/branching_system.h"
 
 #include "engine/methods/silhouettes/bump_touch.h"
+#include "engine/methods/silhouettes/spaced_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,11 @@
 namespace tractus::silhouette {
 
 namespace {
+
+// Greatest distance of a foot's end from the trunk, as a share of its radius, in crowns that are
+// divided evenly. Where two large lobes meet under the crown the trunk enters through the corner of
+// one of them and passes near its end, too.
+constexpr double kCloseFoot = 0.6;
 
 // The apex bump's end, if it is within 60 degrees of the trunk's final direction.
 std::optional<Vec2> apex_ahead(BranchingSystem const& system)
@@ -24,17 +30,19 @@ std::optional<Vec2> apex_ahead(BranchingSystem const& system)
     return std::nullopt;
 }
 
-// Area covered by the trunk's own end: the apex bump.
-std::vector<Vec2> apex_crown(BranchingSystem const& system)
+// Area covered by the trunk's own end: the apex bump, or the part of it that the trunk keeps if the
+// outline is divided among `branches`.
+std::vector<Vec2> apex_crown(BranchingSystem const& system, std::size_t branches)
 {
     std::vector<Vec2> crown;
     for (auto const& bump : system.bumps) {
         if (bump.role != Role::Apex || !(bump.strength > 0))
             continue;
         auto const n = static_cast<std::uint32_t>(system.outline.size());
-        for (auto i = bump.arc.first;; i = (i + 1) % n) {
+        auto const arc = branches > 0 ? kept_by_trunk(system.outline, bump, branches) : bump.arc;
+        for (auto i = arc.first;; i = (i + 1) % n) {
             crown.push_back(system.outline[i]);
-            if (i == bump.arc.last)
+            if (i == arc.last)
                 break;
         }
     }
@@ -143,10 +151,48 @@ void infer_branches(BranchingSystem& system, Run const& bases, DrawnBranches dra
         system.branches.push_back(std::move(branch));
 }
 
-void add_branches(BranchingSystem& system, Run const& bases, std::optional<Vec2> const& goes_on,
-                  BranchingAngles const& angles, FillOptions const& options)
+// Adds branches to the parts of the outline without bumps, until there are as many as wanted.
+void add_spaced(BranchingSystem& system, Run const& bases, BranchingAngles const& angles,
+                std::size_t branches)
 {
-    auto const apex = apex_crown(system);
+    BranchSearch const search {
+        .trunk = system.trunk, .bases = bases, .outline = system.outline, .angles = angles
+    };
+    std::vector<Vec2> drawn_ends;
+    for (auto const& branch : system.branches)
+        if (branch.origin == Branch::Origin::Drawn)
+            drawn_ends.push_back(branch.path.curve.end);
+    for (auto& spaced : spaced_branches({ .outline = system.outline,
+                                          .bumps = system.bumps,
+                                          .search = search,
+                                          .drawn_ends = drawn_ends,
+                                          .has = system.branches.size(),
+                                          .branches = branches })) {
+        auto branch = branch_to(system, spaced.part, std::move(spaced.path));
+        branch.origin = Branch::Origin::Spaced;
+        branch.number = spaced.number;
+        system.branches.push_back(std::move(branch));
+    }
+}
+
+// The options for filling a crown that should have `branches`.
+FillOptions filling(FillOptions options, std::size_t branches)
+{
+    constexpr double kLeastGap = 0.006;
+    constexpr double kLeastLength = 0.02; // What is nearer to the trunk is covered by it.
+    if (branches > 0) {
+        options.most_branches = branches;
+        options.enough = 1;
+        options.least_gap = kLeastGap;
+        options.least_length = kLeastLength;
+    }
+    return options;
+}
+
+void add_branches(BranchingSystem& system, Run const& bases, std::optional<Vec2> const& goes_on,
+                  BranchingAngles const& angles, FillOptions const& options, std::size_t branches)
+{
+    auto const apex = apex_crown(system, branches);
     auto filled = fill_crown({ .outline = system.outline,
                                .trunk = system.trunk,
                                .run = bases,
@@ -154,7 +200,7 @@ void add_branches(BranchingSystem& system, Run const& bases, std::optional<Vec2>
                                .angles = angles,
                                .branches = system.branches,
                                .apex = apex },
-                             options);
+                             filling(options, branches));
     system.coverage_before = filled.coverage_before;
     system.coverage_after = filled.coverage_after;
     double farthest = 0;
@@ -169,9 +215,9 @@ void add_branches(BranchingSystem& system, Run const& bases, std::optional<Vec2>
 }
 
 // The apex branch goes straight into the bump ahead, most of the way to its tip.
-void add_apex(BranchingSystem& system)
+void add_apex(BranchingSystem& system, std::size_t branches)
 {
-    auto crown = apex_crown(system);
+    auto crown = apex_crown(system, branches);
     if (crown.size() < 3 || !system.trunk_goes_on_to)
         return;
     for (std::size_t i = 0; i < system.bumps.size(); ++i) {
@@ -265,7 +311,8 @@ Result<BranchingSystem> infer_system(Drawing const& drawing, InferenceOptions co
     system.inside = *run;
     system.bumps = find_bumps(axis, options.bumps);
     system.touches_taken = take_touches(system.bumps, system.outline, clean.touches);
-    auto const goes_on = set_roles(system.bumps, system.outline, system.trunk, *run);
+    auto const goes_on = set_roles(system.bumps, system.outline, system.trunk, *run,
+                                   options.branches > 0 ? kCloseFoot : 1);
     system.trunk_goes_on_to = apex_ahead(system);
     auto angles = options.angles;
     auto const bases = bases_of(system, options.unbranched);
@@ -273,8 +320,10 @@ Result<BranchingSystem> infer_system(Drawing const& drawing, InferenceOptions co
     auto const drawn_bases = anywhere ? Run { 0, system.trunk.size() - 1 } : system.inside;
     auto drawn = take_drawn(system, drawn_bases, clean.branches, angles);
     infer_branches(system, bases, std::move(drawn), angles);
-    add_branches(system, bases, goes_on, angles, options.fill);
-    add_apex(system);
+    if (options.branches > 0)
+        add_spaced(system, bases, angles, options.branches);
+    add_branches(system, bases, goes_on, angles, options.fill, options.branches);
+    add_apex(system, options.branches);
     move_to_sheet(system, clean.to_sheet);
     return system;
 }

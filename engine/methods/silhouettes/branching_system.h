@@ -15,6 +15,9 @@ struct InferenceOptions {
     BumpThresholds bumps {};
     FillOptions fill {};
     BranchingAngles angles {};
+    // Number of branches, besides the trunk's own end, that a crown has whose outline has fewer
+    // bumps (spaced_ends.h). 0: branches in bumps, and others until enough of the crown is covered.
+    std::size_t branches = 0;
     double unbranched = 0; // Share of the trunk, from its base, on which no branch is inferred.
     // Drawn branches may start only on the part of the trunk inside the outline, or anywhere on it.
     enum class DrawnBases { InOutline, Anywhere } drawn_bases = DrawnBases::InOutline;

@@ -120,14 +120,30 @@ Chord end_chord(ChordalAxis const& axis, Chord base)
     return base;
 }
 
-Bump bump_beyond(ChordalAxis const& axis, Chord const& base, double strength)
+// The cap of an arc beyond the first chord that holds it, among those that narrow evenly from both
+// ends of the arc.
+Arc even_cap(std::span<Vec2 const> outline, Arc arc)
 {
-    return describe_bump(axis.outline(), axis.beyond(base), axis.beyond(end_chord(axis, base)),
-                         strength);
+    constexpr double kTremor
+        = 0.02; // Points may be outside by this share of the half disc's radius.
+    constexpr std::size_t kLeastInner = 3;
+    auto const n = static_cast<std::uint32_t>(outline.size());
+    while (arc.inner_count(n) > kLeastInner && !holds_cap(outline, arc, kTremor))
+        arc = { (arc.first + 1) % n, (arc.last + n - 1) % n };
+    return arc;
+}
+
+Bump bump_beyond(ChordalAxis const& axis, Chord const& base, double strength,
+                 BumpThresholds::Ends ends)
+{
+    auto const arc = axis.beyond(base);
+    auto const cap = ends == BumpThresholds::Ends::Even ? even_cap(axis.outline(), arc)
+                                                        : axis.beyond(end_chord(axis, base));
+    return describe_bump(axis.outline(), arc, cap, strength);
 }
 
 // The two ends of an outline without junctions: the parts beyond its longest chord on either side.
-std::vector<Bump> spindle_ends(ChordalAxis const& axis)
+std::vector<Bump> spindle_ends(ChordalAxis const& axis, BumpThresholds::Ends ends)
 {
     std::optional<Chord> longest;
     for (std::uint32_t k = 0; k < axis.triangles().size(); ++k)
@@ -137,15 +153,16 @@ std::vector<Bump> spindle_ends(ChordalAxis const& axis)
                 longest = Chord { k, e };
     if (!longest)
         return {};
-    return { bump_beyond(axis, *longest, 0), bump_beyond(axis, axis.reversed(*longest), 0) };
+    return { bump_beyond(axis, *longest, 0, ends),
+             bump_beyond(axis, axis.reversed(*longest), 0, ends) };
 }
 
 } // namespace
 
-bool holds_cap(std::span<Vec2 const> outline, Arc const& arc)
+bool holds_cap(std::span<Vec2 const> outline, Arc const& arc, double tolerance)
 {
     Vec2 const middle = (outline[arc.first] + outline[arc.last]) / 2;
-    double const reach = (outline[arc.last] - outline[arc.first]).norm() / 2 * (1 + 1e-9);
+    double const reach = (outline[arc.last] - outline[arc.first]).norm() / 2 * (1 + tolerance);
     bool holds = true;
     for_inner_points(outline, arc, [&](Vec2 const& point) {
         holds = holds && (point - middle).squaredNorm() <= reach * reach;
@@ -195,9 +212,9 @@ std::vector<Bump> find_bumps(ChordalAxis const& axis, BumpThresholds const& thre
 {
     std::vector<Bump> bumps;
     for (auto const& limb : Pruner(axis, thresholds).run())
-        bumps.push_back(bump_beyond(axis, limb.chord, limb.strength));
+        bumps.push_back(bump_beyond(axis, limb.chord, limb.strength, thresholds.ends));
     if (bumps.empty())
-        bumps = spindle_ends(axis);
+        bumps = spindle_ends(axis, thresholds.ends);
     std::sort(bumps.begin(), bumps.end(),
               [](Bump const& a, Bump const& b) { return a.arc.first < b.arc.first; });
     return bumps;

@@ -39,6 +39,16 @@ struct BumpThresholds {
     // Minimum rise as a share of the diagonal of the outline's bounding box.
     double rise_of_diagonal = 0.012;
     double rise_of_chord = 0.06; // Minimum rise as a share of the chord at the limb's base.
+    // Choice of the chord whose middle is a bump's end. Both take the first chord from the bump's
+    // base outwards whose half disc contains what lies beyond it.
+    enum class Ends {
+        // Among the edges of triangles. In a round lobe, whose points lie on one circle, tremor
+        // decides which triangles there are, and ends move by more than a tenth of the diagonal.
+        OfTriangles,
+        // Among chords that narrow evenly from both ends of the bump's arc.
+        Even,
+    } ends
+        = Ends::OfTriangles;
 };
 
 // The bumps of an outline, in the order of their arcs. Limbs that rise too little are removed,
@@ -47,8 +57,9 @@ struct BumpThresholds {
 // assigned yet.
 std::vector<Bump> find_bumps(ChordalAxis const& axis, BumpThresholds const& thresholds = {});
 
-// True if the half disc over the ends of an arc contains the whole arc.
-bool holds_cap(std::span<Vec2 const> outline, Arc const& arc);
+// True if the half disc over the ends of an arc contains the whole arc, up to a share of its
+// radius.
+bool holds_cap(std::span<Vec2 const> outline, Arc const& arc, double tolerance = 1e-9);
 
 // Computes the bump that has the given arc and cap.
 Bump describe_bump(std::span<Vec2 const> outline, Arc const& arc, Arc const& cap, double strength);
@@ -65,8 +76,9 @@ std::optional<Run> inside_run(std::span<Vec2 const> outline, std::span<Vec2 cons
 // Assigns roles. `run` is the range of trunk samples inside the outline. In an outline that is
 // nearly round, the two end bumps become foot and apex. If the trunk has neither an apex nor a fork
 // ahead, returns the point to which it should be extended: straight on, 85 % of the way to the
-// outline.
+// outline. The foot is the bump through which the trunk enters, if it passes within `foot_reach`
+// times the bump's radius of its end.
 std::optional<Vec2> set_roles(std::vector<Bump>& bumps, std::span<Vec2 const> outline,
-                              std::span<Vec2 const> trunk, Run const& run);
+                              std::span<Vec2 const> trunk, Run const& run, double foot_reach = 1);
 
 } // namespace tractus::silhouette

@@ -276,6 +276,8 @@ private:
         auto path = infer_branch(
             search,
             { .end = gap.center, .tangent = direction_of(away + direction_at_end(nearest)) });
+        if (path.length < options_.least_length * box_of(crown_.outline).diagonal())
+            return;
         path.t = std::min(1.0, static_cast<double>(path.trunk_sample) / static_cast<double>(last_));
         result_.added.push_back({ .origin = Branch::Origin::Gap,
                                   .number = gaps_++,

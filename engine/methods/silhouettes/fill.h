@@ -16,9 +16,10 @@ namespace tractus::silhouette {
 // A branch of a branching system, with the crown that its own branches will fill.
 struct Branch {
     enum class Origin {
-        Bump, // A branch that ends in a bump of the outline.
-        Copy, // A copy of a sibling, where the crown was empty.
-        Gap,  // A branch that fills a gap too small for a copy.
+        Bump,   // A branch that ends in a bump of the outline.
+        Copy,   // A copy of a sibling, where the crown was empty.
+        Gap,    // A branch that fills a gap too small for a copy.
+        Spaced, // A branch to a part of the outline without bumps (spaced_ends.h).
         Drawn,
         // The trunk's own end, which fills the bump ahead. Always the last of a system's branches.
         Apex,
@@ -26,7 +27,7 @@ struct Branch {
     Origin origin = Origin::Bump;
     // Together with `origin`, identifies the branch; most identifiers survive small changes of the
     // outline. For Bump: the bump's number. For Copy: twice the step along the trunk, plus 1 on the
-    // right. For Gap: the gap's number.
+    // right. For Gap: the gap's number. For Spaced: its position on the outline.
     std::size_t number = 0;
     BranchCurve path {};
     std::string name {}; // Name kept from an earlier drawing; empty: derived from origin and number
@@ -73,6 +74,8 @@ struct FillOptions {
     double least_copy = 0.012; // Smallest area of a copy, as a share of the outline's area.
     // Stop when this share of the outline is covered; the remaining gaps stay.
     double enough = 0.95;
+    // Least length of a branch into a gap, as a share of the diagonal of the outline's box.
+    double least_length = 0;
     double least_gap = 0.012; // Smallest radius of a gap to fill, as a share of the square root of
                               // the outline's area.
 };

@@ -78,6 +78,7 @@ Result<TreeForm> with_style_of(TreeForm form, Plant const& plant)
     auto taken = form_of(TRY(measure_style(plant)));
     taken.seed = form.seed;
     taken.has_whole_nodes = form.has_whole_nodes;
+    taken.plane_branches = form.plane_branches;
     return taken;
 }
 

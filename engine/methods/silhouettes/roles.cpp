@@ -17,9 +17,10 @@ constexpr double kOn = 0.85; // Length of the extension as a share of the distan
                              // if there is no bump ahead.
 
 // The bump through whose arc the trunk enters its run inside the outline, if the trunk passes
-// within the bump's radius of its end.
+// within `reach` times the bump's radius of its end.
 std::optional<std::size_t> find_foot(std::vector<Bump> const& bumps, std::span<Vec2 const> outline,
-                                     std::span<Vec2 const> trunk, std::size_t first_inside)
+                                     std::span<Vec2 const> trunk, std::size_t first_inside,
+                                     double reach)
 {
     if (first_inside == 0)
         return std::nullopt;
@@ -32,7 +33,7 @@ std::optional<std::size_t> find_foot(std::vector<Bump> const& bumps, std::span<V
             double least = bumps[m].radius;
             for (std::size_t k = 1; k < trunk.size(); ++k)
                 least = std::min(least, distance_to_segment(bumps[m].end, trunk[k - 1], trunk[k]));
-            return least < bumps[m].radius ? std::optional(m) : std::nullopt;
+            return least < reach * bumps[m].radius ? std::optional(m) : std::nullopt;
         }
     return std::nullopt;
 }
@@ -81,11 +82,11 @@ std::optional<Run> inside_run(std::span<Vec2 const> outline, std::span<Vec2 cons
 }
 
 std::optional<Vec2> set_roles(std::vector<Bump>& bumps, std::span<Vec2 const> outline,
-                              std::span<Vec2 const> trunk, Run const& run)
+                              std::span<Vec2 const> trunk, Run const& run, double foot_reach)
 {
     for (auto& bump : bumps)
         bump.role = Role::Lateral;
-    auto const foot = find_foot(bumps, outline, trunk, run.first);
+    auto const foot = find_foot(bumps, outline, trunk, run.first, foot_reach);
     if (foot)
         bumps[*foot].role = Role::Foot;
     Vec2 const end = trunk[run.last];

@@ -90,6 +90,8 @@ std::string name_of(Branch const& branch)
         return fmt::format("{}{}", branch.number % 2 == 0 ? 'L' : 'R', branch.number / 2);
     case Branch::Origin::Gap:
         return fmt::format("g{}", branch.number);
+    case Branch::Origin::Spaced:
+        return fmt::format("s{}", branch.number);
     case Branch::Origin::Drawn:
         return fmt::format("d{}", branch.number);
     case Branch::Origin::Apex:

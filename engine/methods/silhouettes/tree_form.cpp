@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace tractus::silhouette {
 
 namespace {
@@ -61,6 +63,8 @@ bool is_usual(TreeForm form)
     TreeForm usual;
     usual.seed = form.seed;
     usual.has_whole_nodes = form.has_whole_nodes;
+    if (form.plane_branches == kUsualPlaneBranches)
+        usual.plane_branches = kUsualPlaneBranches;
     return form == usual;
 }
 
@@ -88,7 +92,25 @@ Result<void> check_form(TreeForm const& form)
     for (auto const& pattern : form.patterns)
         if (pattern.whorl < kLeastWhorl || pattern.whorl > kMostWhorl)
             return refuse("the branches of a whorl", pattern.whorl, kLeastWhorl, kMostWhorl);
+    if (form.plane_branches < 0 || form.plane_branches > kMostPlaneBranches)
+        return refuse("the branches in the drawing's plane", form.plane_branches, 0,
+                      kMostPlaneBranches);
+    for (double const angle_deg : { form.base_angle_deg, form.tip_angle_deg })
+        if (angle_deg != 0 && !(angle_deg >= kLeastAngle_deg && angle_deg <= kMostAngle_deg))
+            return refuse("the angle of a branch", angle_deg, kLeastAngle_deg, kMostAngle_deg);
     return check_styles(form);
+}
+
+// The branching angles of the trunk's branches.
+static BranchingAngles angles_of(TreeForm const& form)
+{
+    BranchingAngles const usual;
+    auto samples = usual.samples();
+    if (form.base_angle_deg > 0)
+        samples.front().angle_deg = form.base_angle_deg;
+    if (form.tip_angle_deg > 0)
+        samples.back().angle_deg = form.tip_angle_deg;
+    return BranchingAngles(std::move(samples));
 }
 
 SkeletonOptions skeleton_options(TreeForm const& form)
@@ -97,6 +119,10 @@ SkeletonOptions skeleton_options(TreeForm const& form)
     options.levels = form.levels;
     options.styles.assign(form.styles.begin(), form.styles.end());
     options.seed = form.seed;
+    options.tree.branches = static_cast<std::size_t>(form.plane_branches);
+    if (form.plane_branches > 0)
+        options.tree.bumps.ends = BumpThresholds::Ends::Even;
+    options.tree.angles = angles_of(form);
     return options;
 }
 
@@ -105,6 +131,7 @@ TreeOptions tree_options(TreeForm const& form, double height_mm)
     TreeOptions options;
     options.height_mm = height_mm;
     options.seed = form.seed;
+    options.angles = angles_of(form);
     options.leaf.per_spray = form.leaves;
     options.leaf.width = form.leaf_width;
     options.levels.resize(form.patterns.size(), options.levels.back());

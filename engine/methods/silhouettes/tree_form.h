@@ -24,9 +24,20 @@ struct TreeForm {
     // True: all branches of a node share one position (ArrangementOptions::Nodes::Whole). False for
     // trees from before this option existed.
     bool has_whole_nodes = false;
+    // Number of branches in the plane of the drawing, besides the trunk's end, where the outline
+    // has fewer bumps than that (InferenceOptions::branches), up to kMostPlaneBranches. 0 for trees
+    // from before this option existed: these have branches in bumps, and others until the crown is
+    // covered.
+    int plane_branches = 0;
+    // Branching angles at the trunk's base and tip, degrees; 0: the usual ones (BranchingAngles).
+    double base_angle_deg = 0;
+    double tip_angle_deg = 0;
 
     bool operator==(TreeForm const&) const = default;
 };
+
+constexpr int kUsualPlaneBranches = 26;
+constexpr int kMostPlaneBranches = 60;
 
 // True if nothing was set by hand; the seed and has_whole_nodes do not count.
 bool is_usual(TreeForm form);

@@ -80,6 +80,9 @@ void list(scene::Fields& fields, TreeForm& form)
     for (std::size_t level = 0; level < form.styles.size(); ++level)
         list(fields, kStyleNames[level], form.styles[level]);
     fields.sparse_field("whole_nodes", &form.has_whole_nodes);
+    fields.sparse_field("plane_branches", &form.plane_branches);
+    fields.sparse_field("base_angle_deg", &form.base_angle_deg);
+    fields.sparse_field("tip_angle_deg", &form.tip_angle_deg);
 }
 
 } // namespace tractus::silhouette

@@ -109,6 +109,7 @@ void list(scene::Fields& fields, RedrawSketch& edit)
     fields.field("plant", &edit.plant);
     fields.sparse_field("part", &edit.part);
     fields.word("surface", edit.surface, kSurfaceWords);
+    fields.sparse_field("turned_round", &edit.is_turned_round);
     fields.numbers(edit.stroke);
 }
 
@@ -118,6 +119,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, RedrawSketch co
     state = TRY(changed(std::move(state), edit, [&](GrowAlongStroke& sketch) {
         sketch.stroke = edit.stroke;
         sketch.surface = edit.surface;
+        sketch.is_turned_round = edit.is_turned_round;
         return Result<void> {};
     }));
     if (edit.part != 0)

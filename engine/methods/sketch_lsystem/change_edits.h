@@ -44,6 +44,8 @@ struct RedrawSketch {
     // Surface on which the stroke was drawn; must not be Decided.
     StrokeSurface surface = StrokeSurface::Space;
     Stroke stroke {}; // The new stroke, world frame.
+    // True if the stroke is the reverse of what was drawn (GrowAlongStroke::is_turned_round).
+    bool is_turned_round = false;
 };
 
 // A plant or grafted part that grew along a stroke.

@@ -1,67 +1,14 @@
 #include "engine/methods/sketch_lsystem/drawn_axis.h"
 
+#include "engine/methods/sketch_lsystem/axis_turtle.h"
+#include "engine/methods/sketch_lsystem/lateral_room.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <string_view>
 
 namespace tractus::sketch {
-
-namespace {
-
-// A turtle with the few commands of cpfg's turtle that an axis needs.
-class AxisTurtle {
-public:
-    explicit AxisTurtle(Vec3 const& position_mm)
-        : position_mm_(position_mm)
-    {
-    }
-
-    // The turn after which the turtle's heading is along `way`.
-    Turn turn_towards(Vec3 const& way) const
-    {
-        // The plane of a smaller bend would be numerical noise.
-        constexpr double kStraight_deg = 1e-6;
-        double const left = left_.dot(way);
-        double const down = down_.dot(way);
-        double const bend_deg = degrees(std::atan2(std::hypot(left, down), heading_.dot(way)));
-        if (bend_deg < kStraight_deg)
-            return {};
-        return { degrees(std::atan2(down, left)), bend_deg };
-    }
-
-    void turn(Turn const& turn)
-    {
-        rotate(left_, down_, turn.plane_deg);
-        rotate(heading_, left_, turn.bend_deg);
-        rotate(left_, down_, -turn.plane_deg);
-    }
-
-    Vec3 const& position_mm() const { return position_mm_; }
-
-    Vec3 const& go(double length_mm)
-    {
-        position_mm_ += length_mm * heading_;
-        return position_mm_;
-    }
-
-private:
-    static void rotate(Vec3& from, Vec3& to, double angle_deg)
-    {
-        double const sine = std::sin(radians(angle_deg));
-        double const cosine = std::cos(radians(angle_deg));
-        Vec3 const old_from = from;
-        from = cosine * old_from + sine * to;
-        to = cosine * to - sine * old_from;
-    }
-
-    Vec3 position_mm_;
-    Vec3 heading_ = Vec3::UnitZ();
-    Vec3 left_ = -Vec3::UnitX();
-    Vec3 down_ = Vec3::UnitY();
-};
-
-} // namespace
 
 DrawnAxis draw_axis(Rule const& rule, std::span<Vec3 const> nodes_mm)
 {
@@ -76,6 +23,8 @@ DrawnAxis draw_axis(Rule const& rule, std::span<Vec3 const> nodes_mm)
         axis.turns.push_back({ as_written(turn.plane_deg), as_written(turn.bend_deg) });
     }
     axis.depth = depth_within_limit(rule, axis.segments());
+    if (rule.gives_way_mm > 0 && rule.laterals > 0)
+        axis.room = lateral_room(rule, nodes_mm, axis.turns);
     return axis;
 }
 
@@ -131,6 +80,7 @@ struct Ring {
     std::string ending {}; // Suffix of the names of the ring's definitions, such as "_A".
     // Beginning of the laterals' apex module, up to the length argument: "L(" or "A(0, ".
     std::string apex {};
+    bool gives_way = false; // True if the laterals have only so much room as the array `room` says.
 };
 
 // The letter of a lateral rule; skips letters of turtle commands and of the model's other modules.
@@ -169,9 +119,11 @@ static std::string text_of(Ring const& ring, std::string_view twist, std::string
 {
     std::string text;
     for (int i = 0; i < ring.laterals; ++i)
-        text += fmt::format("\n        [/({0} + {1:g})+(ANGLE{2}){3}l * LATERAL{2}, "
+        text += fmt::format("\n        [/({0} + {1:g})+(ANGLE{2}){3}l * LATERAL{2}{5}, "
                             "w * LATERAL_WIDTH{2}, {4})]",
-                            twist, 360.0 * i / ring.laterals, ring.ending, ring.apex, depth);
+                            twist, 360.0 * i / ring.laterals, ring.ending, ring.apex, depth,
+                            ring.gives_way ? fmt::format(" * room[{} * i + {}]", ring.laterals, i)
+                                           : std::string());
     return text;
 }
 
@@ -217,6 +169,17 @@ static std::string lateral_definitions(Rule const& rule)
     return text;
 }
 
+// Returns the array of the laterals' room, shares of their lengths; empty if none gives way.
+static std::string array_of_room(DrawnAxis const& axis)
+{
+    std::string text;
+    for (double const room : axis.room)
+        text += fmt::format("{}{:g}", text.empty() ? "" : ", ", room);
+    return text.empty()
+        ? text
+        : fmt::format("\n          array room[{}] = {{{}}};", axis.room.size(), text);
+}
+
 // Returns the arrays of turns. An axis without segments gets arrays of one zero, because cpfg does
 // not allow empty arrays.
 static std::string arrays_of(DrawnAxis const& axis)
@@ -224,9 +187,9 @@ static std::string arrays_of(DrawnAxis const& axis)
     if (axis.turns.empty())
         return "define: { array plane[1] = {0}; array bend[1] = {0}; }\n";
     return fmt::format("define: {{ array plane[SEGMENTS] = {};\n"
-                       "          array bend[SEGMENTS] = {}; }}\n",
+                       "          array bend[SEGMENTS] = {};{} }}\n",
                        array_of(axis.turns, &Turn::plane_deg),
-                       array_of(axis.turns, &Turn::bend_deg));
+                       array_of(axis.turns, &Turn::bend_deg), array_of_room(axis));
 }
 
 // The production of a lateral that is an axis itself: an internode, a ring of laterals and the next
@@ -244,8 +207,10 @@ static std::string lateral_rule_of(Rule const& rule, std::size_t level)
         letter, text_of(ring_at(rule, level), fmt::format("TWIST_{} * (i + 1)", letter), "d - 1"));
 }
 
-static std::string rules_of(Rule const& rule)
+static std::string rules_of(Rule const& rule, DrawnAxis const& axis)
 {
+    auto ring = ring_at(rule, 0);
+    ring.gives_way = !axis.room.empty();
     auto const fork = fork_of(rule);
     auto text = fmt::format(
         "/* The top apex: segment i of the stroke, its laterals, and the next top apex. */\n"
@@ -254,7 +219,7 @@ static std::string rules_of(Rule const& rule)
         "        T(i + 1, l * TOP, w * TOP_WIDTH)\n"
         "T(i, l, w) : * --> T(i, l, w)\n"
         "\n",
-        text_of(ring_at(rule, 0), "TWIST * (i + 1)", "DEPTH"));
+        text_of(ring, "TWIST * (i + 1)", "DEPTH"));
     for (std::size_t level = 1; level <= rule.lateral_rules.size(); ++level)
         text += lateral_rule_of(rule, level);
     return text
@@ -307,7 +272,7 @@ lsystem::ModelSource write_model(Rule const& rule, DrawnAxis const& axis, Leaves
                       "{}"
                       "endlsystem\n",
                       definitions(rule, axis), lateral_definitions(rule), arrays_of(axis),
-                      rules_of(rule), leaves == Leaves::Leafy ? leaves_of(rule) : "");
+                      rules_of(rule, axis), leaves == Leaves::Leafy ? leaves_of(rule) : "");
     return {
         .name = name + ".l", .text = text, .view_name = name + ".v", .view_text = std::string(kView)
     };

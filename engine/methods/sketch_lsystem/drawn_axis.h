@@ -28,6 +28,8 @@ struct DrawnAxis {
     Vec3 base_mm = Vec3::Zero(); // Start of the stroke, which is the plant's origin.
     std::vector<Turn> turns;
     int depth = kUncutDepth;
+    // Room of the laterals (lateral_room.h), in whose order they are; empty: none gives way.
+    std::vector<double> room {};
 
     int segments() const { return static_cast<int>(turns.size()); }
 };

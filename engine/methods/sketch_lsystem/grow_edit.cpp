@@ -25,7 +25,7 @@ bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
 {
     return one.rule == other.rule && one.stroke.tips.id() == other.stroke.tips.id()
         && one.surface == other.surface && one.leaves == other.leaves && one.scale == other.scale
-        && one.model == other.model;
+        && one.model == other.model && one.is_turned_round == other.is_turned_round;
 }
 
 // Varies the laterals of the rule; the drawn axis stays as it is.
@@ -89,6 +89,7 @@ void list(scene::Fields& fields, GrowAlongStroke& edit)
     fields.field("scale", &edit.scale);
     fields.id(edit.id);
     list_model(fields, edit.model);
+    fields.sparse_field("turned_round", &edit.is_turned_round);
     fields.numbers(edit.stroke);
 }
 
@@ -98,6 +99,7 @@ Rule at_scale(Rule rule, double scale)
     rule.first_length_mm *= kModelScale / scale;
     rule.first_width_mm *= kModelScale / scale;
     rule.shortest_mm *= kModelScale / scale;
+    rule.gives_way_mm *= kModelScale / scale;
     for (auto& lateral : rule.lateral_rules)
         lateral.shortest_mm *= kModelScale / scale;
     return rule;
@@ -185,6 +187,7 @@ void list_rule(scene::Fields& fields, Rule& rule)
     fields.field("l_min", &rule.shortest_mm);
     fields.field("n_max", &rule.most_segments);
     fields.field("limit", &rule.most_internodes);
+    fields.sparse_field("o", &rule.gives_way_mm);
     list_lateral_rules(fields, rule.lateral_rules);
 }
 

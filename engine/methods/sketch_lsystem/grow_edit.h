@@ -31,6 +31,9 @@ struct GrowAlongStroke {
     // Model that grows instead of the rule, if it is set. Only the rule's limit is used then, and
     // the model decides about leaves.
     ModelRule model {};
+    // True if the pen drew the stroke from the plant's tip to its foot, so that the tips are in the
+    // reverse of their drawn order (foot_first.h).
+    bool is_turned_round = false;
 };
 
 // The lengths of the drawn axis's segments on the desk. Fails with a user error for a rule out of

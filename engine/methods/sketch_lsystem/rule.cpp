@@ -52,6 +52,7 @@ Result<void> check_rule(Rule const& rule)
     TRY(check_range("t", "the twist along laterals in degrees", rule.lateral_twist_deg, -180, 180));
     TRY(check_range("l_min", "the shortest internode in mm", rule.shortest_mm, 1e-3,
                     rule.first_length_mm));
+    TRY(check_range("o", "the laterals' occupancy radius in mm", rule.gives_way_mm, 0, 100));
     TRY(check_range("n_max", "the most segments of a stroke", rule.most_segments, 1, 10'000));
     if (rule.lateral_rules.size() > kMostLateralRules)
         return fail(Fault::User,
@@ -77,7 +78,8 @@ Rule as_written(Rule const& rule)
     for (auto* const value :
          { &result.first_length_mm, &result.length_ratio, &result.width_ratio,
            &result.first_width_mm, &result.angle_deg, &result.lateral_length, &result.lateral_width,
-           &result.axis_twist_deg, &result.lateral_twist_deg, &result.shortest_mm })
+           &result.axis_twist_deg, &result.lateral_twist_deg, &result.shortest_mm,
+           &result.gives_way_mm })
         *value = as_written(*value);
     for (auto& lateral : result.lateral_rules)
         for (auto* const value : { &lateral.length_ratio, &lateral.width_ratio, &lateral.angle_deg,

@@ -53,7 +53,10 @@ struct Rule {
     // t, -180 to 180: azimuth by which successive rings of a lateral are turned.
     double lateral_twist_deg = 90;
 
-    double shortest_mm = 1;           // l_min, above 0: length of the shortest allowed internode.
+    double shortest_mm = 1; // l_min, above 0: length of the shortest allowed internode.
+    // o, 0 to 100: occupancy radius, mm. Laterals give way to what grows along another part of the
+    // drawn axis: they stay short, or do not grow (lateral_room.h). 0: they do not give way.
+    double gives_way_mm = 0;
     int most_segments = 64;           // n_max, 1 to 10,000: most segments of the drawn axis.
     double most_internodes = 200'000; // limit, n_max to 10 million: most internodes of the plant.
 

@@ -456,6 +456,42 @@ TEST(CalibrationController, SaysThatTheSensorFellSilentDuringACapture)
         << refusal_of(text);
 }
 
+// The sensor is unplugged in the middle of a capture, and sends again before the next one.
+TEST(CalibrationController, SaysThatTheSensorWasUnpluggedDuringACapture)
+{
+    std::istringstream lines(simulated_text({}));
+    std::string with_unplugging;
+    std::string with_silence;
+    int since_capture = -1;      // Number of reports since its begin; -1 before.
+    constexpr int kBefore = 200; // Of some 700 reports a second of both devices.
+    constexpr int kAway = 700;
+    std::string device = "D: 0"; // Device of the reports.
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("D: "))
+            device = line;
+        if (line.ends_with("capture 60"))
+            since_capture = 0;
+        bool const is_report = line.starts_with("E: ");
+        if (since_capture >= 0 && is_report && ++since_capture == kBefore)
+            with_unplugging
+                += "D: 1\nG: " + line.substr(3, line.find(' ', 3) - 3) + "\n" + device + "\n";
+        if (is_report && since_capture >= kBefore && since_capture < kBefore + kAway)
+            continue;
+        with_unplugging += line + "\n";
+        with_silence += line + "\n";
+    }
+    for (auto const& [text, reason] :
+         { std::pair(with_unplugging, "was unplugged during it: plug it in, then capture"),
+           std::pair(with_silence, "from within it: was it unplugged?") }) {
+        auto const log = drivers::parse_log(text, "my.tractus-log").value();
+        auto const outcome = calibrate_from_log(log, {}, kDate);
+        ASSERT_TRUE(outcome) << outcome.error().message;
+        auto const at = outcome->report.find("not used: the capture at 60 mm: the height sensor");
+        ASSERT_NE(at, std::string::npos) << outcome->report;
+        EXPECT_NE(outcome->report.find(reason, at), std::string::npos) << outcome->report;
+    }
+}
+
 // Five captures of a vertical string, whose readings once gave a string that ended at the lowest of
 // them.
 TEST(PlumbStringLog, GivesARigThatIsReadAndHasAllHeights)

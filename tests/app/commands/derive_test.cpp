@@ -1,10 +1,12 @@
 #include "engine/base/file.h"
 #include "tests/app/commands/outcome.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 namespace tractus::commands {
 namespace {
@@ -142,7 +144,7 @@ TEST_F(DeriveCommand, EndsWhatTheModelPrintsSomewhere)
 {
     auto const path = write("m.l",
                             "Lsystem: 1\nderivation length: 20000\n"
-                            "EndEach: {printf(\"0123456789\");}\nAxiom: A\n"
+                            "EndEach: {printf(\"0123456789\");}\nAxiom: F\n"
                             "endlsystem\n");
     auto const outcome = run({ "derive", path, "--string" });
     EXPECT_EQ(outcome.exit_code, 0);
@@ -153,7 +155,7 @@ TEST_F(DeriveCommand, EndsWhatTheModelPrintsSomewhere)
 TEST_F(DeriveCommand, TellsWhatAModelUses)
 {
     auto const path = write("m.l",
-                            "Lsystem: 1\nderivation length: 2\nAxiom: A(1)\n"
+                            "Lsystem: 1\nderivation length: 2\nSeed: 0\nAxiom: A(1)\n"
                             "A(x) : x > 0 --> F(x)[+A(x*2)]@Q : 2\nB < A(x) --> B\nendlsystem\n");
     auto const outcome = run({ "lsystem", "check", path });
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -169,20 +171,8 @@ TEST_F(DeriveCommand, TellsWhatAModelUses)
                     "Warnings\n  "
                   + path
                   + ": the turtle symbol @Q is not supported; it draws nothing\n\n"
-                    "Cannot be grown along a stroke\n  "
-                  + path
-                  + ": it has no line #define SEGMENTS 0, the number of segments that a stroke "
-                    "has\n  "
-                  + path
-                  + ": it has no array length with values: give it define: { array length[1] = "
-                    "{10}; }\n  "
-                  + path
-                  + ": it has no array plane with values: give it define: { array plane[1] = "
-                    "{0}; }\n  "
-                  + path
-                  + ": it has no array bend with values: give it define: { array bend[1] = {0}; "
-                    "}\n  "
-                  + path + ": no rule turns the drawn axis by /(plane[i])+(bend[i])\\(plane[i])\n");
+                    "Cannot be grown along a stroke: it has not the places for it that the manual "
+                    "lists (models.md)\n");
     EXPECT_EQ(outcome.err, "");
 }
 
@@ -285,6 +275,73 @@ TEST_F(DeriveCommand, TakesTheViewThatItIsGiven)
     write("m.v", "environment: light\n");
     EXPECT_EQ(run({ "derive", model, "--string" }).out, "?E(1)\n");
     EXPECT_EQ(run({ "derive", model, "--string", "--view", view }).out, "?E(0)\n");
+}
+
+// What matters more comes first, and a folder full of views is not listed.
+TEST_F(DeriveCommand, TellsOfThreeUnusedFilesAfterTheModelsWarnings)
+{
+    auto const model = write("m.l", "Lsystem: 1\nAxiom: F'\nendlsystem\n");
+    for (auto const* const name : { "a.v", "b.v", "c.v", "d.v", "e.v" })
+        write(name, "angle increment: 30\n");
+    auto const out = (folder_ / "out.obj").string();
+    for (std::vector<std::string> const& command :
+         { std::vector<std::string> { "derive", model, "--count" },
+           std::vector<std::string> { "grow", model, "-o", out } }) {
+        auto const err = run(command).err;
+        EXPECT_EQ(err.find("warning: " + model + ":2:9: ' has no effect here"), 0u) << err;
+        EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 5) << err;
+        EXPECT_NE(err.find("c.v is not used"), std::string::npos) << err;
+        EXPECT_NE(err.find("\nwarning: 2 more views and colour files beside " + model
+                           + " are not used\n"),
+                  std::string::npos)
+            << err;
+    }
+}
+
+TEST_F(DeriveCommand, ReadsTheBooksNotation)
+{
+    // The Algorithmic Beauty of Plants, figure 1.25, as printed: 3 ** 7 apices are left.
+    auto const bush = write("bush.l",
+                            "n=7, \u03b4=22.5\u00b0\n\u03c9: A\n"
+                            "p1 : A \u2192 [&FL!A]/////'[&FL!A]///////'[&FL!A]\n"
+                            "p2 : F \u2192 S/////F\np3 : S \u2192 FL\n"
+                            "p4 : L \u2192 ['''^^{-f+f+f-|-f+f+f}]\n");
+    auto const checked = run({ "lsystem", "check", bush, "--dialect", "book" });
+    EXPECT_EQ(checked.exit_code, 0) << checked.err;
+    EXPECT_NE(checked.out.find("\nDraws 3891 segments on "), std::string::npos) << checked.out;
+    EXPECT_NE(checked.out.find("\nNo warnings\n"), std::string::npos) << checked.out;
+    auto const counts = run({ "derive", bush, "--dialect", "book", "--count" });
+    EXPECT_NE(counts.out.find("\"A\":2187"), std::string::npos) << counts.out;
+    auto const made = (folder_ / "made.l").string();
+    EXPECT_EQ(run({ "lsystem", "import", bush, "-o", made }).exit_code, 0);
+    EXPECT_EQ(run({ "derive", made, "--count" }).out, counts.out);
+    EXPECT_EQ(run({ "lsystem", "import", bush, "-o", made }).exit_code, 1);
+    EXPECT_EQ(run({ "derive", bush, "--dialect", "latin", "--count" }).exit_code, 2);
+}
+
+TEST_F(DeriveCommand, NamesForeignFilesAndImportsLParsers)
+{
+    auto const lpy = write("a.lpy", "Axiom: A\nproduction:\nA --> F[+A]A\n");
+    auto const out = (folder_ / "out.obj").string();
+    for (std::vector<std::string> const& command :
+         { std::vector<std::string> { "lsystem", "check", lpy },
+           std::vector<std::string> { "derive", lpy, "--count" },
+           std::vector<std::string> { "grow", lpy, "-o", out },
+           std::vector<std::string> { "vary", lpy, "--count", "1", "-o", out },
+           std::vector<std::string> { "lsystem", "import", lpy, "-o", out } }) {
+        auto const outcome = run(command);
+        EXPECT_EQ(outcome.exit_code, 1);
+        EXPECT_EQ(outcome.err.find("error: " + lpy + ":2: this is L-Py (Python), not cpfg's"), 0u)
+            << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+    auto const tree = write("tree.ls", "3\n30\n20\nA\nA=F['+A][-A]\n@\n");
+    EXPECT_NE(run({ "grow", tree, "-o", out }).err.find("\"tractus lsystem import " + tree),
+              std::string::npos);
+    auto const made = (folder_ / "tree.l").string();
+    EXPECT_EQ(run({ "lsystem", "import", tree, "-o", made }).exit_code, 0);
+    EXPECT_NE(run({ "lsystem", "check", made }).out.find("Draws 7 segments on 7 axes"),
+              std::string::npos);
 }
 
 TEST_F(DeriveCommand, DerivesTheModelThatIsWrittenToBeginWith)

@@ -44,12 +44,12 @@ TEST(ToolCards, AreReadAsTheyWereWritten)
                               .angle_deg = 61.5 };
     tool.place = sketch::SketchTool::Place::Branch;
     auto const text = card_text(Tool(tool));
-    EXPECT_EQ(
-        text,
-        "# A card of tractus: a tool and how it is set.\nsketch fern laterals=3 angle=61.5\n");
+    EXPECT_EQ(text,
+              "# A card of tractus: a tool and how it is set.\nsketch fern laterals=3 angle=61.5 "
+              "at_foot\n");
     EXPECT_EQ(parse_card(tools, text, "x").value(), card_of(Tool(tool)));
-    EXPECT_EQ(parse_card(tools, "sketch", "x").value(), Tool(sketch::SketchTool {}));
-    EXPECT_EQ(parse_card(tools, "\n# a\n# b\nsketch whorls\r\nmore\n", "x").value(),
+    EXPECT_EQ(parse_card(tools, "sketch at_foot", "x").value(), Tool(sketch::SketchTool {}));
+    EXPECT_EQ(parse_card(tools, "\n# a\n# b\nsketch whorls at_foot\r\nmore\n", "x").value(),
               Tool(sketch::SketchTool { .card = sketch::SketchTool::Card::Whorls }));
 }
 

@@ -13,6 +13,7 @@
 #include "tests/app/session/same_edit.h"
 #include "tests/app/simple_rig.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -284,8 +285,9 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     auto window = window_of(script, true);
     run(window, script);
     EXPECT_TRUE(window.state().hand.get<tools::DrawInOrderTool>());
-    EXPECT_EQ(window.state().remembered,
-              std::vector<tools::Tool> { tools::EraseTool { tools::EraseTool::Erasing::Part } });
+    auto const& remembered = window.state().remembered;
+    tools::Tool const chosen = tools::EraseTool { tools::EraseTool::Erasing::Part };
+    EXPECT_EQ(std::count(remembered.begin(), remembered.end(), chosen), 1);
     ASSERT_EQ(window.station().counts().strokes, 3u);
     ASSERT_EQ(window.scene().associations.size(), 1u);
     auto const& tips = window.scene().associations[0].what.stroke.tips;

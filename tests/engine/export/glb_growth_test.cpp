@@ -81,7 +81,7 @@ TEST_F(GlbGrowth, ShowsTheWholePlantWhereItIsNotPlayed)
 {
     auto const glb = write();
     auto const json = json_of(glb);
-    EXPECT_FALSE(json.contains("extensionsUsed"));
+    EXPECT_FALSE(json.contains("extensionsRequired"));
     auto const& mesh = json["meshes"][0];
     EXPECT_EQ(mesh["weights"], nlohmann::json(std::vector<int>(kAges - 1, 0)));
     EXPECT_EQ(mesh["extras"]["targetNames"],

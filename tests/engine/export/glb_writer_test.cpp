@@ -95,7 +95,7 @@ TEST(GlbWriter, EveryPlantIsOneMeshThatAnyReaderKnows)
     auto const glb = glb_of(plants);
     auto const json = json_of(glb);
     EXPECT_FALSE(json.contains("extensionsRequired"));
-    EXPECT_FALSE(json.contains("extensionsUsed"));
+    EXPECT_EQ(json["extensionsUsed"], nlohmann::json({ "KHR_materials_diffuse_transmission" }));
     EXPECT_EQ(json["nodes"].size(), 2u);
     EXPECT_EQ(json["meshes"].size(), 2u);
     EXPECT_EQ(json["materials"].size(), 2u);
@@ -277,7 +277,7 @@ TEST(GlbWriter, CoarserLevelsStandBesideTheScene)
         auto const& material = json["materials"][primitive["material"].get<std::size_t>()];
         EXPECT_EQ(material["alphaMode"], "MASK");
     }
-    EXPECT_EQ(json["extensionsUsed"].size(), 3u);
+    EXPECT_EQ(json["extensionsUsed"].size(), 4u);
     EXPECT_EQ(json["extensionsRequired"].size(), 1u); // The extension for instanced leaves.
 }
 
@@ -375,7 +375,7 @@ TEST(GlbWriter, WritesANodePerOrganWhenAsked)
     auto const json
         = json_of(glb_of(mesh::make_mesh(plant), { .organs = GlbOptions::Organs::Nodes }));
     EXPECT_EQ(json["nodes"].size(), plant.organs.size() + 1);
-    EXPECT_FALSE(json.contains("extensionsUsed"));
+    EXPECT_EQ(json["extensionsUsed"], nlohmann::json({ "KHR_materials_diffuse_transmission" }));
 }
 
 TEST(GlbWriter, BarkHasItsFurrowsColourReliefAndOcclusion)
@@ -424,6 +424,20 @@ TEST(GlbWriter, WritesTheTexturesOfAMaterial)
     };
     EXPECT_EQ(indices.size(), 4u);
     EXPECT_FALSE(json.contains("extensionsRequired"));
+}
+
+TEST(GlbWriter, LeavesPassLightWithoutAPicture)
+{
+    auto mesh = mesh::make_mesh(mesh::sample_tree(1));
+    mesh.materials[0].translucency = 0.9f; // Bark passes none, whatever its number.
+    mesh.materials[1].translucency = 0.5f;
+    auto const json = json_of(glb_of(mesh, { .textures = GlbOptions::Textures::None }));
+    EXPECT_FALSE(json["materials"][0].contains("extensions"));
+    EXPECT_EQ(json["materials"][1]["extensions"]["KHR_materials_diffuse_transmission"],
+              nlohmann::json({ { "diffuseTransmissionFactor", 0.5 } }));
+    EXPECT_FALSE(json.contains("extensionsRequired"));
+    mesh.materials[1].translucency = 0;
+    EXPECT_FALSE(json_of(glb_of(mesh)).contains("extensionsUsed"));
 }
 
 TEST(GlbWriter, LeavesAreDoubleSidedAndColoursLinear)

@@ -123,7 +123,8 @@ TEST(Statements, StopALoopThatDoesNotEnd)
 std::string printed(std::string const& axiom_and_rules, int steps = 1)
 {
     auto const model = compiled(with_header(axiom_and_rules, steps));
-    EXPECT_TRUE(model.warnings.empty());
+    for (auto const& warning : model.warnings) // Short examples have letters without a rule.
+        EXPECT_NE(warning.find(" has no effect"), std::string::npos) << warning;
     std::string result;
     DeriveOptions options;
     options.print = [&](std::string_view text) { result += text; };

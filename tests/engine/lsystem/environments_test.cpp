@@ -232,7 +232,7 @@ TEST(Environments, SayWhichThereAre)
     EXPECT_EQ(error("water:diffusion=1"),
               "environment water: found 'diffusion=1', expected a number of 0 to 0.1667");
     EXPECT_EQ(error(""), "there is no environment ''; there are light, space, terrain and water");
-    auto const model = compiled(with_header("Axiom: A"), "environment: fields.e\n");
+    auto const model = compiled(with_header("Axiom: F"), "environment: fields.e\n");
     ASSERT_EQ(model.warnings.size(), 1u);
     EXPECT_NE(model.warnings[0].find("nothing is run that a model names"), std::string::npos);
     EXPECT_NE(compile_error(with_header("Axiom: A"), "environment: light cell=x\n")

@@ -11,7 +11,8 @@ namespace {
 TEST(ModelErrors, NameTheLineAndColumn)
 {
     EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A\nA -> B\n"),
-              "model.l:3:1: found 'A -> B', expected a rule, which has -->, or a statement");
+              "model.l:3:1: found 'A -> B', expected -->: the arrow of rules has two dashes here "
+              "(--dialect book reads both)");
     EXPECT_EQ(compile_error("Axiom: A\n"), "model.l:1:1: found 'Axiom: A', expected 'Lsystem:'");
     EXPECT_EQ(compile_error("Lsystem: 1\nAxiom: A(1\n"),
               "model.l:2:11: found the end of the line, expected ',' or ')'");
@@ -108,10 +109,10 @@ TEST(Model, WarnsOnceOfWhatItLacks)
 
 TEST(Model, GivesFunctionsItLacksTheValuesThatModelsExpect)
 {
-    auto const model = compiled("Lsystem: 1\nAxiom: A(stop(7), Display(2), vvXmin(1), "
+    auto const model = compiled("Lsystem: 1\nAxiom: F(stop(7), Display(2), vvXmin(1), "
                                 "vvScale(1), play(\"bell\"), inblob(1,0,0,0), stop(1)+1)\n"
                                 "endlsystem\n");
-    EXPECT_EQ(to_string(model, *derive(model)), "A(7,2,0,0,0,0,2)");
+    EXPECT_EQ(to_string(model, *derive(model)), "F(7,2,0,0,0,0,2)");
     // The warnings: one for the window, whatever the query, and one for blobs.
     ASSERT_EQ(model.warnings.size(), 2u);
     EXPECT_EQ(model.warnings[1],
@@ -122,12 +123,12 @@ TEST(Model, RefusesFilesWithOneWarning)
 {
     auto const model = compiled("Lsystem: 1\nStart: {f = fopen(\"x\", \"w\"); fprintf(f, "
                                 "\"%f\", 1); fscanf(f, \"%f\", &y); fclose(f);}\nAxiom: "
-                                "A(f)\nendlsystem\n");
+                                "F(f)\nendlsystem\n");
     ASSERT_EQ(model.warnings.size(), 2u); // The second warning is about y.
     EXPECT_EQ(model.warnings[0],
               "model.l:2:13: models read and write no files here: fopen() gives -1, and fprintf, "
               "fscanf, fflush and fclose do nothing");
-    EXPECT_EQ(to_string(model, *derive(model)), "A(-1)");
+    EXPECT_EQ(to_string(model, *derive(model)), "F(-1)");
 }
 
 TEST(Model, ChecksFormatsWhenItIsCompiled)
@@ -140,7 +141,7 @@ TEST(Model, ChecksFormatsWhenItIsCompiled)
     EXPECT_EQ(compile_error("Lsystem: 1\nStart: {printf(\"x);}\nAxiom: A\n"),
               "model.l:2:16: the string has no closing '\"'");
     auto const model
-        = compiled("Lsystem: 1\nStart: {printf(\"%f %f\", 1);}\nAxiom: A\nendlsystem\n");
+        = compiled("Lsystem: 1\nStart: {printf(\"%f %f\", 1);}\nAxiom: F\nendlsystem\n");
     ASSERT_EQ(model.warnings.size(), 1u);
     EXPECT_EQ(model.warnings[0],
               "model.l:2:9: the format of printf asks for 2 values, found 1; "

@@ -15,7 +15,8 @@ std::string two_systems(std::string const& main, std::string const& sub, int ste
 std::string derived_text(std::string const& text)
 {
     auto const model = compiled(text);
-    EXPECT_TRUE(model.warnings.empty()) << model.warnings.front();
+    for (auto const& warning : model.warnings) // Short examples have letters without a rule.
+        EXPECT_NE(warning.find(" has no effect"), std::string::npos) << warning;
     auto const string = derive(model);
     EXPECT_TRUE(string) << string.error().message;
     return string ? to_string(model, *string) : std::string();
@@ -165,7 +166,7 @@ TEST(Subsystems, ScaleWhatTheyDraw)
 TEST(Subsystems, LeaveModelsWithoutThemAlone)
 {
     EXPECT_EQ(derived("Axiom: ?(7)A$B\nA --> X"), "?(7)X$B");
-    auto const model = compiled("Lsystem: 1\nAxiom: A\nendlsystem\nhello\n");
+    auto const model = compiled("Lsystem: 1\nAxiom: F\nendlsystem\nhello\n");
     ASSERT_EQ(model.warnings.size(), 1u);
     EXPECT_EQ(model.warnings[0],
               "model.l:4:1: what follows endlsystem is not read, since it is no 'Lsystem:'");

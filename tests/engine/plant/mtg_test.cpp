@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace tractus {
 namespace {
@@ -48,6 +49,78 @@ TEST(Mtg, WritesTheFormatsTable)
               "\t\t+L1\t100\t0\t100\t50\t\t\t25\t\t\t0\t1\t0\t0\t0\t1\tblade-1\n"
               "^<S2\t\t\t0\t0\t200\t100\t12\t16\n"
               "^<S3\t\t\t0\t0\t300\t100\t8\t12\n");
+}
+
+// A plant of three trunks, two of them without anything on them.
+Plant plant_of_three_trunks()
+{
+    auto plant = small_plant();
+    for (double const x : { 7.0, 9.0 }) {
+        plant.axes.push_back({ .first_node = static_cast<NodeId>(plant.node_position_mm.size()),
+                               .first_segment = static_cast<SegmentId>(plant.segment_count()),
+                               .segment_count = 1 });
+        plant.node_position_mm.insert(plant.node_position_mm.end(), { { x, 0, 0 }, { x, 0, 9 } });
+        plant.node_radius_mm.insert(plant.node_radius_mm.end(), { 1.25F, 0.75F });
+        plant.segment_material.push_back(0);
+    }
+    return plant;
+}
+
+TEST(Mtg, WritesOnePlantOfAllTrunks)
+{
+    auto const plant = plant_of_three_trunks();
+    check_plant(plant);
+    auto const text = written(plant);
+    EXPECT_EQ(text.find("\n/P1\n\t/A1\n\t^/S0\t\t\t0\t0\t0\t"), text.find("\n/P"));
+    EXPECT_EQ(text.find("\n/P", text.find("\n/P1") + 1), std::string::npos);
+    EXPECT_NE(text.find("\n\t\t+A2\n\t\t^/S1\t\t50\t"), std::string::npos) << text;
+    EXPECT_NE(text.find("\n\t/A3\n\t^/S0\t\t\t7\t0\t0\t"), std::string::npos) << text;
+    auto const read = parse_mtg("tree.mtg", text);
+    ASSERT_TRUE(read) << read.error().message;
+    check_plant(*read);
+    // Axes are numbered by their order.
+    ASSERT_EQ(read->axes.size(), 4u);
+    for (AxisId i = 0; i < 3; ++i)
+        EXPECT_EQ(read->axes[i].parent_segment, kNone) << i;
+    EXPECT_EQ(read->axes[3].parent_segment, 0u);
+    EXPECT_EQ(read->positions(read->axes[2])[0], Vec3(9, 0, 0));
+    EXPECT_EQ(read->positions(read->axes[3])[1], Vec3(50, 0, 100));
+    EXPECT_EQ(written(*parse_mtg("tree.mtg", written(*read))), written(*read));
+}
+
+// As openalea.mtg's reader does: tabs open and close brackets, ^ goes on from the entity above, and
+// / of the same or a coarser class climbs to the complex. Returns the number of entities that each
+// entity of class P has below it without a parent: its trunks.
+std::vector<int> trunks_as_in_openalea(std::string const& text)
+{
+    std::vector<int> trunks;
+    std::istringstream lines(text.substr(text.find("ENTITY-CODE")));
+    std::string line;
+    std::getline(lines, line);
+    std::vector<std::size_t> indents { 0 };
+    while (std::getline(lines, line)) {
+        auto const indent = line.find_first_not_of('\t');
+        auto const code = line.substr(indent, line.find('\t', indent) - indent);
+        bool const goes_on = code.front() == '^';
+        // openalea refuses a line that is further to the right and begins with ^.
+        EXPECT_FALSE(goes_on && indent > indents.back()) << line;
+        while (indent < indents.back())
+            indents.pop_back();
+        if (indent > indents.back())
+            indents.push_back(indent);
+        auto const entity = code.substr(goes_on ? 1 : 0);
+        if (entity.starts_with("/P"))
+            trunks.push_back(0);
+        if (entity.starts_with("/A")) // An axis with + or < has a parent.
+            ++trunks.back();
+    }
+    return trunks;
+}
+
+TEST(Mtg, HasOnePlantForOtherReaders)
+{
+    EXPECT_EQ(trunks_as_in_openalea(written(small_plant())), std::vector<int> { 1 });
+    EXPECT_EQ(trunks_as_in_openalea(written(plant_of_three_trunks())), std::vector<int> { 3 });
 }
 
 TEST(Mtg, ReadsWhatItWrites)

@@ -5,6 +5,7 @@
 #include "app/options/checks.h"
 #include "app/options/shared_options.h"
 #include "app/terminal/console.h"
+#include "app/terminal/error_text.h"
 #include "engine/base/file.h"
 #include "engine/methods/leaves/derived_outline.h"
 #include "engine/methods/leaves/drawn_leaf.h"
@@ -97,6 +98,19 @@ Result<leaf::LeafDrawing> load_drawing(SketchedLeaf const& arguments)
     return drawing;
 }
 
+// Warns if the grammar's outline is far from the drawn one. The grammar has a midrib from the base
+// to the farthest point and halves whose outline leaves it once, so it cannot have every shape.
+void warn_of_outline(SketchedLeaf const& leaf, double overlap)
+{
+    constexpr double kFaithful = 0.95;
+    if (overlap < kFaithful)
+        terminal::print_warning(fmt::format(
+            "{}: the leaf's outline overlaps the drawn one by {:.0f} %, less than {:.0f} "
+            "%: deep lobes, a stalk in the middle of the blade and leaflets are not "
+            "kept; draw each leaflet as a leaf, or look at the picture",
+            leaf.sketch.string(), 100 * overlap, 100 * kFaithful));
+}
+
 Result<void> write_sketched_leaf(SketchedLeaf const& arguments)
 {
     auto const drawing = TRY(load_drawing(arguments));
@@ -111,7 +125,8 @@ Result<void> write_sketched_leaf(SketchedLeaf const& arguments)
     auto const outline = leaf::derived_outline(fit->leaf);
     if (!outline)
         return about_sketch(arguments, outline.error());
-    double const overlap = leaf::overlap_of(*outline, fit->outline);
+    double const overlap = leaf::overlap_with_drawing(*seen, *fit, *outline);
+    warn_of_outline(arguments, overlap);
     if (arguments.reports)
         return terminal::print_out(report_json(*fit, *seen, overlap).dump(2) + "\n");
     return terminal::print_out(fmt::format("wrote {}: {} mm, veins {}, outline {:.1f} % as drawn\n",

@@ -4,6 +4,7 @@
 #include "app/batch/plant_file.h"
 #include "app/batch/session_plant.h"
 #include "app/document/model_cost.h"
+#include "app/files/resources.h"
 #include "app/methods/self_organising/case_file.h"
 #include "app/methods/self_organising/habit_file.h"
 #include "app/options/checks.h"
@@ -36,12 +37,14 @@ struct BrushArguments {
     fs::path example;
     bool report = false;
     fs::path strokes;
+    std::string from;   // Plant from which the tree grows; empty: from a seed.
     std::string height; // Height for a log that lacks a height sensor's.
     std::string habit = "oak";
     int years = 12;
     std::uint64_t seed = 1;
     std::string radius = "8..40";
-    double scale = 10; // Size of the tree relative to the strokes.
+    double scale = 10;      // Size of the tree relative to the strokes.
+    bool is_scaled = false; // True: the scale was given.
     bool waits = false;
     fs::path output;
     batch::PlantFileOptions file;
@@ -91,9 +94,11 @@ std::vector<int> years_of(std::vector<Stroke> const& strokes, int years)
     return shares;
 }
 
-Result<std::vector<scene::Edit>> edits_of(BrushArguments const& arguments)
+// The strokes that the brush follows; none for a plant that grows on by itself.
+Result<std::vector<Stroke>> strokes_of(BrushArguments const& arguments)
 {
-    auto const habit = TRY(load_habit(arguments.habit));
+    if (arguments.strokes.empty())
+        return std::vector<Stroke> {};
     batch::DrawingOptions options { .log = arguments.strokes, .methods = arguments.methods };
     if (!arguments.height.empty())
         options.height = arguments.height;
@@ -102,51 +107,106 @@ Result<std::vector<scene::Edit>> edits_of(BrushArguments const& arguments)
     if (strokes.empty())
         return fail(Fault::User,
                     fmt::format("{}: there is no stroke in it", arguments.strokes.string()));
+    return strokes;
+}
+
+// The periods of the tree's life: one for each stroke, or one without.
+Result<std::vector<LifePart>> parts_of(BrushArguments const& arguments)
+{
+    auto strokes = TRY(strokes_of(arguments));
+    if (strokes.empty())
+        return std::vector<LifePart> { { .years = arguments.years } };
     // Dereferenced unchecked, as the option parser has checked the range.
     auto const [least_mm, most_mm] = *options::parse_range(arguments.radius);
     auto const years = years_of(strokes, arguments.years);
-    std::vector<scene::Edit> edits;
-    scene::ItemId const plant = 1;
-    for (std::size_t i = 0; i < strokes.size(); ++i) {
-        LifePart part { .years = years[i],
-                        .stroke = std::move(strokes[i]),
-                        .least_radius_mm = least_mm,
-                        .most_radius_mm = most_mm,
-                        .waits_outside = arguments.waits };
-        if (i > 0)
-            edits.emplace_back(GrowOn { plant, std::move(part) });
-        else
-            edits.emplace_back(PlantTree { .habit = habit,
-                                           .seed = arguments.seed,
-                                           .scale = 1 / arguments.scale,
-                                           .first = std::move(part),
-                                           .id = plant });
-    }
+    std::vector<LifePart> parts;
+    for (std::size_t i = 0; i < strokes.size(); ++i)
+        parts.push_back({ .years = years[i],
+                          .stroke = std::move(strokes[i]),
+                          .least_radius_mm = least_mm,
+                          .most_radius_mm = most_mm,
+                          .waits_outside = arguments.waits });
+    return parts;
+}
+
+// Edits that load the plant from which the tree grows. Sets `plant` to its id.
+Result<std::vector<scene::Edit>> beginning_edits(BrushArguments const& arguments,
+                                                 scene::ItemId& plant)
+{
+    auto const path = TRY(files::find_model(arguments.from));
+    auto edits = TRY(batch::growing_plant_edits({ path, arguments.methods.edits },
+                                                { .preset = "as drawn" }, arguments.seed));
+    plant = TRY(batch::growing_plant(path, edits)).state.active;
     return edits;
+}
+
+Result<std::vector<scene::Edit>> edits_of(BrushArguments const& arguments)
+{
+    auto const habit = TRY(load_habit(arguments.habit));
+    auto parts = TRY(parts_of(arguments));
+    scene::ItemId plant = 1;
+    std::vector<scene::Edit> edits;
+    if (arguments.from.empty()) {
+        edits.emplace_back(PlantTree { .habit = habit,
+                                       .seed = arguments.seed,
+                                       .scale = 1 / arguments.scale,
+                                       .first = std::move(parts[0]),
+                                       .id = plant });
+    } else {
+        edits = TRY(beginning_edits(arguments, plant));
+        if (arguments.is_scaled) // Otherwise the plant is as large as the window shows it.
+            edits.emplace_back(scene::SetScale { 1 / arguments.scale });
+        edits.emplace_back(GrowFrom {
+            .plant = plant, .habit = habit, .seed = arguments.seed, .next = std::move(parts[0]) });
+    }
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        edits.emplace_back(GrowOn { plant, std::move(parts[i]) });
+    return edits;
+}
+
+// Number of edits along a stroke.
+std::size_t brushed_count(std::vector<scene::Edit> const& edits)
+{
+    auto const is_brushed = [](scene::Edit const& edit) {
+        if (auto const* const planted = edit.get<PlantTree>())
+            return !planted->first.stroke.tips.empty();
+        if (auto const* const from = edit.get<GrowFrom>())
+            return !from->next.stroke.tips.empty();
+        auto const* const on = edit.get<GrowOn>();
+        return on && !on->next.stroke.tips.empty();
+    };
+    return static_cast<std::size_t>(std::count_if(edits.begin(), edits.end(), is_brushed));
 }
 
 Result<void> brush(BrushArguments const& arguments)
 {
     if (!arguments.example.empty())
         return report_case(arguments);
-    if (arguments.strokes.empty() || arguments.output.empty())
+    bool const has_input = !arguments.strokes.empty() || !arguments.from.empty();
+    if (!has_input || arguments.output.empty())
         return fail(Fault::User,
                     "give the strokes of the brush and, with -o FILE, the file to write");
     TRY(check_writable(arguments.output));
     auto const edits = TRY(edits_of(arguments));
     auto const scene = TRY(scene::apply_edits({}, edits, document::make_load_options()));
-    auto const name = arguments.strokes.stem().string();
+    auto const input = arguments.strokes.empty() ? fs::path(arguments.from) : arguments.strokes;
+    auto const name = input.stem().string();
     if (batch::is_session_file(arguments.output))
         TRY(batch::begin_session(arguments.output, edits, arguments.methods.edits));
     else
         TRY(batch::write_plant_file(*scene.base, name, arguments.output, arguments.file));
     return terminal::print_out(fmt::format("{}: {} strokes, {} internodes, {} leaves\n",
-                                           arguments.output.string(), edits.size(),
+                                           arguments.output.string(), brushed_count(edits),
                                            scene.base->segment_count(), scene.base->organs.size()));
 }
 
 void add_brush_options(CLI::App& command, BrushArguments& arguments)
 {
+    command
+        .add_option("--from", arguments.from,
+                    "In place of a seed, the plant from which the tree grows as it stands: a "
+                    "model, a measured tree, a session; without strokes it grows by itself")
+        ->type_name("PLANT");
     command
         .add_option("--habit", arguments.habit,
                     "The species: one of ours by its English or Latin name, or a .habit file")
@@ -169,10 +229,10 @@ void add_brush_options(CLI::App& command, BrushArguments& arguments)
         ->capture_default_str();
     command
         .add_option("--scale", arguments.scale,
-                    "How many times larger the tree is than the strokes")
+                    "How many times larger the tree is than the strokes; without it, 10, or as the "
+                    "window shows the plant of --from")
         ->type_name("X")
-        ->check(options::number(0.01, 10'000))
-        ->capture_default_str();
+        ->check(options::number(0.01, 10'000));
     command.add_flag("--waits", arguments.waits,
                      "Only what is in the brush grows; without it, wherever it has been");
     options::add_height_option(command, arguments.height);
@@ -213,7 +273,10 @@ void add_brush_command(CLI::App& root, options::Action& action, tools::Methods c
         "it\n"
         "sows markers of free space, for which the tree's buds compete (Runions and others 2007,\n"
         "Longay and others 2012). The first stroke plants a tree, the others lead it on.");
-    command->callback([arguments, &action] { action = [arguments] { return brush(*arguments); }; });
+    command->callback([arguments, command, &action] {
+        arguments->is_scaled = command->count("--scale") > 0;
+        action = [arguments] { return brush(*arguments); };
+    });
 }
 
 } // namespace tractus::self_organising

@@ -43,6 +43,7 @@ struct SilhouetteArguments {
     // Pattern of each level; the last one applies to deeper levels as well.
     std::vector<std::string> patterns;
     std::optional<int> whorl;          // Branches in each whorl.
+    std::optional<int> branches;       // Branches of the trunk in the plane of the drawing.
     std::string style;                 // File of a plant whose style is measured and used.
     CLI::App const* command = nullptr; // The parsed command, which tells which options were given.
     double height_m = 8;
@@ -61,6 +62,10 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
 {
     auto form = arguments.form;
     form.has_whole_nodes = true;
+    if (arguments.branches)
+        form.plane_branches = *arguments.branches;
+    else if (form.plane_branches == 0)
+        form.plane_branches = silhouette::kUsualPlaneBranches;
     std::vector<silhouette::Pattern> given;
     for (auto const& word : arguments.patterns)
         // Dereferenced unchecked, as the option's one_of() check has passed.
@@ -314,6 +319,14 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
                     "How many branches stand at a node where they stand in whorls; 3 without it")
         ->type_name("N")
         ->check(options::whole_number(kLeastWhorl, kMostWhorl));
+    command
+        .add_option(
+            "--branches", arguments.branches,
+            "Branches of the trunk in the drawing's plane where the outline has fewer bumps "
+            "than that, as many as the form has without it; 0: branches in bumps, and in "
+            "gaps until the crown is full")
+        ->type_name("N")
+        ->check(options::whole_number(0, kMostPlaneBranches));
     command
         .add_option("--density", arguments.form.density,
                     "Times as many branches as usual besides those in the drawing's plane")

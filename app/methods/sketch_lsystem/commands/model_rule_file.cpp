@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <string_view>
 #include <utility>
 
 namespace tractus::sketch {
@@ -37,13 +38,22 @@ std::string describe_contract(std::filesystem::path const& model, scene::LoadOpt
     auto edit = io::load_model_edit(model);
     if (!edit)
         return {}; // Returns nothing, as the model's general check has reported the error.
+    auto const name = edit->source.name;
     auto const lacks = sketch::lacks_for_stroke(rule_of_model(*std::move(edit)), options);
     if (lacks.empty())
         return "\nCan be grown along a stroke\n";
-    std::string text = "\nCannot be grown along a stroke\n";
-    for (auto const& lack : lacks)
-        text += fmt::format("  {}\n", lack);
-    return text;
+    // Models that were not written for strokes lack all parts, of which the manual tells.
+    constexpr std::size_t kParts = 5; // A count of segments, three arrays and a turn.
+    if (lacks.size() >= kParts)
+        return "\nCannot be grown along a stroke: it has not the places for it that the manual "
+               "lists (models.md)\n";
+    std::string text;
+    for (std::string_view lack : lacks) {
+        if (lack.starts_with(name + ": "))
+            lack.remove_prefix(name.size() + 2);
+        text += fmt::format("{}{}", text.empty() ? "" : "; ", lack);
+    }
+    return fmt::format("\nCannot be grown along a stroke: {}\n", text);
 }
 
 } // namespace tractus::sketch

@@ -18,7 +18,8 @@ bool names_model(std::filesystem::path const& rule);
 // with a user error if the name does not refer to a model.
 Result<sketch::ModelRule> load_model_rule(std::filesystem::path const& name);
 
-// Lines for `tractus lsystem check` that say whether a model can grow along strokes.
+// A line for `tractus lsystem check`, after an empty one, that says whether a model can grow along
+// strokes.
 std::string describe_contract(std::filesystem::path const& model,
                               scene::LoadOptions const& options);
 

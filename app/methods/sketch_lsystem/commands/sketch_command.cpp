@@ -20,6 +20,7 @@
 #include "engine/base/file.h"
 #include "engine/lsystem/view/leaf_sheet.h"
 #include "engine/methods/sketch_lsystem/drawn_axis.h"
+#include "engine/methods/sketch_lsystem/foot_first.h"
 #include "engine/methods/sketch_lsystem/grow_edit.h"
 #include "engine/methods/sketch_lsystem/stroke_resampler.h"
 #include "engine/scene/scene.h"
@@ -49,6 +50,8 @@ struct SketchArguments {
     fs::path folder;
     std::size_t number = 1; // Number of the stroke in its file, counted from 1.
     std::string surface;    // Empty: chosen by surface_for().
+    // Where the plant stands: at the stroke's "foot", or where it "begins" or "ends".
+    std::string stands = "foot";
     std::string height;     // Height for a log that lacks a height sensor's.
     std::uint64_t seed = 1; // Random seed of a model.
     bool bare = false;
@@ -78,11 +81,38 @@ StrokeSurface surface_for(SketchArguments const& arguments)
     return arguments.surface == "space" ? StrokeSurface::Space : StrokeSurface::Paper;
 }
 
+// The stroke with its foot first, and whether it was turned round for that.
+struct FootFirst {
+    Stroke stroke;
+    StrokeSurface surface;
+    bool is_turned_round;
+};
+Result<FootFirst> stroke_from_foot(SketchArguments const& arguments)
+{
+    auto stroke = TRY(choose_stroke(arguments));
+    auto const surface = decide_surface(stroke.tips, surface_for(arguments));
+    bool const is_turned_round = arguments.stands == "end"
+        || (arguments.stands == "foot"
+            && sketch::runs_to_its_foot(plant_tips(stroke.tips.vector(), surface), {}));
+    if (is_turned_round)
+        stroke = sketch::turned_round(stroke);
+    return FootFirst { std::move(stroke), surface, is_turned_round };
+}
+
+void warn_of_turn(SketchArguments const& arguments, bool is_turned_round)
+{
+    if (is_turned_round && arguments.stands == "foot")
+        terminal::print_warning(
+            fmt::format("{}: the stroke runs from the tip to the foot and is turned round: "
+                        "\"--stands begin\" leaves it as drawn",
+                        arguments.stroke.string()));
+}
+
 Result<sketch::DrawnAxis> draw_axis(SketchArguments const& arguments, sketch::Rule const& rule)
 {
-    auto const stroke = TRY(choose_stroke(arguments));
+    auto const [stroke, surface, is_turned_round] = TRY(stroke_from_foot(arguments));
     auto const& tips = stroke.tips.vector();
-    auto const surface = decide_surface(tips, surface_for(arguments));
+    warn_of_turn(arguments, is_turned_round);
     auto const nodes_mm = sketch::resample_stroke(rule, plant_tips(tips, surface));
     if (nodes_mm.size() < 2)
         return fail(
@@ -153,13 +183,13 @@ void warn_of_cut(sketch::Rule const& rule, sketch::DrawnAxis const& axis)
 Result<sketch::GrowAlongStroke> drawn_edit(SketchArguments const& arguments,
                                            sketch::Rule const& rule)
 {
-    auto stroke = TRY(choose_stroke(arguments));
-    auto const surface = decide_surface(stroke.tips, surface_for(arguments));
+    auto [stroke, surface, is_turned_round] = TRY(stroke_from_foot(arguments));
     return sketch::GrowAlongStroke {
         .rule = rule,
         .stroke = std::move(stroke),
         .surface = surface,
         .leaves = arguments.bare ? sketch::Leaves::Bare : sketch::Leaves::Leafy,
+        .is_turned_round = is_turned_round,
     };
 }
 
@@ -217,6 +247,7 @@ Result<void> write_includes(fs::path const& folder, sketch::ModelRule const& mod
 Result<void> sketch_model(SketchArguments const& arguments, sketch::ModelRule model)
 {
     auto drawn = TRY(drawn_edit(arguments, {}));
+    warn_of_turn(arguments, drawn.is_turned_round);
     drawn.model = std::move(model);
     auto const nodes_mm = TRY(sketch::drawn_nodes_mm(drawn));
     auto const base = arguments.folder / arguments.stroke.stem();
@@ -295,6 +326,30 @@ Result<void> sketch_plant(SketchArguments const& arguments)
     return model.is_set() ? sketch_model(arguments, std::move(model)) : sketch_rule(arguments);
 }
 
+// Adds options that say which stroke is meant and how its plant stands.
+void add_stroke_options(CLI::App& command, SketchArguments& arguments)
+{
+    command.add_option("--stroke", arguments.number, "Which of the strokes in the file")
+        ->type_name("N")
+        ->check(options::whole_number(1, 1'000'000))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--surface", arguments.surface,
+            "Whether the stroke was drawn in \"space\", or on \"paper\" that stands upright; "
+            "without it a recording is on paper if its surface hardly moved")
+        ->type_name("SURFACE")
+        ->check(options::one_of({ "space", "paper" }));
+    command
+        .add_option(
+            "--stands", arguments.stands,
+            "Where the plant stands: where the stroke begins (\"begin\") or ends (\"end\"), "
+            "or at its foot (\"foot\"), so that one that runs down is turned round")
+        ->type_name("WHERE")
+        ->check(options::one_of({ "foot", "begin", "end" }))
+        ->capture_default_str();
+}
+
 void add_options(CLI::App& command, SketchArguments& arguments)
 {
     auto* const stroke
@@ -326,17 +381,7 @@ void add_options(CLI::App& command, SketchArguments& arguments)
             stroke->required(false);
             output->required(false);
         });
-    command.add_option("--stroke", arguments.number, "Which of the strokes in the file")
-        ->type_name("N")
-        ->check(options::whole_number(1, 1'000'000))
-        ->capture_default_str();
-    command
-        .add_option(
-            "--surface", arguments.surface,
-            "Whether the stroke was drawn in \"space\", or on \"paper\" that stands upright; "
-            "without it a recording is on paper if its surface hardly moved")
-        ->type_name("SURFACE")
-        ->check(options::one_of({ "space", "paper" }));
+    add_stroke_options(command, arguments);
     options::add_height_option(command, arguments.height);
     command
         .add_option("--seed", arguments.seed,

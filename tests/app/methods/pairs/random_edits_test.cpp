@@ -56,7 +56,7 @@ std::string exported_again(document::Document& document, std::size_t steps)
 
 TEST_F(RandomEdits, OfAllMethodsAreUndoneAndDoneAgain)
 {
-    constexpr std::size_t kSteps = 1000;
+    constexpr std::size_t kSteps = 1200; // Twenty for each tool.
     // Number of tools that random drawing rarely uses successfully.
     constexpr std::ptrdiff_t kMostRefused = 2;
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);

@@ -1,12 +1,20 @@
 #include "app/methods/self_organising/growth_brush_tool.h"
 
+#include "app/methods/fill_crown_tool.h"
 #include "app/methods/self_organising/habit_text.h"
+#include "app/methods/self_organising/prune_tool.h"
 #include "app/tools/stroke_previewer.h"
+#include "engine/methods/self_organising/stand.h"
+#include "engine/methods/silhouettes/tree_edits.h"
 #include "engine/scene/scene.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace tractus::self_organising {
@@ -120,6 +128,193 @@ TEST(GrowthBrushTool, PreviewsTheTreeThatTheStrokeLeaves)
     Vec3 const shown_mm
         = scene->placement.world_of_plant(lines.front().points_mm.back().cast<double>());
     EXPECT_LT((tip_mm - shown_mm).norm(), 0.05);
+}
+
+template<typename T>
+scene::Scene drawn_with(scene::Scene scene, T const& tool, Stroke const& stroke = {})
+{
+    auto const edits = tools::Tool(tool).mean(stroke, scene);
+    EXPECT_TRUE(edits) << (edits ? "" : edits.error().message);
+    if (!edits)
+        return scene;
+    auto after = scene::apply_edits(std::move(scene), *edits);
+    EXPECT_TRUE(after) << (after ? "" : after.error().message);
+    return after ? *std::move(after) : scene::Scene {};
+}
+
+template<typename T>
+std::string refusal_of(T const& tool, scene::Scene const& scene, Stroke const& stroke = {})
+{
+    auto const edits = tools::Tool(tool).mean(stroke, scene);
+    return edits ? std::string() : edits.error().message;
+}
+
+scene::Scene model_plant()
+{
+    return scene::apply_edit(
+               {},
+               scene::LoadModel { .source = { .text = "#define STEPS 1\n"
+                                                      "Lsystem: 1\nderivation length: 1\n"
+                                                      "Axiom: !(60)F(700)[+(50)F(600)]F(700)"
+                                                      "[-(50)F(500)]F(600)\n"
+                                                      "endlsystem\n" } })
+        .value();
+}
+
+TEST(GrowthBrushTool, GrowsFromAnyPlantAsItStands)
+{
+    auto const before = model_plant();
+    auto const year = drawn(before, { .what = GrowthBrushTool::What::FromYear });
+    ASSERT_EQ(year.plants.size(), 1U);
+    EXPECT_EQ(years_of(year), 1);
+    EXPECT_GT(year.base->segment_count(), before.base->segment_count());
+    Vec3 const tip_mm
+        = before.placement.world_of_plant(before.base->positions(before.base->axes[0]).back());
+    auto const brushed
+        = drawn(before, { .what = GrowthBrushTool::What::From }, drawn_stroke(tip_mm, 3));
+    ASSERT_EQ(brushed.plants.size(), 1U);
+    EXPECT_EQ(years_of(brushed), 12);
+    EXPECT_GT(bounds(*brushed.base).max_mm.z(), bounds(*before.base).max_mm.z());
+    // What is a tree already goes on as it would have.
+    auto const again = drawn(year, { .what = GrowthBrushTool::What::FromYear });
+    EXPECT_EQ(grown_tree_of(again.drawn->source)->life.size(), 2U);
+    EXPECT_NE(refusal_of(GrowthBrushTool { .what = GrowthBrushTool::What::From }, {},
+                         drawn_stroke({ 0, 0, 0 }))
+                  .find("draw or open one"),
+              std::string::npos);
+}
+
+TEST(GrowthBrushTool, PreviewsGrowthFromAnyPlant)
+{
+    auto const scene = std::make_shared<scene::Scene const>(model_plant());
+    Vec3 const tip_mm
+        = scene->placement.world_of_plant(scene->base->positions(scene->base->axes[0]).back());
+    auto const stroke = drawn_stroke(tip_mm, 2);
+    GrowthBrushTool const options { .what = GrowthBrushTool::What::From };
+    tools::Tool const tool(options);
+    auto const lines = growth_brush_previewer()->show(
+        { .scene = scene, .tool = tool, .ink = stroke.tips.vector() });
+    EXPECT_EQ(lines.size(), drawn(*scene, options, stroke).base->axes.size());
+}
+
+TEST(GrowthBrushTool, GrowsAllTreesBesideEachOther)
+{
+    auto scene = drawn({}, { .what = GrowthBrushTool::What::New }, drawn_stroke({ 0, 0, 0 }, 1));
+    scene = drawn(scene, { .what = GrowthBrushTool::What::New }, drawn_stroke({ 60, 0, 0 }, 1));
+    auto const later = drawn(scene, { .what = GrowthBrushTool::What::AllTenYears });
+    ASSERT_EQ(later.plants.size(), 2U);
+    for (auto const& plant : later.plants) {
+        auto const* const tree = grown_tree_of(plant->drawn->source);
+        ASSERT_TRUE(tree);
+        EXPECT_EQ(tree->life.back().years, 10);
+        EXPECT_EQ(tree->life.back().stand->place().members.size(), 2U);
+    }
+}
+
+TEST(PruneTool, CutsTheActiveTree)
+{
+    auto const tree = drawn({}, { .what = GrowthBrushTool::What::TenYears });
+    auto const top = bounds(*tree.base).max_mm;
+    Vec3 const at_mm = tree.placement.world_of_plant({ 0, 0, 0.6 * top.z() });
+    auto const across = drawn_stroke(at_mm - Vec3(60, 0, 0), 1, 120);
+    auto const pruned
+        = drawn_with(tree, PruneTool { .least_radius_mm = 10, .most_radius_mm = 40 }, across);
+    EXPECT_LT(pruned.base->segment_count(), tree.base->segment_count());
+    auto const grown = drawn(pruned, { .what = GrowthBrushTool::What::Year });
+    EXPECT_GT(grown.base->segment_count(), pruned.base->segment_count());
+    EXPECT_NE(
+        refusal_of(PruneTool {}, tree, drawn_stroke({ 900, 900, 0 })).find("touched no branch"),
+        std::string::npos);
+    EXPECT_NE(refusal_of(PruneTool {}, model_plant(), across).find("From any plant"),
+              std::string::npos);
+    EXPECT_NE(refusal_of(PruneTool { .what = PruneTool::What::Clear }, tree, across)
+                  .find("no brush has swept"),
+              std::string::npos);
+}
+
+TEST(PruneTool, ClearsSpaceOfTheBrush)
+{
+    auto const tree = drawn({}, {}, drawn_stroke({ 0, 0, 0 }, 5, 0));
+    auto const cleared = drawn_with(
+        tree,
+        PruneTool { .what = PruneTool::What::Clear, .least_radius_mm = 40, .most_radius_mm = 40 },
+        drawn_stroke({ 0, 0, 70 }, 1, 0));
+    EXPECT_LT(bounds(*cleared.base).max_mm.z(), 0.9 * bounds(*tree.base).max_mm.z());
+    auto const other = drawn(
+        cleared,
+        { .species = GrowthBrushTool::Species::Birch, .what = GrowthBrushTool::What::Habit });
+    EXPECT_LT(bounds(*other.base).max_mm.z(), 0.9 * bounds(*tree.base).max_mm.z());
+}
+
+TEST(PruneTool, IsWhatTheOtherEndOfThePenDoes)
+{
+    EXPECT_EQ(GrowthBrushTool::kKind.other_end.kind, &PruneTool::kKind);
+}
+
+// Returns a tree drawn by a trunk and a round outline, with one drawn branch.
+scene::Scene outlined_tree()
+{
+    auto const flat = [](std::vector<Vec2> const& points) {
+        std::vector<TipSample> tips;
+        for (auto const& point : points)
+            tips.push_back({ .position_mm = Vec3(point.x(), point.y(), 140), .touching = true });
+        return Stroke { std::move(tips) };
+    };
+    std::vector<Vec2> circle;
+    for (int i = 0; i <= 120; ++i) {
+        double const angle = -kPi / 2 + 2 * kPi * i / 120;
+        circle.emplace_back(40 * std::cos(angle), 40 * std::sin(angle));
+    }
+    using silhouette::DrawTree;
+    auto scene = scene::apply_edit(
+                     {},
+                     DrawTree { .part = DrawTree::Part::Trunk,
+                                .stroke = flat({ { 0, -80 }, { 0, -40 }, { 0, 0 }, { 0, 20 } }),
+                                .scale = 0.02 })
+                     .value();
+    auto const id = scene.state.active;
+    scene = scene::apply_edit(scene, DrawTree { .stroke = flat(circle), .plant = id }).value();
+    return scene::apply_edit(
+               scene,
+               DrawTree { .part = DrawTree::Part::Branch,
+                          .stroke = flat({ { 0, -20 }, { 10, -10 }, { 20, 0 }, { 30, 5 } }),
+                          .plant = id })
+        .value();
+}
+
+TEST(FillCrownTool, FillsAnOutlinedCrown)
+{
+    auto const before = outlined_tree();
+    auto const after = drawn_with(before, methods::FillCrownTool {});
+    ASSERT_EQ(after.plants.size(), 1U);
+    auto const* const tree = grown_tree_of(after.drawn->source);
+    ASSERT_TRUE(tree);
+    EXPECT_EQ(tree->start->kept_axes.size(), 2U) << "the trunk and the branch that was drawn";
+    // In plant millimetres the crown is a ball of radius 2000 at a height of 4000.
+    Vec3 const middle(0, 0, 4000);
+    std::array<int, 8> in_octant {};
+    int outside = 0;
+    for (auto const& node : after.base->node_position_mm) {
+        if (node.z() < 2000)
+            continue; // The trunk below the crown.
+        Vec3 const at = node - middle;
+        outside += at.norm() > 2000 * 1.12 ? 1 : 0;
+        if (at.norm() > 1000)
+            ++in_octant[(at.x() > 0 ? 1U : 0U) + (at.y() > 0 ? 2U : 0U) + (at.z() > 0 ? 4U : 0U)];
+    }
+    EXPECT_EQ(outside, 0);
+    for (auto const count : in_octant)
+        EXPECT_GT(count, 100) << "all of the crown is filled";
+    for (auto const& node : after.base->node_position_mm)
+        if (node.z() < 1900)
+            EXPECT_LT(node.head<2>().norm(), 300) << "nothing grows below the crown";
+}
+
+TEST(FillCrownTool, NeedsAnOutline)
+{
+    EXPECT_NE(refusal_of(methods::FillCrownTool {}, model_plant()).find("drawn by its outline"),
+              std::string::npos);
+    EXPECT_NE(refusal_of(methods::FillCrownTool {}, {}), "");
 }
 
 TEST(GrowthBrushTool, SaysWhatItCannotGrow)

@@ -149,9 +149,8 @@ TEST(GrowCommand, ReportsATreeOfAHabit)
         commands::run({ "grow", "--habit", "birch", "--years", "12", "--report", "--seed", "2" })
             .out,
         outcome.out);
-    EXPECT_NE(commands::run({ "grow", "--report" }).err.find("either a model or"),
-              std::string::npos);
-    EXPECT_EQ(commands::run({ "grow", "broadleaf", "--habit", "oak", "--report" }).exit_code, 2);
+    EXPECT_NE(commands::run({ "grow", "--report" }).err.find("give a model or"), std::string::npos);
+    EXPECT_EQ(commands::run({ "grow", "oak.mtg", "--habit", "oak", "--report" }).exit_code, 1);
     EXPECT_EQ(commands::run({ "grow", "--habit", "oak", "--years", "0", "--report" }).exit_code, 2);
 }
 

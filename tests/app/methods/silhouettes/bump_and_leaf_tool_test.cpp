@@ -47,8 +47,10 @@ TEST(OutlineTool, SplitsAndJoinsBumps)
     auto const before = bumps_of_crown(scene());
     auto const nodes = scene().base->node_position_mm;
     for (auto const& [what, more, place, words] :
-         { std::tuple(What::Split, 1, Vec2(22, 32), "split of_any siblings closely whole_nodes"),
-           std::tuple(What::Join, -1, Vec2(30, 10), "join of_any siblings closely whole_nodes") }) {
+         { std::tuple(What::Split, 1, Vec2(22, 32),
+                      "split of_any siblings closely whole_nodes fills_by_spacing"),
+           std::tuple(What::Join, -1, Vec2(30, 10),
+                      "join of_any siblings closely whole_nodes fills_by_spacing") }) {
         auto const tool = with_what(what);
         EXPECT_EQ(tools::words_for(tool).arguments, words);
         EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, "outline", words).value(), tool);
@@ -102,7 +104,8 @@ TEST(OutlineTool, WritesTouchesInSessions)
 TEST(OutlineTool, DeclaresOutlinesLeaves)
 {
     tools::Tool const leaf = with_what(OutlineTool::What::Leaf);
-    EXPECT_EQ(tools::words_for(leaf).arguments, "leaf of_any siblings closely whole_nodes");
+    EXPECT_EQ(tools::words_for(leaf).arguments,
+              "leaf of_any siblings closely whole_nodes fills_by_spacing");
     document::Document document({}, document::Document::Working::AtOnce);
     for (auto const& stroke : { trunk_at(0), crown_around(0, 10) })
         document.draw({ stroke, OutlineTool {} });

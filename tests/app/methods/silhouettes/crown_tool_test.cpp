@@ -78,11 +78,12 @@ double reach(scene::Scene const& scene, int axis)
 
 TEST(CrownTool, SaysItsWordsInLogs)
 {
-    EXPECT_EQ(tools::words_for(CrownTool {}).arguments, "whole_nodes");
-    CrownTool const of_old_logs { .nodes = NodesOption::AsAtFirst };
+    EXPECT_EQ(tools::words_for(CrownTool {}).arguments, "whole_nodes fills_by_spacing");
+    CrownTool const of_old_logs { .nodes = NodesOption::AsAtFirst,
+                                  .fills = FillsOption::AsAtFirst };
     EXPECT_EQ(tools::words_for(of_old_logs).arguments, "");
     auto const words = tools::words_for(CrownTool { CrownTool::What::New });
-    EXPECT_EQ(words.name + " " + words.arguments, "crown_line new whole_nodes");
+    EXPECT_EQ(words.name + " " + words.arguments, "crown_line new whole_nodes fills_by_spacing");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(CrownTool { CrownTool::What::New }));
 }
@@ -208,7 +209,7 @@ TEST(CrownTool, ReplaysToTheSameTree)
     auto log = recorded_log(hand);
     for (auto& tool : log.tools) {
         tool.tool = "crown_line";
-        tool.arguments = "";
+        tool.arguments = "whole_nodes fills_by_spacing";
     }
     auto const replay = replayed(log, {}, scene::Scene {});
     ASSERT_EQ(replay.strokes.size(), 3U);

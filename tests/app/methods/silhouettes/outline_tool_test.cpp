@@ -9,6 +9,7 @@
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_layer.h"
 #include "app/methods/silhouettes/outline_previewer.h"
+#include "app/methods/sketch_lsystem/sketch_tool.h"
 #include "app/session/edit_record.h"
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/draw_tool.h"
@@ -30,7 +31,7 @@ TEST(OutlineTool, SaysItsNumbersInLogs)
     OutlineTool const tool { .levels = 1, .leaves = 8, .what = OutlineTool::What::New };
     auto const words = tools::words_for(tool);
     EXPECT_EQ(words.name + " " + words.arguments,
-              "outline levels=1 leaves=8 new of_any siblings closely whole_nodes");
+              "outline levels=1 leaves=8 new of_any siblings closely whole_nodes fills_by_spacing");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(tool));
 }
@@ -57,7 +58,8 @@ OutlineTool tool_of_old_logs()
     return { .branches = OutlineTool::Branches::OfTrunk,
              .style = silhouette::StyleTo::None,
              .reads = OutlineTool::Reads::AsAtFirst,
-             .nodes = NodesOption::AsAtFirst };
+             .nodes = NodesOption::AsAtFirst,
+             .fills = FillsOption::AsAtFirst };
 }
 
 TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
@@ -70,17 +72,22 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     EXPECT_EQ(of_branches,
               tools::Tool(OutlineTool { .branches = OutlineTool::Branches::OfNearest,
                                         .reads = OutlineTool::Reads::AsAtFirst,
-                                        .nodes = NodesOption::AsAtFirst }));
+                                        .nodes = NodesOption::AsAtFirst,
+                                        .fills = FillsOption::AsAtFirst }));
     auto const tree = crowned();
     auto const line = line_from_branch(*silhouette::outlined_tree(*tree.drawn));
     EXPECT_EQ(meant(line, tree, *of_branches.get<OutlineTool>()).search,
               silhouette::Search::OnTrunk);
-    // Only these kinds have other defaults than logs without arguments: crowns with complete nodes,
-    // construction lines with depths that are read together, strokes laid by heading.
+    // Only these kinds have other defaults than logs without arguments: crowns with complete nodes
+    // that are filled by spacing, plants that stand at a stroke's foot, construction lines with
+    // depths that are read together, strokes laid by heading.
     constexpr auto kLeastTwist = variation::StrokeLaying::LeastTwist;
     for (auto const* const kind : tools) {
         auto const begun = kind == &OutlineTool::kKind ? tools::Tool(tool_of_old_logs())
-            : kind == &CrownTool::kKind ? tools::Tool(CrownTool { .nodes = NodesOption::AsAtFirst })
+            : kind == &CrownTool::kKind                ? tools::Tool(
+                                 CrownTool { .nodes = NodesOption::AsAtFirst, .fills = FillsOption::AsAtFirst })
+            : kind == &sketch::SketchTool::kKind
+            ? tools::Tool(sketch::SketchTool { .stands = sketch::SketchTool::Stands::AsDrawn })
             : kind == &lines::LineTool::kKind ? tools::Tool(lines::LineTool {
                   .depth_by = lines::DepthBy::StemsHeight, .reading = lines::Reading::OneByOne })
             : kind == &tools::DrawTool::kKind
@@ -227,7 +234,7 @@ TEST(OutlineTool, CarriesAStyle)
         document.draw({ stroke, OutlineTool { .style = silhouette::StyleTo::None } });
     OutlineTool const carrying { .what = OutlineTool::What::Carry };
     auto const words = tools::words_for(carrying);
-    EXPECT_EQ(words.arguments, "carry of_any siblings closely whole_nodes");
+    EXPECT_EQ(words.arguments, "carry of_any siblings closely whole_nodes fills_by_spacing");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(carrying));
     auto const tree = [&] { return *silhouette::outlined_tree(*document.newest()->scene.drawn); };
@@ -440,7 +447,24 @@ TEST(ArrangeTool, KeepsNodesAsTheyWereWhenTheTreeWasDrawn)
         auto const& form = outlined_tree(*document.newest()->scene.drawn)->form;
         EXPECT_EQ(form.has_whole_nodes, is_whole) << words;
         EXPECT_EQ(form.patterns[0], Pattern(Pattern::Whorls));
+        EXPECT_EQ(form.plane_branches, 0) << words; // Neither log has the option of later trees.
     }
+}
+
+TEST(OutlineTool, FillsOutlinesBySpacingUnlessALogIsOlder)
+{
+    auto const tools = methods::all_methods().tools;
+    auto const form_by = [&](tools::Tool const& tool) {
+        document::Document document({}, document::Document::Working::AtOnce);
+        document.draw({ trunk_at(0), tool });
+        return outlined_tree(*document.newest()->scene.drawn)->form;
+    };
+    EXPECT_EQ(form_by(OutlineTool {}).plane_branches, kUsualPlaneBranches);
+    EXPECT_EQ(form_by(OutlineTool { .form = OutlineTool::Form::Poplar }).base_angle_deg, 35);
+    auto const older
+        = form_by(tools::parse_tool(tools, "outline", "poplar closely whole_nodes").value());
+    EXPECT_EQ(older.plane_branches, 0);
+    EXPECT_EQ(older.base_angle_deg, 0);
 }
 
 // A branch must be erased before the trunk that bears it, and the outline last, which leaves a bare
@@ -548,7 +572,7 @@ TEST(OutlineLayer, ShowsWhatWasSeenInTheOutline)
     EXPECT_FALSE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::Always }));
     EXPECT_TRUE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::WithTriangles }));
     EXPECT_EQ(tools::words_for(OutlineTool { .seen = Seen::Always }).arguments,
-              "of_any siblings closely seen_stays whole_nodes");
+              "of_any siblings closely seen_stays whole_nodes fills_by_spacing");
 }
 
 } // namespace

@@ -30,7 +30,7 @@ TEST(SketchTool, SaysItsRuleInLogs)
 {
     SketchTool tool { .laterals = 3, .angle_deg = 60, .leaves = sketch::Leaves::Bare };
     auto const words = tools::words_for(tool);
-    EXPECT_EQ(words.name + " " + words.arguments, "sketch laterals=3 angle=60 bare");
+    EXPECT_EQ(words.name + " " + words.arguments, "sketch laterals=3 angle=60 bare at_foot");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(tool));
 }
@@ -46,11 +46,11 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
     ASSERT_EQ(chosen.size(), 17u);
     chosen.resize(9); // The others are models, and the active plant's rule.
     EXPECT_EQ(tools::words_for(chosen[1]).arguments,
-              "whorls laterals=4 angle=75 first=28 ratio=0.88");
+              "whorls laterals=4 angle=75 first=28 ratio=0.88 at_foot");
     EXPECT_EQ(tools::words_for(chosen[5]).arguments,
-              "fern angle=55 first=13 ratio=0.96 lateral=0.7");
+              "fern angle=55 first=13 ratio=0.96 lateral=0.7 at_foot");
     EXPECT_EQ(tools::words_for(chosen[8]).arguments,
-              "compound_leaf first=60 ratio=0.5 lateral=0.5 as_axis width=0.6");
+              "compound_leaf first=60 ratio=0.5 lateral=0.5 as_axis width=0.6 at_foot");
     std::vector<double> const twists_deg { 90, 45, 36, 90, 30, 0, 137.5, 180.0 / 7, 0 };
     for (auto const& tool : chosen) {
         auto const words = tools::words_for(tool);
@@ -469,7 +469,7 @@ TEST(SketchTool, LetsLateralsGoOnByARuleOfTheirOwn)
     options.go_on_by = SketchTool::Laterals::Fern;
     tools::Tool const tool = options;
     auto const words = tools::words_for(tool);
-    EXPECT_EQ(words.name + " " + words.arguments, "sketch by_fern bare");
+    EXPECT_EQ(words.name + " " + words.arguments, "sketch by_fern bare at_foot");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tool);
     auto const forks = scene::apply_edits({},

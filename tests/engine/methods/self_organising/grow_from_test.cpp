@@ -67,6 +67,19 @@ TEST(GrowFrom, MakesWoodOfAPlantOfAnotherKind)
     EXPECT_FALSE(after.base->organs.empty());
 }
 
+TEST(GrowFrom, KeepsWhatStoodThereInItsOwnShade)
+{
+    auto habit = habit_of_test();
+    habit.shed_below = 0.3;
+    habit.shed_below_old = 0.3;
+    habit.shade = 1;
+    auto const before = folded({ measured_plant() });
+    auto const after
+        = folded({ measured_plant(), GrowFrom { before.state.active, habit, 3, { .years = 1 } } });
+    for (auto const& node : before.base->node_position_mm)
+        EXPECT_LT(distance_to(*after.base, node), 1e-6);
+}
+
 TEST(GrowFrom, KeepsAtLeastTheWidthOfTheWood)
 {
     auto const before = folded({ measured_plant() });

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/tools/tool.h"
+
+namespace tractus::self_organising {
+
+// Prunes the active self-organising tree with a spherical brush, or takes back space that the
+// growth brush has swept. It is also what the other end of the growth brush's pen does.
+struct PruneTool {
+    static tools::ToolKind const kKind;
+
+    enum class What { Prune, Clear } what = What::Prune;
+    double least_radius_mm = 2; // Radius of the brush on the desk at no pressure.
+    double most_radius_mm = 8;  // Radius of the brush on the desk at full pressure.
+};
+
+} // namespace tractus::self_organising

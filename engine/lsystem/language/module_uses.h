@@ -1,0 +1,73 @@
+#pragma once
+
+#include "engine/lsystem/text/source_text.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tractus::lsystem {
+
+// The letters that a model's axioms and rules use, collected while they are parsed, for warnings of
+// letters that have no effect. Most of these come from another notation: the ' and $ of "The
+// Algorithmic Beauty of Plants" (ABoP), or names of several letters, which are read letter by
+// letter here. Positions are indices into the preprocessed text.
+class ModuleUses {
+public:
+    // Begins an axiom or a successor.
+    void begin_string();
+    // Adds the next module of the axiom or successor.
+    void add(char symbol, std::size_t position, bool has_parameters);
+    void end_string();
+
+    // Adds a letter that needs no effect of its own: some rule replaces it or has it as its
+    // context, a list of ignored or considered letters names it, or it is the whole successor of a
+    // rule, the state in which a module rests.
+    void add_known(char symbol) { known_[index(symbol)] = true; }
+    // Notes that a rule has a context. Any letter then has an effect where it stands between
+    // others.
+    void add_context() { has_contexts_ = true; }
+    // Adds a strict predecessor of `module_count` modules, as written at `position`.
+    void add_predecessor(std::string_view written, std::size_t module_count, std::size_t position);
+
+    // Describes, each with its place, what has no effect: names of several letters, then single
+    // letters in the order of the text. Lists that are longer than kMaxTold end in a count.
+    std::vector<std::string> warnings(SourceText const& source) const;
+
+    static constexpr std::size_t kMaxTold = 4;
+
+private:
+    struct Use {
+        char symbol = 0;
+        std::size_t position = 0;
+        bool has_parameters = false;
+    };
+    struct Name {
+        std::string letters;
+        std::size_t position = 0;
+        bool is_predecessor = false;
+    };
+
+    static std::size_t index(char symbol) { return static_cast<unsigned char>(symbol); }
+    bool belongs_to_symbol_before(char symbol, bool has_parameters);
+    void add_run(std::size_t begin, std::size_t end);
+    void add_name(std::string letters, std::size_t position, bool is_predecessor);
+    bool is_known(char symbol) const;
+    bool is_whole_known(Name const& name) const;
+    char free_letter(std::string_view name) const;
+    std::string describe_name(Name const& name) const;
+
+    std::vector<Use> string_; // The axiom or successor being parsed, without names of organs etc.
+    std::string prefix_;      // The @, @D, ~ or ? before the next module.
+    bool has_contexts_ = false;
+    bool calls_systems_ = false; // True if a ?(...) calls a sub-L-system, which a $ ends.
+    std::array<bool, 256> known_ {};
+    std::array<bool, 256> used_ {};
+    std::array<std::optional<std::size_t>, 256> first_ {}; // Position of the first use.
+    std::vector<Name> names_;
+};
+
+} // namespace tractus::lsystem

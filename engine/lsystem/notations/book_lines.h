@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tractus::lsystem {
+
+// Parts of models as books print them; read_book_model() describes the notation. Each function
+// takes a line without its end.
+
+// A production as written, without its label: left < strict > right : condition -> successor, with
+// a probability at the arrow, or behind a colon as in cpfg.
+struct BookProduction {
+    std::string_view predecessor;
+    std::string_view condition;
+    std::string_view successor;
+    std::string_view probability;
+};
+std::optional<BookProduction> book_production(std::string_view line);
+
+// The modules of an axiom, behind "ω:", "w:", "omega:" or "axiom:".
+std::optional<std::string_view> book_axiom(std::string_view line);
+
+// "n=5, δ=22.5°": the numbers as written, empty if not given.
+struct BookFigure {
+    std::string steps;
+    std::string angle;
+};
+std::optional<BookFigure> book_figure(std::string_view line);
+
+// True for statements of cpfg other than an axiom, and for directives.
+bool is_cpfg_statement(std::string_view line);
+bool begins_with_word(std::string_view line, std::string_view lower_case_word);
+
+// The line without a comment that // begins.
+std::string_view book_without_comment(std::string_view line);
+// The text with /* */ comments as blanks; lines stay lines.
+std::string without_block_comments(std::string_view text);
+
+// Modules and conditions in cpfg's notation.
+std::string book_modules(std::string_view text);
+std::string book_condition(std::string_view text);
+
+} // namespace tractus::lsystem

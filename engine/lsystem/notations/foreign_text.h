@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tractus::lsystem {
+
+// Languages of L-systems other than cpfg's.
+enum class Notation : std::uint8_t { LPy, LPlusC, GroImp, Houdini, LParser, Fractint, JsonText };
+
+struct ForeignText {
+    Notation notation = Notation::LPy;
+    std::string_view name;  // As its users know it: "L-Py (Python)".
+    std::uint32_t line = 1; // Line that shows it, from 1.
+    std::string sign;       // What stands there, for a message.
+};
+
+// Recognises a model in another program's language by statements that only that language has.
+// Empty for models in cpfg's language, and for texts that are none of these.
+std::optional<ForeignText> find_foreign_notation(std::string_view text);
+
+// Says in one sentence, beginning with the place, which language this is and what to do.
+std::string describe_foreign_text(std::string_view file, ForeignText const& foreign);
+
+} // namespace tractus::lsystem

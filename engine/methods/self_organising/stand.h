@@ -1,0 +1,53 @@
+#pragma once
+
+#include "engine/methods/self_organising/brush.h"
+#include "engine/methods/self_organising/grown_tree.h"
+#include "engine/scene/document_state.h"
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace tractus::self_organising {
+
+// Trees that grow beside each other for some years and shade each other. In each year every tree
+// sees the others' buds as they were at the year's beginning, so the trees' order does not matter.
+// A neighbour's bud shades as one of the tree's own does. Other plants of the document shade, too,
+// but do not grow: each cell of the tree's light grid that holds their wood counts as one bud.
+// Immutable but for a cache; thread-safe.
+class Stand {
+public:
+    struct Member {
+        GrownTree tree {};                // The tree's life before these years.
+        Vec3 stands_at_mm = Vec3::Zero(); // Position of its base, world frame.
+    };
+    struct Place {
+        std::vector<Member> members {};
+        // Plants that shade the members but are none; not null.
+        std::vector<std::shared_ptr<scene::PlantState const>> others {};
+        double scale = 0.1; // World millimetres per plant millimetre.
+        int years = 1;
+    };
+
+    explicit Stand(Place place);
+
+    Place const& place() const { return place_; }
+
+    // Grows all members and returns one of them. `on_year` gets that tree at its beginning and
+    // after each year. Fails like grow_tree(), and if another plant cannot be built.
+    Result<GrowingTree> grow_member(std::size_t number, scene::LoadOptions const& options,
+                                    OnYear const& on_year = {}) const;
+
+private:
+    Result<std::vector<GrowingTree>> grow(std::size_t watched, scene::LoadOptions const& options,
+                                          OnYear const& on_year) const;
+
+    Place place_;
+    // Members that were grown for another one and have not been asked for yet: a document builds
+    // all of its trees, and so grows them only once.
+    mutable std::mutex mutex_;
+    mutable std::vector<std::unique_ptr<GrowingTree>> waiting_;
+};
+
+} // namespace tractus::self_organising

@@ -1,0 +1,37 @@
+#include "engine/methods/sketch_lsystem/foot_first.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace tractus::sketch {
+
+bool runs_to_its_foot(std::span<Vec3 const> tips_mm, std::optional<double> ground_mm)
+{
+    constexpr double kDown = 0.7; // Least descent as a share of the way from the first to the last.
+    constexpr double kAbove = 0.1; // Tolerance for points below the end, as a share of the descent.
+    constexpr double kGround = 0.3; // Greatest height of the end, as a share of the descent.
+    if (tips_mm.size() < 2)
+        return false;
+    Vec3 const way_mm = tips_mm.back() - tips_mm.front();
+    double const descent_mm = -way_mm.z();
+    if (!(descent_mm > 0) || descent_mm < kDown * way_mm.norm())
+        return false;
+    double const end_mm = tips_mm.back().z();
+    if (ground_mm && end_mm > *ground_mm + kGround * descent_mm)
+        return false;
+    return std::all_of(tips_mm.begin(), tips_mm.end(), [&](Vec3 const& tip_mm) {
+        return tip_mm.z() >= end_mm - kAbove * descent_mm;
+    });
+}
+
+Stroke turned_round(Stroke const& stroke)
+{
+    std::vector<TipSample> tips(stroke.tips.begin(), stroke.tips.end());
+    std::reverse(tips.begin(), tips.end());
+    for (std::size_t i = 0; i < tips.size() / 2; ++i)
+        std::swap(tips[i].time, tips[tips.size() - 1 - i].time);
+    return { std::move(tips) };
+}
+
+} // namespace tractus::sketch

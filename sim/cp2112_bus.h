@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace tractus::sim {
+
+// A chip on an I²C bus.
+struct I2cChip {
+    std::uint8_t address = 0; // Its address of seven bits.
+    std::function<void(std::span<std::byte const> bytes)> write {};
+    // Returns `size` bytes.
+    std::function<std::vector<std::byte>(std::size_t size)> read {};
+};
+
+// The I²C half of a CP2112 (application note AN495, section 4): output reports start transfers and
+// ask for their results. Each transfer is complete at once; one to an address without a chip ends
+// with "not acknowledged". One chip; no clock and no randomness.
+class Cp2112Bus {
+public:
+    explicit Cp2112Bus(I2cChip chip);
+
+    // Processes an output report, which begins with its id. Returns the input report that answers
+    // it; empty if there is none. Unknown and incomplete reports are ignored.
+    std::vector<std::byte> output(std::span<std::byte const> report);
+
+    // Appends the reports to a report descriptor whose vendor-defined collection is open.
+    static void append_reports(std::vector<std::byte>& descriptor);
+
+private:
+    void start_write(std::span<std::byte const> bytes, std::uint8_t address);
+    void start_read(std::size_t size, std::uint8_t address);
+    std::vector<std::byte> status() const;
+    std::vector<std::byte> next_data();
+
+    I2cChip chip_;
+    bool has_started_ = false; // There has been a transfer.
+    bool is_acknowledged_ = false;
+    std::size_t transferred_ = 0;
+    std::vector<std::byte> unread_ {}; // Bytes of the last read that the host has not fetched.
+};
+
+} // namespace tractus::sim
