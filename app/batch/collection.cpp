@@ -120,6 +120,7 @@ Result<CollectionReport> Collection::run()
     if (options_.growth.along_ground)
         grower.keep_above_ground();
     grower.reseed(options_.individuality.seeds);
+    grower.make_individuals(options_.individuality);
     TRY(compare(grower));
     auto how = options_.individuality;
     how.turn = 0; // Plants are turned where they stand.
@@ -164,8 +165,8 @@ Result<scene::Scene> Collection::load()
     return std::move(drawing.scene);
 }
 
-// Compares plants node by node, with their size and orientation, each branch counted once. Plants
-// with different segments cannot be compared.
+// Compares plants node by node, with their size, orientation and missing branches. Plants with
+// different sketched parts cannot be compared.
 Result<void> Collection::compare(CollectionGrower& grower)
 {
     auto const drawn = TRY(grower.drawn());
@@ -177,9 +178,8 @@ Result<void> Collection::compare(CollectionGrower& grower)
     progress_.begin("comparing the plants", count);
     variation::Diversity diversity(drawn);
     for (std::size_t i = 0; i < count; ++i) {
-        auto const& how = options_.individuality;
-        auto const& grown = grower.grow(key(i), variation::individual_age(key(i), how));
-        diversity.add(variation::sized_and_turned(grown, key(i), how));
+        auto const age = variation::individual_age(key(i), options_.individuality);
+        diversity.add(grower.comparable(key(i), age));
         progress_.step();
     }
     report_.between_plants = diversity.between_plants();

@@ -42,23 +42,18 @@ Plant const& CollectionGrower::grown(Planned& planned, variation::PlantKey const
         plant = &bent_;
     }
     underground_ = variation::segments_underground(*plant, planned.plan->base).size();
-    if (individuality_ == variation::Individuality {})
-        return *plant;
-    individual_ = variation::individual(*plant, key, individuality_, planned.kept);
-    return individual_;
+    return *plant;
 }
 
 bool CollectionGrower::is_varied(variation::PlantKey const& key) const
 {
-    return construction_ > 0 || variation::has_own_seed(key, { .seeds = seeds_ });
+    return construction_ > 0 || own_seeds_.has(key);
 }
 
 Result<std::unique_ptr<CollectionGrower::Planned>>
 CollectionGrower::planned_for(variation::PlantKey const& key) const
 {
-    auto scene = shared_->scene;
-    if (variation::has_own_seed(key, { .seeds = seeds_ }))
-        scene = scene::with_own_seed(scene, key.seed, key.plant_index);
+    auto scene = own_seeds_.scene_of(shared_->scene, key);
     if (construction_ > 0)
         scene = TRY(scene::varied(
             scene, { .seed = key.seed, .plant = key.plant_index, .spread = construction_ }));
@@ -66,10 +61,10 @@ CollectionGrower::planned_for(variation::PlantKey const& key) const
 }
 
 // A plant needed at several ages or levels of detail is built only once.
-Plant const& CollectionGrower::grow(variation::PlantKey const& key, double age)
+CollectionGrower::Planned& CollectionGrower::planned_of(variation::PlantKey const& key)
 {
     if (!is_varied(key))
-        return grown(*shared_, key, age);
+        return *shared_;
     bool const is_same = key_ && key_->seed == key.seed && key_->plant_index == key.plant_index;
     if (!is_same) {
         key_ = key;
@@ -77,7 +72,24 @@ Plant const& CollectionGrower::grow(variation::PlantKey const& key, double age)
         failed_count_ += !made;
         varied_ = made ? *std::move(made) : nullptr;
     }
-    return grown(varied_ ? *varied_ : *shared_, key, age);
+    return varied_ ? *varied_ : *shared_;
+}
+
+Plant const& CollectionGrower::grow(variation::PlantKey const& key, double age)
+{
+    auto& planned = planned_of(key);
+    auto const& plant = grown(planned, key, age);
+    if (individuality_ == variation::Individuality {})
+        return plant;
+    individual_ = variation::individual(plant, key, individuality_, planned.kept);
+    return individual_;
+}
+
+Plant CollectionGrower::comparable(variation::PlantKey const& key, double age)
+{
+    auto& planned = planned_of(key);
+    return variation::comparable_individual(grown(planned, key, age), key, individuality_,
+                                            planned.kept);
 }
 
 } // namespace tractus::batch

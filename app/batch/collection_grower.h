@@ -23,7 +23,7 @@ public:
 
     // Derives models with stochastic rules by a seed of their own for a share of the plants
     // (Individuality::seeds).
-    void reseed(double share) { seeds_ = scene::has_stochastic_models(shared_->scene) ? share : 0; }
+    void reseed(double share) { own_seeds_ = { shared_->scene, share }; }
 
     // Enables bending growth along the ground instead of into it (bend_along_ground()).
     void keep_above_ground() { is_above_ground_ = true; }
@@ -41,6 +41,9 @@ public:
     // The plant as drawn; grow() returns the plant of a key. Valid until the next call.
     Result<Plant> drawn() const;
     Plant const& grow(variation::PlantKey const& key, double age = 1);
+
+    // The plant of a key as comparable_individual().
+    Plant comparable(variation::PlantKey const& key, double age);
 
     // Number of plants whose construction could not be varied; they are as drawn except for their
     // growth.
@@ -60,6 +63,7 @@ private:
         std::vector<bool> kept {}; // True for axes that were drawn and the axes that bear them.
     };
     static Result<std::unique_ptr<Planned>> planned(scene::Scene scene);
+    Planned& planned_of(variation::PlantKey const& key);
     Plant const& grown(Planned& planned, variation::PlantKey const& key, double age);
 
     std::unique_ptr<Planned> shared_;
@@ -67,7 +71,7 @@ private:
     Result<std::unique_ptr<Planned>> planned_for(variation::PlantKey const& key) const;
 
     double construction_ = 0;
-    double seeds_ = 0;
+    scene::OwnSeeds own_seeds_ {};
     std::unique_ptr<Planned> varied_ {}; // Varied plant of the last key; null if variation failed.
     std::optional<variation::PlantKey> key_ {};
     std::size_t failed_count_ = 0;

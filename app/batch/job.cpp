@@ -85,7 +85,7 @@ private:
     Sequence(JobOptions const& options, scene::Scene const& scene, PlantGroup group)
         : options_(&options)
         , scene_(&scene)
-        , is_stochastic_(options.individuality.seeds > 0 && scene::has_stochastic_models(scene))
+        , own_seeds_(scene, options.individuality.seeds)
         , group_(std::move(group))
     {
     }
@@ -102,8 +102,8 @@ private:
         variation::PlantKey const key { options_->seed, index };
         auto const& how = options_->individuality;
         auto* group = &group_;
-        if (is_stochastic_ && variation::has_own_seed(key, how)) {
-            auto own = PlantGroup::create(scene::with_own_seed(*scene_, key.seed, index));
+        if (own_seeds_.has(key)) {
+            auto own = PlantGroup::create(own_seeds_.scene_of(*scene_, key));
             if (own) {
                 group = &own_.emplace(*std::move(own));
                 set_up(*group);
@@ -121,7 +121,7 @@ private:
 
     JobOptions const* options_;
     scene::Scene const* scene_;
-    bool is_stochastic_ = false; // Models have stochastic rules and get seeds of their own.
+    scene::OwnSeeds own_seeds_;
     PlantGroup group_;
     std::optional<PlantGroup> own_; // The group of the last plant with a seed of its own.
     std::size_t underground_ = 0;

@@ -85,7 +85,9 @@ void add_individuality_options(CLI::App& command, variation::Individuality& how)
         ->capture_default_str();
     command
         .add_option("--size", how.size,
-                    "Share by which plants are larger or smaller, at most; 0 for all of one size")
+                    "Share by which plants as wide as high are larger or smaller, at most; narrow "
+                    "ones, which turning hardly changes, by up to twice that; 0 for all of "
+                    "one size")
         ->type_name("X")
         ->check(number(0, 0.5))
         ->capture_default_str();

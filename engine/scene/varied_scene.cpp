@@ -3,6 +3,7 @@
 #include "engine/base/random.h"
 #include "engine/scene/lsystem_source.h"
 #include "engine/scene/scene_builder.h"
+#include "engine/variation/individual.h"
 #include "engine/variation/like_branches.h"
 
 #include <algorithm>
@@ -152,6 +153,21 @@ bool has_stochastic_models(Scene const& scene)
         return false;
     auto const built = SceneBuilder(scene, {}).build(*std::move(state));
     return built && !has_same_bases(scene, *built);
+}
+
+OwnSeeds::OwnSeeds(Scene const& scene, double share)
+    : share_(share > 0 && has_stochastic_models(scene) ? share : 0)
+{
+}
+
+bool OwnSeeds::has(variation::PlantKey const& key) const
+{
+    return variation::has_own_seed(key, { .seeds = share_ });
+}
+
+Scene OwnSeeds::scene_of(Scene const& scene, variation::PlantKey const& key) const
+{
+    return has(key) ? with_own_seed(scene, key.seed, key.plant_index) : scene;
 }
 
 Result<Scene> varied(Scene const& scene, SourceVariation const& variation)

@@ -3,6 +3,9 @@
 #include "engine/base/result.h"
 #include "engine/scene/plant_source.h"
 #include "engine/scene/scene.h"
+#include "engine/variation/growth_noise.h"
+
+#include <optional>
 
 namespace tractus::scene {
 
@@ -14,6 +17,25 @@ bool has_sources_that_vary(Scene const& scene);
 //
 // Fails if a varied plant cannot be built.
 Result<Scene> varied(Scene const& scene, SourceVariation const& variation);
+
+// Decides which plants of a collection have a seed of their own for their models' stochastic rules,
+// and derives those.
+class OwnSeeds {
+public:
+    OwnSeeds() = default; // No plant has one.
+
+    // `share` as in Individuality::seeds. Without stochastic rules in the scene no plant has one.
+    OwnSeeds(Scene const& scene, double share);
+
+    // True if the plant of `key` is derived by a seed of its own.
+    bool has(variation::PlantKey const& key) const;
+
+    // The scene of the plant of `key`: with_own_seed(), or `scene` itself.
+    Scene scene_of(Scene const& scene, variation::PlantKey const& key) const;
+
+private:
+    double share_ = 0;
+};
 
 // Returns the scene with each model from a file derived by a seed of its own, for one plant of a
 // collection: another individual. Its strokes lie on the branches that are most similar to those

@@ -221,10 +221,24 @@ bool has_own_seed(PlantKey const& key, Individuality const& how)
     return Random({ key.seed, kSeeds, key.plant_index }).uniform() < how.seeds;
 }
 
-Plant sized_and_turned(Plant const& grown, PlantKey const& key, Individuality const& how)
+// The maximum relative change in size of this plant.
+static double size_range(Plant const& plant, double size)
+{
+    auto const box = bounds(plant);
+    if (box.empty())
+        return size;
+    Vec3 const extent_mm = box.max_mm - box.min_mm;
+    double const width_mm = extent_mm.head<2>().maxCoeff();
+    double const narrow = width_mm < extent_mm.z() ? 1 - width_mm / extent_mm.z() : 0;
+    return std::min(kMostSize, size * (1 + (kNarrowSize - 1) * narrow));
+}
+
+// `size` is size_range() of the whole plant.
+static Plant sized_and_turned(Plant const& grown, double size, PlantKey const& key,
+                              Individuality const& how)
 {
     Random random({ key.seed, kWhole, key.plant_index });
-    double const scale = 1 + how.size * random.uniform(-1, 1);
+    double const scale = 1 + size * random.uniform(-1, 1);
     double const turn_rad = how.turn * random.uniform() * 2 * kPi;
     Plant plant = grown;
     if (how.size > 0)
@@ -243,9 +257,35 @@ Plant individual(Plant const& grown, PlantKey const& key, Individuality const& h
                  std::vector<bool> const& kept)
 {
     CHECK(kept.size() == grown.axes.size());
+    double const size = size_range(grown, how.size);
     if (!(how.branches > 0))
-        return sized_and_turned(grown, key, how);
-    return sized_and_turned(other_branches(grown, key, how.branches, kept), key, how);
+        return sized_and_turned(grown, size, key, how);
+    return sized_and_turned(other_branches(grown, key, how.branches, kept), size, key, how);
+}
+
+Plant comparable_individual(Plant const& grown, PlantKey const& key, Individuality const& how,
+                            std::vector<bool> const& kept)
+{
+    CHECK(kept.size() == grown.axes.size());
+    double const size = size_range(grown, how.size);
+    if (!(how.branches > 0))
+        return sized_and_turned(grown, size, key, how);
+    Plant plant = grown;
+    std::vector<bool> is_lost(plant.axes.size());
+    for (AxisId id = 0; id < plant.axes.size(); ++id) { // Children come later.
+        auto const& axis = plant.axes[id];
+        if (axis.parent_segment == kNone)
+            continue;
+        is_lost[id]
+            = is_lost[axis.parent_axis] || (!kept[id] && fate_of(id, key, how.branches).is_lost);
+        if (!is_lost[id])
+            continue;
+        auto const seat = tip_of(plant.axes[axis.parent_axis], axis.parent_segment);
+        Vec3 const seat_mm = plant.node_position_mm[seat];
+        std::fill_n(plant.node_position_mm.begin() + axis.first_node, axis.segment_count + 1,
+                    seat_mm);
+    }
+    return sized_and_turned(plant, size, key, how);
 }
 
 } // namespace tractus::variation

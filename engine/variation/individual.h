@@ -14,7 +14,9 @@ struct Individuality {
     // branch is removed with all its descendants; a duplicate is placed up to two segments away and
     // rotated about the parent axis.
     double branches = 0;
-    double size = 0; // Maximum relative change in size, uniformly distributed; 0 to 0.5.
+    // Maximum relative change in the size of a plant as wide as high, uniformly distributed; 0 to
+    // 0.5. That of narrower plants is up to kNarrowSize times as large.
+    double size = 0;
     // Maximum rotation about the vertical as a share of a full turn, uniformly distributed; 0 to 1.
     double turn = 0;
     // Maximum share by which a plant is younger than the others, uniformly distributed; 0 to 0.9.
@@ -28,6 +30,11 @@ struct Individuality {
 
     bool operator==(Individuality const&) const = default;
 };
+
+// Factor on Individuality::size for a plant without width, for which turning makes no difference.
+// It falls linearly to 1 for plants as wide as high.
+constexpr double kNarrowSize = 2;
+constexpr double kMostSize = 0.8; // Limit of that change for all plants.
 
 // The differences between plants of one bed that a collection has if nothing else is said.
 constexpr Individuality kPlantsOfOneBed {
@@ -51,7 +58,9 @@ std::vector<bool> axes_below_paths(Plant const& plant,
 Plant individual(Plant const& grown, PlantKey const& key, Individuality const& how,
                  std::vector<bool> const& kept);
 
-// Like individual(), but only rotated and scaled, with all branches.
-Plant sized_and_turned(Plant const& grown, PlantKey const& key, Individuality const& how);
+// Like individual(), but with the topology of `grown`, to compare plants node by node: a missing
+// branch is a point where it would begin, and there are no duplicates.
+Plant comparable_individual(Plant const& grown, PlantKey const& key, Individuality const& how,
+                            std::vector<bool> const& kept);
 
 } // namespace tractus::variation

@@ -122,17 +122,18 @@ std::vector<Vec3> evenly(std::span<Vec3 const> points)
 
 class Individuals : public ::testing::TestWithParam<char const*> { };
 
-double mean_distance(scene::Scene const& scene, variation::Individuality const& how)
+double mean_distance(scene::Scene const& scene, variation::Individuality const& how,
+                     std::uint64_t seed = 5)
 {
     auto grower = CollectionGrower::create(scene, 0).value();
     grower.reseed(how.seeds);
+    grower.make_individuals(how);
     auto const drawn = grower.drawn().value();
     auto const box = bounds(drawn);
     variation::Diversity diversity(drawn);
     for (std::uint32_t i = 0; i < kDozen; ++i) {
-        variation::PlantKey const key { 5, i };
-        auto const& grown = grower.grow(key, variation::individual_age(key, how));
-        diversity.add(variation::sized_and_turned(grown, key, how));
+        variation::PlantKey const key { seed, i };
+        diversity.add(grower.comparable(key, variation::individual_age(key, how)));
     }
     return diversity.between_plants().mean_mm / (box.max_mm.z() - box.min_mm.z());
 }
@@ -219,6 +220,20 @@ TEST_P(Individuals, HaveBranchesOfTheirOwnButThoseThatWereDrawn)
 
 INSTANTIATE_TEST_SUITE_P(Models, Individuals,
                          ::testing::Values("broadleaf", "conifer", "birch", "poplar", "shrub"),
+                         [](auto const& model) { return std::string(model.param); });
+
+// Models as they come, without a drawing, the narrow ones among them.
+class UndrawnIndividuals : public ::testing::TestWithParam<char const*> { };
+
+TEST_P(UndrawnIndividuals, DifferByAFifthOfTheirHeight)
+{
+    auto const scene = our_plant(GetParam());
+    for (std::uint64_t const seed : { 1u, 2u, 3u })
+        EXPECT_GE(mean_distance(scene, variation::kPlantsOfOneBed, seed), 0.2) << "seed " << seed;
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, UndrawnIndividuals,
+                         ::testing::Values("poplar", "vine", "conifer", "sunflower"),
                          [](auto const& model) { return std::string(model.param); });
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
+#include <utility>
 
 namespace tractus::variation {
 namespace {
@@ -62,6 +63,9 @@ TEST(Individual, IsTurnedAndSizedAboutItsBase)
 {
     auto const plant = hand_made_plant();
     double const height_mm = bounds(plant).max_mm.z();
+    Vec3 const extent_mm = bounds(plant).max_mm - bounds(plant).min_mm;
+    double const range
+        = 0.2 * (2 - extent_mm.head<2>().maxCoeff() / extent_mm.z()); // It is narrow.
     double smallest = 2;
     double largest = 0;
     double farthest = 0;
@@ -78,11 +82,74 @@ TEST(Individual, IsTurnedAndSizedAboutItsBase)
         EXPECT_NEAR(right.head<2>().norm(), size * 150, 1e-6);
         farthest = std::max(farthest, -right.normalized().x());
     }
-    EXPECT_GT(smallest, 0.8);
-    EXPECT_LT(smallest, 0.85);
-    EXPECT_LT(largest, 1.2);
-    EXPECT_GT(largest, 1.15);
+    EXPECT_GT(range, 0.2);
+    EXPECT_GT(smallest, 1 - range);
+    EXPECT_LT(smallest, 1 - 0.75 * range);
+    EXPECT_LT(largest, 1 + range);
+    EXPECT_GT(largest, 1 + 0.75 * range);
     EXPECT_GT(farthest, 0.5) << "some face the other way";
+}
+
+TEST(Individual, OfANarrowPlantDiffersMoreInSize)
+{
+    // Returns the extremes of the sizes of many individuals of a tree that is so many times as wide
+    // as high.
+    auto const extremes = [](double wide) {
+        auto plant = forking_tree(6, 4);
+        plant.organs.clear();
+        auto const box = bounds(plant);
+        Vec3 const extent_mm = box.max_mm - box.min_mm;
+        double const factor = wide * extent_mm.z() / extent_mm.head<2>().maxCoeff();
+        for (auto& node_mm : plant.node_position_mm)
+            node_mm.head<2>() *= factor;
+        double least = 9;
+        double most = 0;
+        for (std::uint32_t index = 0; index < 400; ++index) {
+            auto const other = individual(plant, { 3, index }, { .size = 0.4 }, none(plant));
+            double const size
+                = (bounds(other).max_mm.z() - bounds(other).min_mm.z()) / extent_mm.z();
+            least = std::min(least, size);
+            most = std::max(most, size);
+        }
+        return std::pair(least, most);
+    };
+    for (double const wide : { 1.0, 3.0 }) {
+        auto const [least, most] = extremes(wide);
+        EXPECT_NEAR(least, 0.6, 0.01);
+        EXPECT_NEAR(most, 1.4, 0.01);
+    }
+    auto const [least, most] = extremes(0);
+    EXPECT_NEAR(least, 1 - 0.4 * kNarrowSize, 0.02);
+    EXPECT_NEAR(most, 1 + 0.4 * kNarrowSize, 0.02);
+    auto const [less, more] = extremes(0.5);
+    EXPECT_NEAR(less, 1 - 0.4 * (1 + kNarrowSize) / 2, 0.02);
+    EXPECT_NEAR(more, 1 + 0.4 * (1 + kNarrowSize) / 2, 0.02);
+}
+
+TEST(Individual, IsComparedWithItsMissingBranchesWhereTheyWouldBegin)
+{
+    auto const plant = forking_tree(6, 4);
+    Individuality const how { .branches = 0.2, .size = 0.3, .turn = 1 };
+    std::size_t missing = 0;
+    for (std::uint32_t index = 0; index < 20; ++index) {
+        PlantKey const key { 3, index };
+        auto const shown = individual(plant, key, how, none(plant));
+        auto const compared = comparable_individual(plant, key, how, none(plant));
+        ASSERT_EQ(compared.axes.size(), plant.axes.size());
+        auto const is_shown = [&](Vec3 const& place) {
+            return std::any_of(shown.node_position_mm.begin(), shown.node_position_mm.end(),
+                               [&](Vec3 const& node) { return (node - place).norm() < 1e-6; });
+        };
+        for (auto const& axis : compared.axes) {
+            auto const nodes = compared.positions(axis);
+            bool const is_point = (nodes.back() - nodes.front()).norm() == 0;
+            missing += is_point ? 1 : 0;
+            EXPECT_TRUE(is_shown(nodes.back())) << "a missing branch is a place on its bearer";
+        }
+        EXPECT_EQ(comparable_individual(plant, key, { .turn = 1 }, none(plant)).node_position_mm,
+                  individual(plant, key, { .turn = 1 }, none(plant)).node_position_mm);
+    }
+    EXPECT_GT(missing, 0u);
 }
 
 } // namespace
