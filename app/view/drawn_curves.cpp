@@ -1,7 +1,10 @@
 #include "app/view/drawn_curves.h"
 
+#include "app/tools/bent_plant.h"
 #include "app/view/branch_words.h"
 #include "app/view/ink_line.h"
+#include "engine/plant/join_axes.h"
+#include "engine/scene/limb_edits.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -60,6 +63,45 @@ std::vector<DrawnCurveView> stroke_curves(scene::Scene const& scene, KeptInk con
     return curves;
 }
 
+// The strokes that became limbs, where the plant shows those now.
+std::vector<DrawnCurveView> limb_curves(scene::Scene const& scene)
+{
+    auto const limbs = scene::limb_segments(scene);
+    if (limbs.empty())
+        return {};
+    auto const& base = *scene.base;
+    auto const& addresses = scene.rest->addresses;
+    std::vector<bool> is_selected(base.segment_count());
+    for (auto const& path : scene.selection)
+        for (auto const segment : path)
+            is_selected[segment] = true;
+    tools::BentPlant const bent(scene);
+    std::vector<DrawnCurveView> curves;
+    for (auto const& [graft, first] : limbs) {
+        auto const seat = addresses.find_segment(base, graft->at);
+        if (!seat)
+            continue;
+        auto const& limb = *graft->limb;
+        Vec3 const joint_mm
+            = bent.begin_of(*seat) + limb.joint * (bent.end_of(*seat) - bent.begin_of(*seat));
+        Quat const turn = bent.turn_of(*seat);
+        double const scale = scene.placement.scale;
+        auto& curve = curves.emplace_back();
+        curve.edit = scene::edit_of_item(limb.id);
+        curve.name = fmt::format("New limb: on {}", branch_in_words(graft->at));
+        for (auto const& point : limb.points) {
+            Vec3 const place_mm = joint_mm + scale * (turn * point.place_mm);
+            curve.line.points.push_back({ place_mm.cast<float>(), kCurveWidth_mm });
+        }
+        curve.line = thinned(curve.line);
+        auto const path = segments_of(base.axes[axis_of(base, first)]);
+        curve.paths = { addresses.address_of(base, path) };
+        curve.is_selected
+            = std::ranges::any_of(path, [&](SegmentId segment) { return is_selected[segment]; });
+    }
+    return curves;
+}
+
 DrawnCurveView listed_curve(tools::DrawnCurve drawn)
 {
     DrawnCurveView curve { .edit = drawn.edit, .name = std::move(drawn.name) };
@@ -81,6 +123,8 @@ std::vector<DrawnCurveView> drawn_curves(scene::Scene const& scene, KeptInk cons
         for (auto& drawn : list(scene))
             curves.push_back(listed_curve(std::move(drawn)));
     for (auto& curve : stroke_curves(scene, ink))
+        curves.push_back(std::move(curve));
+    for (auto& curve : limb_curves(scene))
         curves.push_back(std::move(curve));
     std::ranges::stable_sort(curves, {}, &DrawnCurveView::edit);
     return curves;

@@ -18,8 +18,8 @@ struct KeptInk {
 };
 
 // Returns the curves of the scene's active plant in the order in which they were drawn: the strokes
-// that shape its branches (shaping_numbers()), each once, and those of the lists. Strokes without
-// ink are left out.
+// that shape its branches (shaping_numbers()), each once, those of its limbs, and those of the
+// lists. Strokes without ink are left out, and limbs that the plant does not have at present.
 std::vector<DrawnCurveView> drawn_curves(scene::Scene const& scene, KeptInk const& ink,
                                          tools::DrawnCurveLists lists);
 

@@ -56,7 +56,8 @@ struct DrawnCurveView {
     std::uint64_t edit = 0; // As in tools::DrawnCurve; also `name`.
     std::string name {};
     InkLine line {};
-    // For a stroke that shapes branches, the paths that it shapes: see PickCurve. Else empty.
+    // For a stroke that shapes branches or became a limb, the paths of those: see PickCurve. Else
+    // empty.
     std::vector<PathAddress> paths {};
     bool is_selected = false; // One of those paths shares a segment with the selection.
 };

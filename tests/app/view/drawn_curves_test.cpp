@@ -6,6 +6,7 @@
 #include "engine/scene/edit.h"
 #include "tests/app/small_model.h"
 #include "tests/engine/scene/edits.h"
+#include "tests/engine/scene/limbs.h"
 
 #include <array>
 #include <gtest/gtest.h>
@@ -151,6 +152,43 @@ TEST(BranchWords, NameTheBranchThatASegmentIsOn)
     EXPECT_EQ(branch_in_words({ kKeyedAxis, 77, 0, 1u << 30, 0, 2 }),
               "branch 1 at 50 % of a branch");
     EXPECT_EQ(branch_in_words({}), "a branch");
+}
+
+TEST(DrawnCurves, AreLimbsToo)
+{
+    auto const tree = scene::tree_scene();
+    auto const places_mm
+        = scene::winding(tree.placement.world_of_plant(tree.base->node_position_mm[3]), 300);
+    auto const limb = scene::on_segment(tree, 2, places_mm);
+    auto scene = scene::after({ limb }, tree);
+    auto curves = curves_of(scene);
+    ASSERT_EQ(curves.size(), 1u);
+    EXPECT_EQ(curves[0].name, "New limb: on stem 1");
+    EXPECT_EQ(curves[0].edit, scene.state.last_edit);
+    EXPECT_FALSE(curves[0].is_selected);
+    for (bool const is_end : { false, true }) {
+        auto const& points = curves[0].line.points;
+        Vec3 const shown_mm = (is_end ? points.back() : points.front()).position_mm.cast<double>();
+        EXPECT_LT((shown_mm - (is_end ? places_mm.back() : places_mm.front())).norm(), 1e-3);
+    }
+    // It selects the limb, goes with what bears it, and comes after what was drawn before.
+    scene = scene::after({ scene::Select { .at = curves[0].paths } }, scene);
+    EXPECT_EQ(scene.selection.vector().front(), segments_of(scene::limb_axis(scene)));
+    EXPECT_TRUE(curves_of(scene)[0].is_selected);
+    scene
+        = scene::after({ scene::select_paths(scene, { segments_of(scene.base->axes[0]) }),
+                         scene::Associate { .stroke = scene::stroke_towards({ 200, 0, 300 }),
+                                            .laying = variation::StrokeLaying::HeadingAndPitch } },
+                       scene);
+    curves = curves_of(scene);
+    ASSERT_EQ(curves.size(), 2u);
+    EXPECT_EQ(curves[0].name, "New limb: on stem 1");
+    EXPECT_GT((curves[0].line.points.front().position_mm.cast<double>() - places_mm.front()).norm(),
+              10);
+    scene = scene::after(
+        { scene::EraseLimb { scene.state.active, scene::limb_segments(scene)[0].first->limb->id } },
+        scene);
+    EXPECT_EQ(curves_of(scene).size(), 1u);
 }
 
 } // namespace
