@@ -108,9 +108,11 @@ Plant const& PlantGroup::grow(variation::PlantKey const& key, double age)
     return whole_;
 }
 
-Result<Plant> shown_plants(scene::Scene const& scene)
+Result<Plant> shown_plants(scene::Scene const& scene, bool along_ground)
 {
     auto group = TRY(PlantGroup::create(scene));
+    if (along_ground)
+        group.keep_above_ground();
     return group.as_set();
 }
 

@@ -57,7 +57,8 @@ private:
     variation::Individuality individuality_ {};
 };
 
-// PlantGroup::as_set() of a document. Fails like PlantGroup::create().
-Result<Plant> shown_plants(scene::Scene const& scene);
+// PlantGroup::as_set() of a document, with `along_ground` bent along the ground. Fails like
+// PlantGroup::create().
+Result<Plant> shown_plants(scene::Scene const& scene, bool along_ground = false);
 
 } // namespace tractus::batch

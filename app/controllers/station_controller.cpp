@@ -14,6 +14,7 @@
 #include "app/session/session_copy.h"
 #include "app/view/orphans.h"
 #include "engine/base/file.h"
+#include "engine/scene/derive_anew.h"
 
 #include <array>
 #include <chrono>
@@ -406,17 +407,33 @@ void StationController::perform(view::ChangeSeason const& command, station::Stat
 
 void StationController::perform(view::AskForCollection const& command, station::Station&)
 {
-    view_.collect(command.count);
+    view_.collect(command);
 }
 
 void StationController::perform(view::PickVariation const& command, station::Station& station)
 {
-    auto const pick
-        = [seed = command.seed](scene::SetGrowth growth) -> Result<document::WantedStep::Change> {
+    auto const pick = [seed = command.seed, share = view_.state().individuality.seeds](
+                          scene::Scene const& scene) -> Result<document::WantedStep::Change> {
+        if (scene.base->axes.empty())
+            return fail(Fault::User, "There is no plant yet: draw one first");
+        std::vector<scene::Edit> edits;
+        if (auto anew = scene::derive_anew(scene, { seed, 0 }, share))
+            edits.emplace_back(*std::move(anew));
+        auto growth = scene.growth;
         growth.seed = seed;
-        return document::WantedStep::Change { { growth }, fmt::format("This one: seed {}", seed) };
+        edits.emplace_back(growth);
+        return document::WantedStep::Change { std::move(edits),
+                                              fmt::format("This one: seed {}", seed) };
     };
-    set_growth(pick, station);
+    document_->make({ pick, document::WantedStep::Of::Scene });
+    show_document(station, now_);
+}
+
+void StationController::perform(view::SetAlongGround const& command, station::Station&)
+{
+    view_.set_along_ground(command.is_on);
+    view_.state().status = command.is_on ? "Growth bends along the ground"
+                                         : "Growth is as it is, into the ground, too";
 }
 
 // Changes the growth as an undoable step. `change` is called after all earlier steps.
@@ -448,8 +465,9 @@ void StationController::perform(view::ExportPlant const& command, station::Stati
 {
     constexpr std::array kEndings { ".glb", ".obj", ".mtg" };
     save(kEndings.at(static_cast<std::size_t>(command.format)),
-         [scene = view_.grown_scene(),
-          organs = command.organs](std::filesystem::path const& path) -> Result<std::string> {
+         [scene = view_.grown_scene(), organs = command.organs,
+          along_ground
+          = view_.state().along_ground](std::filesystem::path const& path) -> Result<std::string> {
              batch::PlantFileOptions options { .glb = { .organs = organs } };
              std::string note;
              options.glb.before_writing = [&](exports::GlbSummary const& expected) {
@@ -457,7 +475,7 @@ void StationController::perform(view::ExportPlant const& command, station::Stati
                  if (!note.empty() && organs != exports::GlbOptions::Organs::Instanced)
                      note += "; with its leaves instanced it is smaller";
              };
-             auto const plant = TRY(batch::shown_plants(*scene));
+             auto const plant = TRY(batch::shown_plants(*scene, along_ground));
              TRY(batch::write_plant_file(plant, std::filesystem::path(scene->model_name).stem(),
                                          path, options));
              return note;

@@ -63,6 +63,7 @@ public:
     void perform(view::ChangeSeason const& command, station::Station& station);
     void perform(view::AskForCollection const& command, station::Station& station);
     void perform(view::PickVariation const& command, station::Station& station);
+    void perform(view::SetAlongGround const& command, station::Station& station);
     void perform(view::SavePicture const& command, station::Station& station);
     void perform(view::ExportPlant const& command, station::Station& station);
     void perform(view::NameDrawing const& command, station::Station& station);

@@ -19,13 +19,6 @@ Plant bent_skeleton(scene::BuiltPlant const& plant)
     return bent;
 }
 
-std::vector<SegmentId> underground(scene::BuiltPlant const& plant)
-{
-    if (plant.associations.empty())
-        return {};
-    return variation::segments_underground(bent_skeleton(plant), *plant.base);
-}
-
 std::vector<std::vector<Vec3f>> underground_lines(scene::BuiltPlant const& plant)
 {
     if (plant.associations.empty())
@@ -44,6 +37,13 @@ std::vector<std::vector<Vec3f>> underground_lines(scene::BuiltPlant const& plant
 
 } // namespace
 
+std::vector<SegmentId> segments_bent_underground(scene::BuiltPlant const& plant)
+{
+    if (plant.associations.empty())
+        return {};
+    return variation::segments_underground(bent_skeleton(plant), *plant.base);
+}
+
 constexpr Layer kUndergroundLayer {
     .label = "underground",
     .style = { .color = LayerStyle::Color::Orange,
@@ -52,9 +52,18 @@ constexpr Layer kUndergroundLayer {
     .lines = underground_lines,
 };
 
+constexpr Layer kGrownUndergroundLayer {
+    .label = "underground by growth",
+    .style = { .color = LayerStyle::Color::Orange,
+               .pattern = LayerStyle::Pattern::Dashed,
+               .width_mm = 2.5 },
+    .lines = nullptr,
+};
+
 std::string say_underground(Tool const& tool, scene::Scene const& after)
 {
-    auto const below = variation::describe_underground(underground(after).size(), *after.base);
+    auto const below
+        = variation::describe_underground(segments_bent_underground(after).size(), *after.base);
     return below.empty() ? "" : fmt::format("{}; {}", tool.kind().done, below);
 }
 

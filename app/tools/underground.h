@@ -4,6 +4,7 @@
 #include "engine/scene/scene.h"
 
 #include <string>
+#include <vector>
 
 namespace tractus::tools {
 
@@ -11,6 +12,13 @@ class Tool;
 
 // Layer of the segments, except roots, that strokes have bent below the ground.
 extern Layer const kUndergroundLayer;
+
+// Layer of the segments that growth bends below the ground although strokes do not. The view that
+// grows the plant gives its lines.
+extern Layer const kGrownUndergroundLayer;
+
+// The segments of the base plant, except roots, that strokes have bent below the ground, in order.
+std::vector<SegmentId> segments_bent_underground(scene::BuiltPlant const& plant);
 
 // ToolKind::said for tools that bend branches: the tool's own message and, if strokes have bent
 // segments below the ground, their number. Empty if there are none.

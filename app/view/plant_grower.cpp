@@ -1,78 +1,133 @@
 #include "app/view/plant_grower.h"
 
+#include "app/tools/underground.h"
 #include "engine/mesh/join_meshes.h"
 #include "engine/mesh/make_mesh.h"
 #include "engine/scene/scene_shaper.h"
+#include "engine/scene/varied_scene.h"
+#include "engine/variation/ground.h"
 #include "engine/variation/growth.h"
 
+#include <algorithm>
 #include <map>
 
 namespace tractus::view {
 
 namespace {
 
-// Grows a plant's mesh. The result is unusable once `stop` has been requested.
-Result<mesh::Mesh> grow_mesh(scene::BuiltPlant const& built, scene::SetGrowth const& growth,
-                             scene::SceneShaper& shaper, mesh::MeshOptions const& options,
-                             std::stop_token const& stop)
+// A plant with its growth plan. Not movable, as the grower refers to the plan.
+struct Growing {
+    explicit Growing(variation::GrowthPlan made)
+        : plan(std::move(made))
+    {
+    }
+
+    variation::GrowthPlan plan;
+    variation::Grower grower { plan };
+    Plant bent {}; // The last plant bent above the ground.
+
+    // The result is unusable once `stop` has been requested.
+    Plant const& grow(std::uint64_t seed, double age, bool along_ground,
+                      std::stop_token const& stop)
+    {
+        auto const& grown = grower.grow({ seed, 0 }, age, stop);
+        if (!along_ground || stop.stop_requested())
+            return grown;
+        bent = grown;
+        variation::bend_along_ground(bent, plan.base);
+        return bent;
+    }
+};
+
+// Null once `stop` has been requested.
+Result<std::unique_ptr<Growing>> growing(scene::BuiltPlant const& built,
+                                         scene::SetGrowth const& growth, scene::SceneShaper& shaper,
+                                         std::stop_token const& stop)
 {
     auto wanted = built;
     wanted.growth = growth;
-    auto const plan = TRY(scene::plan_growth(wanted, shaper, stop));
+    auto plan = TRY(scene::plan_growth(wanted, shaper, stop));
     if (stop.stop_requested())
-        return mesh::Mesh {};
-    variation::Grower grower(plan);
-    auto const& plant = grower.grow({ growth.seed, 0 }, growth.age, stop);
-    if (stop.stop_requested())
-        return mesh::Mesh {};
-    return mesh::make_mesh(plant, options, stop);
+        return nullptr;
+    return std::make_unique<Growing>(std::move(plan));
 }
 
+GrownUnderground underground_of(Plant const& plant, Plant const& base,
+                                scene::BuiltPlant const& built)
+{
+    GrownUnderground result { .segments = plant.segment_count() };
+    auto const below = variation::segments_underground(plant, base);
+    if (below.empty())
+        return result;
+    auto const by_strokes = tools::segments_bent_underground(built);
+    for (auto const segment : below) {
+        auto const nodes = nodes_of(plant, segment);
+        result.lines.push_back({ plant.node_position_mm[nodes.base].cast<float>(),
+                                 plant.node_position_mm[nodes.tip].cast<float>(),
+                                 !std::ranges::binary_search(by_strokes, segment) });
+    }
+    return result;
+}
+
+} // namespace
+
 // Grows the plants of successive scenes; unchanged plants are reused.
-class SceneGrower {
+class PlantGrower::SceneGrower {
 public:
-    Result<mesh::Mesh> grow(WantedPlant const& wanted, std::stop_token const& stop)
+    Result<GrownPlants> grow(WantedPlant const& wanted, std::stop_token const& stop)
     {
         auto const& scene = *wanted.scene;
-        bool const is_hidden = scene.drawn->is_hidden && !scene.plants.empty();
-        auto mesh = is_hidden ? Result<mesh::Mesh>(mesh::Mesh {})
-                              : grow_mesh(scene, wanted.growth, active_, {}, stop);
-        if (!mesh)
-            return mesh;
+        GrownPlants grown;
+        if (!scene.drawn->is_hidden || scene.plants.empty())
+            grown = TRY(grow_one(scene, wanted, wanted.growth, active_, stop));
         std::map<scene::ItemId, Other> still_there;
         for (auto const& plant : scene.plants) {
             if (plant->drawn == scene.drawn || plant->drawn->is_hidden)
                 continue;
             auto& other = still_there[plant->drawn->id] = std::move(others_[plant->drawn->id]);
-            if (other.plant != plant)
-                other = { plant, TRY(grow_mesh(*plant, plant->growth, other_, {}, stop)) };
+            if (other.plant != plant || other.along_ground != wanted.along_ground)
+                other = { plant, wanted.along_ground,
+                          TRY(grow_one(*plant, wanted, plant->growth, other_, stop)).mesh };
             if (stop.stop_requested())
                 break;
             Vec3 const moved_mm
                 = scene.placement.plant_of_world(plant->placement.world_of_plant(Vec3::Zero()));
-            mesh::append_mesh(*mesh, other.mesh, moved_mm.cast<float>());
+            mesh::append_mesh(grown.mesh, other.mesh, moved_mm.cast<float>());
         }
         // After an aborted run the list is incomplete and must not be reused.
         if (!stop.stop_requested())
             others_ = std::move(still_there);
         else
             others_.clear();
-        return mesh;
+        return grown;
     }
 
 private:
     struct Other {
         // The plant whose mesh this is; shared with the scenes that contain it.
         std::shared_ptr<scene::BuiltPlant const> plant;
+        bool along_ground = false; // As in WantedPlant.
         mesh::Mesh mesh;
     };
+
+    static Result<GrownPlants> grow_one(scene::BuiltPlant const& built, WantedPlant const& wanted,
+                                        scene::SetGrowth const& growth, scene::SceneShaper& shaper,
+                                        std::stop_token const& stop)
+    {
+        auto const made = TRY(growing(built, growth, shaper, stop));
+        if (!made)
+            return GrownPlants {};
+        auto const& plant = made->grow(growth.seed, growth.age, wanted.along_ground, stop);
+        if (stop.stop_requested())
+            return GrownPlants {};
+        return GrownPlants { mesh::make_mesh(plant, {}, stop),
+                             underground_of(plant, made->plan.base, built) };
+    }
 
     scene::SceneShaper active_;
     scene::SceneShaper other_;
     std::map<scene::ItemId, Other> others_;
 };
-
-} // namespace
 
 // Mesh options good enough for an image a few hundred pixels wide.
 static mesh::MeshOptions coarse()
@@ -86,25 +141,74 @@ static mesh::MeshOptions coarse()
              .organs = mesh::MeshOptions::Organs::Cards };
 }
 
+// Grows the variations of successive requests.
+class PlantGrower::VariationMaker {
+public:
+    MadeVariation make(WantedVariation const& wanted, std::stop_token const& stop)
+    {
+        auto mesh = grow(wanted, stop);
+        if (!mesh)
+            return { tl::unexpected(std::move(mesh).error()), wanted.wish };
+        return { Variation { wanted.plant.growth.seed, *std::move(mesh) }, wanted.wish };
+    }
+
+private:
+    Result<mesh::Mesh> grow(WantedVariation const& wanted, std::stop_token const& stop)
+    {
+        auto const& how = wanted.individuality;
+        auto const& growth = wanted.plant.growth;
+        variation::PlantKey const key { growth.seed, 0 };
+        if (of_ != wanted.plant.scene || share_ != how.seeds) {
+            alone_ = scene::active_plant_alone(*wanted.plant.scene);
+            own_seeds_ = { alone_, how.seeds };
+            of_ = wanted.plant.scene;
+            share_ = how.seeds;
+        }
+        scene::SceneShaper shaper;
+        auto const scene = own_seeds_.scene_of(alone_, key);
+        auto const made = TRY(growing(scene, growth, shaper, stop));
+        if (!made)
+            return mesh::Mesh {};
+        auto const age = variation::individual_age(key, how, growth.age);
+        auto const& plant = made->grow(growth.seed, age, wanted.plant.along_ground, stop);
+        if (stop.stop_requested())
+            return mesh::Mesh {};
+        if (how == variation::Individuality {})
+            return mesh::make_mesh(plant, coarse(), stop);
+        auto const kept = variation::axes_below_paths(made->plan.base, scene::drawn_paths(scene));
+        return mesh::make_mesh(variation::individual(plant, key, how, kept), coarse(), stop);
+    }
+
+    // The scene and the share of own seeds of the last request, and what follows from them.
+    std::shared_ptr<scene::Scene const> of_; // Immutable and shared.
+    double share_ = 0;
+    scene::Scene alone_;
+    scene::OwnSeeds own_seeds_;
+};
+
 PlantGrower::PlantGrower()
-    // Shared, as the function object is copied; only one copy is called.
+    // Shared, as the function objects are copied; only one copy of each is called.
     : plant_([grower = std::make_shared<SceneGrower>()](
                  WantedPlant const& wanted,
                  std::stop_token const& stop) { return grower->grow(wanted, stop); },
              Urgency::Later)
-    , variation_(make_variation, Urgency::Later)
+    , variation_([maker = std::make_shared<VariationMaker>()](
+                     WantedVariation const& wanted,
+                     std::stop_token const& stop) { return maker->make(wanted, stop); },
+                 Urgency::Later)
     , worn_out_([](std::unique_ptr<mesh::Mesh const> const&) { return true; }, Urgency::Later)
 {
 }
 
-PlantGrower::MadeVariation PlantGrower::make_variation(WantedVariation const& wanted,
-                                                       std::stop_token const& stop)
+std::optional<Result<mesh::Mesh>> PlantGrower::take()
 {
-    scene::SceneShaper shaper;
-    auto mesh = grow_mesh(*wanted.plant.scene, wanted.plant.growth, shaper, coarse(), stop);
-    if (!mesh)
-        return { tl::unexpected(std::move(mesh).error()), wanted.wish };
-    return { Variation { wanted.plant.growth.seed, *std::move(mesh) }, wanted.wish };
+    auto grown = plant_.take();
+    if (!grown)
+        return std::nullopt;
+    if (!*grown)
+        return Result<mesh::Mesh>(tl::unexpected(std::move(*grown).error()));
+    underground_ = std::move((*grown)->underground);
+    return Result<mesh::Mesh>(std::move((*grown)->mesh));
 }
 
 void PlantGrower::vary(WantedVariations wanted)
@@ -118,7 +222,7 @@ void PlantGrower::vary(WantedVariations wanted)
 void PlantGrower::want_next()
 {
     if (variations_.count > 0)
-        variation_.want({ variations_.like, wish_ });
+        variation_.want({ variations_.like, variations_.individuality, wish_ });
 }
 
 void PlantGrower::take_variation()

@@ -4,6 +4,7 @@
 #include "engine/base/result.h"
 #include "engine/mesh/mesh.h"
 #include "engine/scene/scene.h"
+#include "engine/variation/individual.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,12 +20,27 @@ namespace tractus::view {
 struct WantedPlant {
     std::shared_ptr<scene::Scene const> scene; // Scene to grow; immutable, shared with the window.
     scene::SetGrowth growth {};                // Growth of the active plant, in place of its own.
+    bool along_ground = false; // Growth bends along the ground instead of into it; see ground.h.
 };
 
 // A request for `count` variations of the active plant, with this seed and the following ones.
 struct WantedVariations {
     WantedPlant like;
     std::size_t count = 0;
+    variation::Individuality individuality {}; // Their differences in addition to growth.
+};
+
+// The segments of the active plant as grown, except roots, that are below the ground.
+struct GrownUnderground {
+    struct Line {
+        Vec3f from_mm = Vec3f::Zero(); // Plant frame.
+        Vec3f to_mm = Vec3f::Zero();
+        bool by_growth = false; // Strokes alone would leave it above the ground.
+
+        bool operator==(Line const&) const = default;
+    };
+    std::vector<Line> lines {};
+    std::size_t segments = 0; // Number of segments of the whole plant.
 };
 
 struct Variation {
@@ -48,7 +64,10 @@ public:
 
     // The mesh of all visible plants in the active plant's frame, if it was finished since the last
     // call. Fails like plan_growth().
-    std::optional<Result<mesh::Mesh>> take() { return plant_.take(); }
+    std::optional<Result<mesh::Mesh>> take();
+
+    // What is below the ground in the plant that take() returned last.
+    GrownUnderground const& underground() const { return underground_; }
 
     // Destroys a mesh that is no longer shown on another thread: for a large plant this takes
     // longer than a frame.
@@ -63,8 +82,13 @@ public:
     void settle();
 
 private:
+    struct GrownPlants {
+        mesh::Mesh mesh;
+        GrownUnderground underground;
+    };
     struct WantedVariation {
         WantedPlant plant;
+        variation::Individuality individuality;
         std::uint64_t wish = 0;
     };
     struct MadeVariation {
@@ -72,11 +96,14 @@ private:
         std::uint64_t wish = 0;
     };
 
-    static MadeVariation make_variation(WantedVariation const& wanted, std::stop_token const& stop);
+    class SceneGrower;
+    class VariationMaker;
+
     void want_next();
     void take_variation();
 
-    NewestJob<WantedPlant, Result<mesh::Mesh>> plant_;
+    NewestJob<WantedPlant, Result<GrownPlants>> plant_;
+    GrownUnderground underground_;
     NewestJob<WantedVariation, MadeVariation> variation_;
     NewestJob<std::unique_ptr<mesh::Mesh const>, bool> worn_out_;
     WantedVariations variations_; // The variations still to come, including the one in progress.

@@ -2,6 +2,7 @@
 
 #include "app/render/read_picture.h"
 #include "app/tools/tool.h"
+#include "app/tools/underground.h"
 #include "app/view/drawn_curves.h"
 #include "app/view/ink_line.h"
 #include "app/view/orphans.h"
@@ -312,7 +313,7 @@ void StationView::show_curves(scene::Scene const& scene)
 void StationView::show_layers(scene::Scene const& scene)
 {
     layers_.show(scene, state_.hand);
-    state_.layers = layers_.seen();
+    state_.layers = seen_layers();
 }
 
 void StationView::pass(Duration step)
@@ -321,12 +322,52 @@ void StationView::pass(Duration step)
     see_layers();
 }
 
+std::vector<ShownLayer> StationView::seen_layers() const
+{
+    auto layers = layers_.seen();
+    if (!grown_underground_mm_.empty())
+        layers.push_back({ &tools::kGrownUndergroundLayer, grown_underground_mm_ });
+    return layers;
+}
+
+void StationView::show_underground(GrownUnderground const& underground)
+{
+    state_.underground_mm.clear();
+    grown_underground_mm_.clear();
+    for (auto const& line : underground.lines) {
+        state_.underground_mm.push_back({ line.from_mm, line.to_mm });
+        if (line.by_growth)
+            grown_underground_mm_.push_back(
+                { state_.T_world_plant * line.from_mm, state_.T_world_plant * line.to_mm });
+    }
+    state_.underground = grown_underground_mm_.empty()
+        ? ""
+        : fmt::format("growth takes {} of {} segments below the ground",
+                      grown_underground_mm_.size(), underground.segments);
+    see_layers();
+}
+
+void StationView::set_along_ground(bool is_on)
+{
+    state_.along_ground = is_on;
+    show_growth();
+    if (state_.collection_wanted > 0)
+        collect({ state_.collection_wanted, state_.individuality });
+}
+
+void StationView::want_plant(WantedPlant wanted)
+{
+    wanted.along_ground = state_.along_ground;
+    grower_->grow(std::move(wanted));
+    state_.is_growing = true;
+}
+
 // Updates the layers if their visibility or lines changed.
 void StationView::see_layers()
 {
-    if (state_.layers == layers_.seen())
+    if (state_.layers == seen_layers())
         return;
-    state_.layers = layers_.seen();
+    state_.layers = seen_layers();
     ++state_.strokes_revision;
     ++state_.skeleton_revision; // Layers are also shown with the skeleton.
 }
@@ -360,6 +401,12 @@ void StationView::grow_plant(std::shared_ptr<document::Snapshot const> const& sn
     shown_in_place_ = grown_scene_;
     skeleton_.set_scene(grown_scene_);
     preview(grown_scene_->growth);
+    auto const& growth = grown_scene_->growth;
+    bool const is_same = growth.parameters == collected_growth_.parameters
+        && growth.variability == collected_growth_.variability
+        && growth.age == collected_growth_.age;
+    if (state_.collection_wanted > 0 && !is_same)
+        collect({ state_.collection_wanted, state_.individuality });
 }
 
 // Takes a snapshot whose strokes were moved to the file; nothing visible differs.
@@ -378,9 +425,8 @@ void StationView::preview(scene::SetGrowth const& growth)
     state_.seed = growth.seed;
     state_.growth = { std::string(variation::growth_preset_of(growth.parameters)),
                       growth.variability, growth.age };
-    grower_->grow({ grown_scene_, growth });
+    want_plant({ grown_scene_, growth });
     state_.season = grown_scene_->state.season;
-    state_.is_growing = true;
 }
 
 void StationView::preview(std::optional<scene::Season> const& season)
@@ -388,8 +434,7 @@ void StationView::preview(std::optional<scene::Season> const& season)
     auto seen
         = std::make_shared<scene::Scene const>(scene::preview_in_season(*grown_scene_, season));
     auto const& growth = seen->growth;
-    grower_->grow({ seen, growth });
-    state_.is_growing = true;
+    want_plant({ seen, growth });
 }
 
 void StationView::propose(std::vector<scene::Edit> edits)
@@ -418,8 +463,7 @@ void StationView::show_in_place(std::shared_ptr<scene::Scene const> const& scene
     show_skeleton();
     show_layers(*scene);
     ++state_.strokes_revision;
-    grower_->grow({ scene, scene->growth });
-    state_.is_growing = true;
+    want_plant({ scene, scene->growth });
 }
 
 static bool is_same_file(std::shared_ptr<scene::BackPicture const> const& one,
@@ -488,13 +532,17 @@ void StationView::show_growth()
     preview(grown_scene_->growth);
 }
 
-void StationView::collect(std::size_t count)
+void StationView::collect(AskForCollection const& wanted)
 {
     constexpr std::size_t kMost = 100;
     state_.collection.clear();
-    state_.collection_wanted = std::min(count, kMost);
+    state_.collection_wanted = std::min(wanted.count, kMost);
+    state_.individuality = wanted.individuality;
+    collected_growth_ = grown_scene_->growth;
     ++state_.collection_revision;
-    grower_->vary({ { grown_scene_, grown_scene_->growth }, state_.collection_wanted });
+    grower_->vary({ { grown_scene_, grown_scene_->growth, state_.along_ground },
+                    state_.collection_wanted,
+                    wanted.individuality });
 }
 
 void StationView::show_variations()
@@ -539,6 +587,7 @@ void StationView::show_grown()
     plant_ = std::make_unique<mesh::Mesh const>(**std::move(grown));
     state_.plant = plant_.get();
     ++state_.plant_revision;
+    show_underground(grower_->underground());
 }
 
 Result<scene::SetGrowth> growth_set_to(GrowthView const& wanted, scene::SetGrowth growth)

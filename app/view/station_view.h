@@ -61,8 +61,11 @@ public:
     // are shown without the edits.
     void propose(std::vector<scene::Edit> edits);
 
-    // Grows `count` variations of the plant, starting at its own seed.
-    void collect(std::size_t count);
+    // Grows variations of the plant, starting at its own seed.
+    void collect(AskForCollection const& wanted);
+
+    // Bends plants along the ground instead of into it from now on.
+    void set_along_ground(bool is_on);
 
     // The scene from which the plant was grown, without previews. Immutable; shared with the
     // background thread.
@@ -123,6 +126,9 @@ private:
     void show_curves(scene::Scene const& scene);
     void show_layers(scene::Scene const& scene);
     void see_layers();
+    std::vector<ShownLayer> seen_layers() const;
+    void show_underground(GrownUnderground const& underground);
+    void want_plant(WantedPlant wanted);
     void show_variations();
     void show_preview(station::Station const& station, Inks inks);
     void take_preview();
@@ -143,6 +149,9 @@ private:
     std::vector<SharedVector<TipSample>> inked_;
     tools::DrawnCurveLists curve_lists_;
     ShownLayers layers_;
+    scene::SetGrowth collected_growth_ {}; // Growth of the collection requested last.
+    // Segments that growth takes below the ground. World frame.
+    std::vector<std::vector<Vec3f>> grown_underground_mm_;
     Nib nib_ = Nib::Point; // Nib of the pen whose ink is shown.
     std::size_t finished_strokes_ = 0;
     std::size_t shown_tips_ = 0;

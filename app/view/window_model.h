@@ -19,6 +19,7 @@
 #include "engine/scene/back_picture.h"
 #include "engine/scene/paper.h"
 #include "engine/scene/season.h"
+#include "engine/variation/individual.h"
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -168,13 +169,21 @@ struct WindowState {
     mesh::Mesh const* plant = nullptr;
     // True while a newer plant is being grown in the background; until then the last one is shown.
     bool is_growing = false;
-    GrowthView growth;                      // Growth settings requested last.
+    // Segments of the active plant as grown, except roots, that are below the ground: lines of two
+    // points in the plant frame, and a message such as "growth takes 12 of 632 segments below the
+    // ground", which is empty if growth takes none there. Change with plant_revision.
+    std::vector<std::vector<Vec3f>> underground_mm {};
+    std::string underground {};
+    bool along_ground = false; // Plants bend along the ground instead of into it; SetAlongGround.
+    GrowthView growth;         // Growth settings requested last.
     std::optional<scene::Season> season {}; // The document's season.
 
     // Variations requested last, as far as they have been grown; they arrive one by one.
     std::uint64_t collection_revision = 0;
     std::vector<VariationView> collection;
     std::size_t collection_wanted = 0;
+    // Their differences in addition to growth.
+    variation::Individuality individuality = variation::kPlantsOfOneBed;
 
     // Branches that the stroke in progress would move if it ended now, in their new shape. Plant
     // frame.
@@ -255,9 +264,18 @@ struct ChangeSeason {
 };
 struct AskForCollection {
     std::size_t count = 12; // Number of variations; 0 closes the collection.
+    variation::Individuality individuality = variation::kPlantsOfOneBed;
 };
+// Makes a variation the plant: its growth, and its branches where a model's stochastic rules have a
+// seed of their own. Size, orientation, age, leaf size and missing or duplicated branches are only
+// the collection's.
 struct PickVariation {
     std::uint64_t seed = 1; // Seed of the variation that becomes the plant.
+};
+// Bends plants along the ground instead of into it, in what is shown and exported from now on. The
+// drawing does not keep it.
+struct SetAlongGround {
+    bool is_on = true;
 };
 // Saves a picture in the background. The receiver names the file after plant and date, and the
 // status reports its path or an error; see WindowState::is_saving.
@@ -391,7 +409,7 @@ using WindowCommand
                    OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
                    AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard, OpenPictures,
                    LayPictureFile, DragDrawnGlyph, OpenLeaves, DressActivePlant, BringLeaf,
-                   NameDrawing, SaveCopy, WriteRules, PickCurve>;
+                   NameDrawing, SaveCopy, WriteRules, PickCurve, SetAlongGround>;
 
 // Supplies a window's contents. For use on the window's thread only.
 class WindowModel {

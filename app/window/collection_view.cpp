@@ -11,17 +11,18 @@ namespace tractus::window {
 
 namespace {
 
-constexpr std::size_t kVariations = 12;
 constexpr int kSheetColumns = 4;
 constexpr int kSheetRows = 3;
 constexpr render::ViewAngles kSheetAngles { .azimuth_rad = 0.45, .elevation_rad = 0.22 };
 
 } // namespace
 
-void CollectionView::draw(view::VariationView const& variation, Picture& picture,
-                          render::Renderer& renderer, ImVec2 const& size_px) const
+void CollectionView::draw(view::WindowState const& state, view::VariationView const& variation,
+                          Picture& picture, render::Renderer& renderer, ImVec2 const& size_px) const
 {
-    bool changed = picture.mesh != variation.mesh.get();
+    bool changed
+        = std::exchange(picture.revision, state.collection_revision) != state.collection_revision;
+    changed |= picture.mesh != variation.mesh.get();
     auto const& canvas = picture.canvas.sized(size_px, changed);
     if (!changed)
         return;
@@ -32,13 +33,19 @@ void CollectionView::draw(view::VariationView const& variation, Picture& picture
     stage.meshes.push_back({ &on_card });
     double const aspect = static_cast<double>(canvas.width()) / canvas.height();
     render::Framing framing(kSheetAngles, aspect);
-    framing.add(*variation.mesh);
+    for (auto const& one : state.collection)
+        framing.add(*one.mesh);
     renderer.draw(stage, framing.camera(), canvas);
 }
 
 void CollectionView::begin(view::WindowModel& model)
 {
-    model.perform(view::AskForCollection { kVariations });
+    model.perform(view::AskForCollection { kVariations, model.state().individuality });
+}
+
+void CollectionView::end(view::WindowModel& model)
+{
+    model.perform(view::AskForCollection { 0, model.state().individuality });
 }
 
 void CollectionView::show(view::WindowModel& model, render::Renderer& renderer,
@@ -63,7 +70,7 @@ void CollectionView::show(view::WindowModel& model, render::Renderer& renderer,
         ImVec2 const place(corner.x + gap + column * (cell.x + gap),
                            corner.y + gap + row * (cell.y + gap));
         auto& picture = pictures_[variation.seed];
-        draw(variation, picture, renderer, cell);
+        draw(state, variation, picture, renderer, cell);
         ImGui::SetCursorScreenPos(place);
         picture.canvas.show();
         ImGui::SetCursorScreenPos(place);

@@ -2,18 +2,22 @@
 
 #include "app/window/views.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <vector>
 
 namespace tractus::window {
 
-// A sheet of variations of the plant, each with its seed; pressing one makes it the plant. They
-// arrive one by one, and each is rendered once, when it arrives.
+// A sheet of variations of the plant at one scale, each with its seed; pressing one makes it the
+// plant. They arrive one by one.
 class CollectionView {
 public:
-    // Requests variations of the current plant.
+    static constexpr std::size_t kVariations = 12;
+
+    // Requests variations of the current plant, and ends the request.
     static void begin(view::WindowModel& model);
+    static void end(view::WindowModel& model);
 
     // Shows the sheet at ImGui's cursor, `size_px` large.
     void show(view::WindowModel& model, render::Renderer& renderer, ImVec2 const& size_px);
@@ -21,11 +25,12 @@ public:
 private:
     struct Picture {
         mesh::Mesh const* mesh = nullptr; // The mesh that the picture shows; owned by the model.
+        std::uint64_t revision = 0;       // Revision of the collection whose scale it has.
         ViewCanvas canvas;
     };
 
-    void draw(view::VariationView const& variation, Picture& picture, render::Renderer& renderer,
-              ImVec2 const& size_px) const;
+    void draw(view::WindowState const& state, view::VariationView const& variation,
+              Picture& picture, render::Renderer& renderer, ImVec2 const& size_px) const;
 
     std::map<std::uint64_t, Picture> pictures_; // Pictures of the variations, by seed.
     bool is_light_ = false;

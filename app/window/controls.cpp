@@ -172,6 +172,11 @@ void Controls::show_status(view::WindowState const& state) const
     else
         ImGui::TextColored(theme::imgui_color(theme::palette().indicator), "%s",
                            as_sentence(state.trouble).c_str());
+    if (!state.underground.empty()) {
+        ImGui::SameLine();
+        ImGui::TextColored(theme::imgui_color(theme::palette().indicator), "%s",
+                           state.underground.c_str());
+    }
     if (state.unkept_steps > 0) {
         ImGui::SameLine();
         ImGui::TextDisabled("not on the disk yet");

@@ -262,8 +262,8 @@ void Layout::show_views(view::WindowModel& model, render::Renderer& renderer,
     auto const& state = model.state();
     if (!state.mouse_draws || !bench_.draws(state))
         mouse_.let_go(model);
-    if (bench_.shown != Shown::Collection)
-        collection_is_shown_ = false;
+    if (bench_.shown != Shown::Collection && std::exchange(collection_is_shown_, false))
+        CollectionView::end(model);
     if (bench_.shown != Shown::All) {
         auto const whole = whole_window();
         pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
@@ -454,9 +454,17 @@ void Layout::show_collection(view::WindowModel& model, render::Renderer& rendere
         CollectionView::begin(model);
     auto const before = model.state().seed;
     float const title_px = kTitleRow_px * scale_;
-    ImGui::SetCursorScreenPos({ part.left, part.top + title_px });
-    collection_.show(model, renderer, { part.width, part.height - title_px });
-    show_title(part, "Variations", "press one to make it the plant");
+    float const gap = ImGui::GetStyle().ItemSpacing.x;
+    float const panel_px = individuality_.width_px(part.width);
+    float const sheet_px = part.width - panel_px - gap;
+    float const sheet_left = part.left + (bench_.is_left_handed ? panel_px + gap : 0);
+    float const panel_left = part.left + (bench_.is_left_handed ? gap : sheet_px);
+    ImGui::SetCursorScreenPos({ sheet_left, part.top + title_px });
+    collection_.show(model, renderer, { sheet_px, part.height - title_px });
+    individuality_.show(model, controls_,
+                        { panel_left, part.top + title_px, panel_px, part.height - title_px },
+                        CollectionView::kVariations);
+    show_title(part, "Variations", "press one to give the plant its branches and its growth");
     if (model.state().seed != before)
         bench_.shown = Shown::Plant;
 }

@@ -5,6 +5,7 @@
 #include "app/window/collection_view.h"
 #include "app/window/controls.h"
 #include "app/window/glyph_panel.h"
+#include "app/window/individuality_panel.h"
 #include "app/window/menu.h"
 #include "app/window/mouse_hand.h"
 #include "app/window/name_panel.h"
@@ -38,6 +39,7 @@ public:
         , cards_panel_(scale)
         , name_panel_(scale)
         , start_(title_font, scale)
+        , individuality_(scale)
     {
     }
 
@@ -102,6 +104,7 @@ private:
     SkeletonView skeleton_;
     PlantView plant_;
     CollectionView collection_;
+    IndividualityPanel individuality_;
     ToolRing ring_;
     MouseHand mouse_;
     PenArea pen_area_;

@@ -227,6 +227,9 @@ void Menu::show_plant(view::WindowModel& model, Controls const& controls)
                                     : view::ChangeGrowth::Slider::Moving;
         model.perform(change);
     }
+    bool const is_along = model.state().along_ground;
+    if (controls.button("Along the ground", item_px(), is_along))
+        model.perform(view::SetAlongGround { !is_along });
     show_season(model);
     bool is_left = true;
     for (auto const& preset : variation::growth_presets()) {

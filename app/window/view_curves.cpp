@@ -397,6 +397,16 @@ std::vector<render::Curve> preview_curves(view::WindowState const& state)
     return curves;
 }
 
+std::vector<render::Curve> underground_curves(view::WindowState const& state)
+{
+    constexpr float kUndergroundWidth_px = 3;
+    std::vector<render::Curve> curves;
+    for (auto const& points_mm : state.underground_mm)
+        curves.push_back(line(points_mm.front(), points_mm.back(), theme::palette().indicator,
+                              kUndergroundWidth_px));
+    return curves;
+}
+
 std::vector<render::Curve> growing_curves(view::WindowState const& state)
 {
     std::vector<render::Curve> curves;

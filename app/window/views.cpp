@@ -216,6 +216,7 @@ bool PlantView::follow_plant(view::WindowState const& state)
     if (state.plant == nullptr || (mesh_ && state.plant_revision == revision_))
         return changed;
     mesh_.emplace(*state.plant);
+    underground_.emplace(underground_curves(state));
     revision_ = state.plant_revision;
     if (state.growth.age >= 1)
         framed_mm_ = {};
@@ -233,6 +234,8 @@ void PlantView::draw(render::Renderer& renderer, Bounds const& framed_mm,
     stage.backdrop = is_light_ ? render::Backdrop() : render::dark_backdrop();
     if (mesh_)
         stage.meshes.push_back({ &*mesh_ });
+    if (underground_)
+        stage.curves.push_back(&*underground_);
     if (curves)
         stage.curves.push_back(curves);
     renderer.draw(stage, orbit_.camera(framed_mm, aspect_of(canvas)), canvas);

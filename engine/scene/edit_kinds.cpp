@@ -1,4 +1,5 @@
 #include "engine/scene/back_picture.h"
+#include "engine/scene/derive_anew.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/limb_edits.h"
 #include "engine/scene/make_edit_kind.h"
@@ -43,7 +44,7 @@ EditKinds core_edit_kinds()
         &SetSeason::kKind,        &LayPicture::kKind,      &PlacePicture::kKind,
         &SetPictureGround::kKind, &RemovePicture::kKind,   &DressPlant::kKind,
         &KeepGrammar::kKind,      &WriteRules::kKind,      &DrawLimb::kKind,
-        &EraseLimb::kKind
+        &EraseLimb::kKind,        &DeriveAnew::kKind
     };
     return kKinds;
 }

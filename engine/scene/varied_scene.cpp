@@ -155,6 +155,16 @@ bool has_stochastic_models(Scene const& scene)
     return built && !has_same_bases(scene, *built);
 }
 
+Scene active_plant_alone(Scene const& scene)
+{
+    auto state = scene.state;
+    if (state.plants.size() < 2)
+        return scene;
+    std::erase_if(state.plants, [&](auto const& plant) { return plant->id != state.active; });
+    auto alone = SceneBuilder(scene, {}).build(std::move(state));
+    return alone ? *std::move(alone) : scene;
+}
+
 OwnSeeds::OwnSeeds(Scene const& scene, double share)
     : share_(share > 0 && has_stochastic_models(scene) ? share : 0)
 {

@@ -37,6 +37,9 @@ private:
     double share_ = 0;
 };
 
+// Returns the scene with its active plant as the only one, as far as there is one.
+Scene active_plant_alone(Scene const& scene);
+
 // Returns the scene with each model from a file derived by a seed of its own, for one plant of a
 // collection: another individual. Its strokes lie on the branches that are most similar to those
 // they were drawn on (variation/like_branches.h). Several seeds are tried, until these are

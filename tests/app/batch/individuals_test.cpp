@@ -1,6 +1,7 @@
 #include "app/batch/collection_grower.h"
 
 #include "engine/plant/join_axes.h"
+#include "engine/scene/derive_anew.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/varied_scene.h"
 #include "engine/variation/diversity.h"
@@ -143,6 +144,28 @@ TEST_P(Individuals, DifferByAFifthOfTheirHeight)
     EXPECT_GE(mean_distance(drawn_plant(GetParam()), variation::kPlantsOfOneBed), 0.2);
     EXPECT_GE(mean_distance(drawn_plant(GetParam(), true), variation::kPlantsOfOneBed), 0.2)
         << "with a hanging twig for all that the trunk bears";
+}
+
+TEST_P(Individuals, BecomeThePlantWithTheirBranches)
+{
+    auto const scene = drawn_plant(GetParam());
+    EXPECT_FALSE(scene::derive_anew(scene, { 5, 3 }, 0)) << "no plant has a seed of its own";
+    EXPECT_FALSE(scene::derive_anew({}, { 5, 3 }, 1));
+    auto edit = scene::derive_anew(scene, { 5, 3 }, 1);
+    ASSERT_TRUE(edit);
+    auto const own = scene::with_own_seed(scene, 5, 3);
+    auto const after = scene::apply_edit(scene, *edit).value();
+    EXPECT_EQ(after.base->node_position_mm, own.base->node_position_mm);
+    EXPECT_NE(after.base->node_position_mm, scene.base->node_position_mm);
+    EXPECT_EQ(scene::shaping_numbers(after).size(), scene::shaping_numbers(scene).size())
+        << "every stroke has a branch";
+    for (std::size_t i = 0; i < after.associations.size(); ++i)
+        EXPECT_EQ(after.associations[i].what.path, own.associations[i].what.path);
+    edit->seeds.push_back(1);
+    EXPECT_FALSE(scene::apply_edit(scene, *edit)) << "there is no graft";
+    edit->seeds.pop_back();
+    edit->strokes.push_back(1);
+    EXPECT_FALSE(scene::apply_edit(scene, *edit)) << "a stroke without a place";
 }
 
 TEST_P(Individuals, DifferByNothingButGrowthWhereAllIsOff)

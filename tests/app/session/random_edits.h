@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/scene/derive_anew.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/limb_edits.h"
 
@@ -160,7 +161,7 @@ inline std::vector<PathAddress> random_paths()
 // Returns an edit of a document's plants or their parts.
 inline scene::Edit random_plant_edit()
 {
-    switch (*rc::gen::inRange(0, 12)) {
+    switch (*rc::gen::inRange(0, 13)) {
     case 0:
         return scene::ActivatePlant { random_id() };
     case 1:
@@ -193,6 +194,10 @@ inline scene::Edit random_plant_edit()
     }
     case 10:
         return scene::EraseLimb { random_id(), random_id() };
+    case 11:
+        return scene::DeriveAnew { random_id(), *rc::gen::arbitrary<std::vector<std::uint64_t>>(),
+                                   *rc::gen::arbitrary<std::vector<std::uint64_t>>(),
+                                   random_paths() };
     default:
         return scene::HideBranch { random_id(), *rc::gen::arbitrary<SegmentAddress>(),
                                    *rc::gen::arbitrary<bool>() };

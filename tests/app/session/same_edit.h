@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/scene/derive_anew.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/limb_edits.h"
 
@@ -221,6 +222,12 @@ inline bool same(scene::EraseLimb const& one, scene::EraseLimb const& other)
     return one.plant == other.plant && one.limb == other.limb;
 }
 
+inline bool same(scene::DeriveAnew const& one, scene::DeriveAnew const& other)
+{
+    return one.plant == other.plant && one.seeds == other.seeds && one.strokes == other.strokes
+        && one.at == other.at;
+}
+
 inline bool same(scene::UnknownEdit const& one, scene::UnknownEdit const& other)
 {
     return one.word == other.word && one.fields == other.fields && one.numbers == other.numbers;
@@ -248,7 +255,7 @@ inline bool same(scene::Edit const& one, scene::Edit const& other)
         || same_of<scene::SetScale>(one, other) || same_of<scene::GraftPlant>(one, other)
         || same_of<scene::TakeOffGraft>(one, other) || same_of<scene::HideBranch>(one, other)
         || same_of<scene::DrawLimb>(one, other) || same_of<scene::EraseLimb>(one, other)
-        || same_of<scene::UnknownEdit>(one, other);
+        || same_of<scene::DeriveAnew>(one, other) || same_of<scene::UnknownEdit>(one, other);
 }
 
 } // namespace tractus::session

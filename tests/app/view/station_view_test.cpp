@@ -6,16 +6,21 @@
 #include "app/tools/draw_tool.h"
 #include "app/tools/erase_tool.h"
 #include "app/tools/select_tool.h"
+#include "app/tools/underground.h"
 #include "app/view/orphans.h"
+#include "engine/mesh/mesh_measures.h"
 #include "engine/plant/join_axes.h"
 #include "tests/app/document/step_of.h"
 #include "tests/app/drawing_station.h"
 #include "tests/app/simple_rig.h"
 #include "tests/engine/scene/edits.h"
 
+#include <algorithm>
 #include <array>
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <optional>
+#include <utility>
 
 namespace tractus::view {
 namespace {
@@ -67,7 +72,7 @@ TEST(StationView, LetsTheBranchFollowThePen)
     view.settle();
     EXPECT_TRUE(view.state().preview.empty());
     EXPECT_GT(view.state().preview_revision, revision);
-    EXPECT_EQ(view.state().skeleton_revision, skeletons + 1) << "when the stroke was done";
+    EXPECT_GT(view.state().skeleton_revision, skeletons) << "when the stroke was done";
 }
 
 std::size_t in_state(StationView const& view, tools::SkeletonLine::State state)
@@ -312,7 +317,7 @@ TEST(StationView, GrowsACollectionOneByOne)
 {
     auto const station = station_on(small_scene(), {});
     StationView view(station, station.document());
-    view.collect(3);
+    view.collect({ 3, {} });
     EXPECT_EQ(view.state().collection_wanted, 3u);
     view.settle();
     ASSERT_EQ(view.state().collection.size(), 3u);
@@ -323,10 +328,74 @@ TEST(StationView, GrowsACollectionOneByOne)
                   view.state().plant->triangle_count());
     }
     auto const revision = view.state().collection_revision;
-    view.collect(0);
+    view.collect({ 0, {} });
     view.settle();
     EXPECT_TRUE(view.state().collection.empty());
     EXPECT_GT(view.state().collection_revision, revision);
+}
+
+// Height of a mesh above the ground.
+double height_of(mesh::Mesh const& mesh)
+{
+    return mesh::bounds(mesh).max_mm.z();
+}
+
+TEST(StationView, GrowsIndividualsAsFarAsIsAsked)
+{
+    auto const station = station_on(small_scene(), {});
+    StationView view(station, station.document());
+    view.collect({ 12, { .size = 0.4 } });
+    view.settle();
+    ASSERT_EQ(view.state().collection.size(), 12u);
+    auto const heights = [&] {
+        std::pair extremes { 1e9, 0.0 };
+        for (auto const& one : view.state().collection)
+            extremes = { std::min(extremes.first, height_of(*one.mesh)),
+                         std::max(extremes.second, height_of(*one.mesh)) };
+        return extremes;
+    };
+    auto const [least, most] = heights();
+    EXPECT_GT(most, 1.4 * least);
+    EXPECT_EQ(view.state().individuality.size, 0.4);
+    view.collect({ 12, {} });
+    view.settle();
+    auto const [lower, higher] = heights();
+    EXPECT_LT(higher, 1.2 * lower) << "growth alone";
+}
+
+TEST(StationView, ShowsAndCountsWhatGrowthTakesBelowTheGround)
+{
+    auto scene = small_scene();
+    scene::SetGrowth growth;
+    growth.parameters.prevailing = Vec3(60, 0, -60);
+    growth.parameters.strength = 0;
+    scene = scene::apply_edit(scene, growth).value();
+    auto const station = station_on(scene, {});
+    StationView view(station, station.document());
+    view.settle();
+    auto const& state = view.state();
+    ASSERT_FALSE(state.underground_mm.empty());
+    for (auto const& line_mm : state.underground_mm)
+        EXPECT_LT(line_mm.back().z(), 0);
+    auto const segments = scene.base->segment_count();
+    EXPECT_EQ(state.underground,
+              fmt::format("growth takes {} of {} segments below the ground",
+                          state.underground_mm.size(), segments));
+    ASSERT_FALSE(state.layers.empty());
+    EXPECT_EQ(state.layers.back().layer, &tools::kGrownUndergroundLayer);
+    EXPECT_EQ(state.layers.back().lines_mm.size(), state.underground_mm.size());
+    auto const revision = state.plant_revision;
+    view.set_along_ground(true);
+    view.settle();
+    EXPECT_GT(state.plant_revision, revision);
+    EXPECT_TRUE(state.underground_mm.empty());
+    EXPECT_EQ(state.underground, "");
+    EXPECT_TRUE(std::ranges::none_of(state.layers, [](ShownLayer const& shown) {
+        return shown.layer == &tools::kGrownUndergroundLayer;
+    }));
+    view.set_along_ground(false);
+    view.settle();
+    EXPECT_FALSE(state.underground_mm.empty());
 }
 
 } // namespace

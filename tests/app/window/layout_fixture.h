@@ -104,6 +104,12 @@ public:
         }
         if (auto const* const named = std::get_if<view::NameDrawing>(&command))
             given_names.push_back(named->name);
+        if (auto const* const asked = std::get_if<view::AskForCollection>(&command)) {
+            collections.push_back(*asked);
+            state_.individuality = asked->individuality;
+        }
+        if (auto const* const change = std::get_if<view::ChangeGrowth>(&command))
+            state_.growth = change->growth;
         if (auto const* const pick = std::get_if<view::PickCurve>(&command))
             picked.push_back(pick->curve);
         if (auto const* const moved_by = std::get_if<view::MoveSurface>(&command))
@@ -124,7 +130,8 @@ public:
     std::vector<tools::Tool> moved {};       // Settings of a tool while a slider is dragged.
     std::vector<tools::Tool> released {};    // Settings of a tool when the slider is released.
     std::vector<std::string> given_names {}; // Names given to the drawing.
-    std::vector<std::size_t> picked {};      // Drawn curves that were clicked.
+    std::vector<view::AskForCollection> collections {}; // Collections that were asked for.
+    std::vector<std::size_t> picked {};                 // Drawn curves that were clicked.
     std::size_t touches = 0;
     double surface_mm = 0; // Distance by which the surface was moved.
 
@@ -351,7 +358,8 @@ inline bool scrolls(Box const& box)
 {
     return box.panel.find("meanings") != std::string::npos || box.panel == "menu"
         || box.panel.find("cards") != std::string::npos
-        || box.panel.find("study") != std::string::npos;
+        || box.panel.find("study") != std::string::npos
+        || box.panel.find("individuality") != std::string::npos;
 }
 
 inline void check_buttons(DrawnFrame const& drawn, ImVec2 const& size_px)

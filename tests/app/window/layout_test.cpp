@@ -112,4 +112,70 @@ TEST_F(LayoutTest, LetsTheMouseDrawOnStageUntilEscape)
     EXPECT_FALSE(wants_to_close);
 }
 
+namespace {
+
+// The switches beside a collection, from top to bottom.
+std::vector<Box> switches(DrawnFrame const& drawn)
+{
+    std::vector<Box> boxes;
+    for (auto const& [whole, visible] : drawn.buttons)
+        if (whole.panel.find("individuality") != std::string::npos)
+            boxes.push_back(whole);
+    std::ranges::sort(boxes, {}, &Box::top);
+    return boxes;
+}
+
+void show_many(Layout& layout)
+{
+    layout.bench().shown = Workbench::Shown::Collection;
+}
+
+} // namespace
+
+TEST_F(LayoutTest, HasASwitchForEachTraitOfACollection)
+{
+    for (auto const& size : sizes()) {
+        SCOPED_TRACE(text_of(size));
+        show(
+            { size.width, size.height }, size.scale,
+            [](Layout& layout, DrawingModel&) { show_many(layout); },
+            [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
+                check_buttons(drawn, size_px);
+                EXPECT_GE(switches(drawn).size(), 2u);
+                if (size.height >= 900)
+                    EXPECT_EQ(switches(drawn).size(), 7u);
+            });
+    }
+}
+
+TEST_F(LayoutTest, SwitchesATraitOfACollectionOffAndOnAgain)
+{
+    std::vector<Box> boxes;
+    show(
+        { 1600, 900 }, 1, [](Layout& layout, DrawingModel&) { show_many(layout); },
+        [&](DrawnFrame const& drawn, ImVec2 const&) { boxes = switches(drawn); });
+    ASSERT_EQ(boxes.size(), 7u);
+    auto const centre = [&](std::size_t i) {
+        return ImVec2(boxes[i].left + boxes[i].width() / 2, boxes[i].top + boxes[i].height() / 2);
+    };
+    DrawingModel model;
+    std::vector<Moment> moments { { { 10, 10 } } };
+    for (auto const i : { 2u, 3u, 2u, 6u })
+        for (bool const is_down : { false, true, false, false })
+            moments.push_back({ centre(i), is_down });
+    work({ 1600, 900 }, moments, model, show_many);
+    auto const bed = variation::kPlantsOfOneBed;
+    ASSERT_EQ(model.collections.size(), 4u) << "one when the view opens, and one for each switch";
+    EXPECT_EQ(model.collections[0].individuality, bed);
+    EXPECT_EQ(model.collections[0].count, 12u);
+    auto how = bed;
+    how.size = 0;
+    EXPECT_EQ(model.collections[1].individuality, how);
+    how.turn = 0;
+    EXPECT_EQ(model.collections[2].individuality, how);
+    how.size = bed.size;
+    EXPECT_EQ(model.collections[3].individuality, how);
+    EXPECT_EQ(model.state().growth.variability, 0) << "growth is the plant's own";
+}
+
 } // namespace tractus::window
