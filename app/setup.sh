@@ -37,6 +37,15 @@ install_packages() {
         apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
+# Makes builds that are configured from now on keep what they compile, if ccache is installed: a build of the same
+# sources in any folder takes it from there.
+use_ccache() {
+    command -v ccache >/dev/null || return 0
+    export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+    export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=yes CCACHE_SLOPPINESS=pch_defines,time_macros
+}
+use_ccache
+
 # Filters the output of ninja or ctest: instead of lines about successful steps it prints, every ten seconds, how
 # many steps are done and the estimated remaining time.
 #   show_progress NOUN
