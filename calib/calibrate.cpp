@@ -124,7 +124,7 @@ Rig with_tilt(Rig rig, TiltFit const& fit, std::string const& date)
         = TiltRecord { .date = date,
                        .coil_height_mm = written.coil_height_mm,
                        .coil_height_error_mm = rounded(fit.coil_height_error_mm, kErrorDigits),
-                       .least_tilt_deg = tenths_deg(fit.least_tilt_rad),
+                       .min_tilt_deg = tenths_deg(fit.min_tilt_rad),
                        .most_tilt_deg = tenths_deg(fit.most_tilt_rad),
                        .rms_mm = rounded(fit.rms_mm, kErrorDigits),
                        .touches = fit.touches };

@@ -85,7 +85,7 @@ struct TiltRecord {
     Vec2 coil_height_mm
         = Vec2::Zero(); // Fitted values; the rig's own coil height is zero if these are negligible.
     Vec2 coil_height_error_mm = Vec2::Zero();
-    Vec2 least_tilt_deg = Vec2::Zero();
+    Vec2 min_tilt_deg = Vec2::Zero();
     Vec2 most_tilt_deg = Vec2::Zero();
     double rms_mm = 0;
     std::size_t touches = 0;

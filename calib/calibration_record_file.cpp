@@ -121,7 +121,7 @@ Result<TiltRecord> parse_tilt(TomlTable& table)
     TiltRecord record { .date = TRY(table.text("date")) };
     record.coil_height_mm = TRY(table.vec2("coil_height_mm"));
     record.coil_height_error_mm = TRY(table.vec2("coil_height_error_mm", NumberRange::NotNegative));
-    record.least_tilt_deg = TRY(table.vec2("least_tilt_deg"));
+    record.min_tilt_deg = TRY(table.vec2("least_tilt_deg"));
     record.most_tilt_deg = TRY(table.vec2("most_tilt_deg"));
     record.rms_mm = TRY(table.number("rms_mm", NumberRange::NotNegative));
     record.touches = TRY(whole(table, "touches"));
@@ -253,9 +253,8 @@ touches = {}
 )",
                        quoted(record.date), record.coil_height_mm.x(), record.coil_height_mm.y(),
                        record.coil_height_error_mm.x(), record.coil_height_error_mm.y(),
-                       record.least_tilt_deg.x(), record.least_tilt_deg.y(),
-                       record.most_tilt_deg.x(), record.most_tilt_deg.y(), record.rms_mm,
-                       record.touches);
+                       record.min_tilt_deg.x(), record.min_tilt_deg.y(), record.most_tilt_deg.x(),
+                       record.most_tilt_deg.y(), record.rms_mm, record.touches);
 }
 
 std::string print(CheckRecord const& record)

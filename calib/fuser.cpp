@@ -143,7 +143,7 @@ void Fuser::doubt(Timestamp instant)
 {
     ++counts_.heights_doubted;
     // After a step, correct readings are doubted too, until there are enough of them.
-    if (judge_.doubted_in_a_row() > HeightJudge::kMostWrong + HeightJudge::kFewInRun)
+    if (judge_.doubted_in_a_row() > HeightJudge::kMaxWrong + HeightJudge::kFewInRun)
         heights_.end_bridge();
     else
         heights_.add_unknown(instant);

@@ -27,7 +27,7 @@ ReadingRange reading_range(std::span<HeightCapture const> captures)
 
 namespace {
 
-constexpr std::size_t kLeastReadings = 20;
+constexpr std::size_t kMinReadings = 20;
 constexpr Duration kLongestCaptureGap = std::chrono::milliseconds(250);
 constexpr std::size_t kBlocks = 8;
 constexpr int kScatterReach = 12; // Number of bins on either side of the middle one.
@@ -123,11 +123,11 @@ Duration longest_gap(std::span<drivers::HeightSample const> samples)
 
 Result<void> check_flow(std::span<drivers::HeightSample const> samples)
 {
-    if (samples.size() < kLeastReadings)
+    if (samples.size() < kMinReadings)
         return fail(Fault::Device,
                     fmt::format("only {} readings came in the time of a capture, expected at least "
                                 "{}: check that the height sensor is connected and sends",
-                                samples.size(), kLeastReadings));
+                                samples.size(), kMinReadings));
     if (auto const gap = longest_gap(samples); gap > kLongestCaptureGap)
         return fail(Fault::Device,
                     fmt::format("the height sensor was silent for {:.2f} s during the capture: "

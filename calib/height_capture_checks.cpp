@@ -13,9 +13,9 @@ namespace {
 
 using Captures = std::span<HeightCapture const>;
 
-constexpr double kLeastSpan_mm = 20;
-constexpr double kLeastCounts = 5;
-constexpr double kLeastStep_mm
+constexpr double kMinSpan_mm = 20;
+constexpr double kMinCounts = 5;
+constexpr double kMinStep_mm
     = 5; // Heights that differ by at least this much must have different readings.
 // The string is slack where readings change by less than this share of the usual counts per
 // millimetre.
@@ -36,11 +36,11 @@ Result<void> check_span(Captures captures)
     auto const [low, high]
         = std::minmax_element(captures.begin(), captures.end(),
                               [](auto const& a, auto const& b) { return a.ruler_mm < b.ruler_mm; });
-    if (high->ruler_mm - low->ruler_mm < kLeastSpan_mm)
+    if (high->ruler_mm - low->ruler_mm < kMinSpan_mm)
         return fail(Fault::User,
                     fmt::format("all {} captures are at one height, {:g} to {:g} mm: move the "
                                 "surface over most of its travel, at least {} mm, between captures",
-                                captures.size(), low->ruler_mm, high->ruler_mm, kLeastSpan_mm));
+                                captures.size(), low->ruler_mm, high->ruler_mm, kMinSpan_mm));
     return {};
 }
 
@@ -59,7 +59,7 @@ Result<void> check_slack(Captures captures, std::vector<std::size_t> const& orde
     auto const [low, high]
         = std::minmax_element(captures.begin(), captures.end(),
                               [](auto const& a, auto const& b) { return a.counts < b.counts; });
-    if (high->counts - low->counts < kLeastCounts)
+    if (high->counts - low->counts < kMinCounts)
         return slack(captures[order.front()], captures[order.back()]);
 
     struct Step {
@@ -71,8 +71,7 @@ Result<void> check_slack(Captures captures, std::vector<std::size_t> const& orde
     for (std::size_t i = 0; i < order.size();) {
         auto const& here = captures[order[i]];
         auto next = i + 1;
-        while (next < order.size()
-               && captures[order[next]].ruler_mm - here.ruler_mm < kLeastStep_mm)
+        while (next < order.size() && captures[order[next]].ruler_mm - here.ruler_mm < kMinStep_mm)
             ++next;
         if (next < order.size()) {
             auto const& there = captures[order[next]];

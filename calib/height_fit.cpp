@@ -27,7 +27,7 @@ constexpr double kRarityOfSlips
     = 9.2; // Penalty for a slip, -2 ln(0.01): one capture in a hundred slips.
 constexpr std::size_t kFreedomThatTells
     = 3; // Least number of surplus captures from which a variance can be estimated.
-constexpr std::size_t kMostKnots = 12;
+constexpr std::size_t kMaxKnots = 12;
 // Factor on a variance estimated from one to three surplus captures, which is as often too small:
 // the square of Student's quantile for one standard error at three degrees of freedom over the
 // normal one.
@@ -128,14 +128,14 @@ std::optional<RobustFit> fit_best_monotone(Captures captures, HeightFitOptions c
     };
     std::optional<RobustFit> best;
     for (auto knots = parameter_count(kind);
-         knots + kFreedomThatTells <= captures.size() && knots <= kMostKnots; ++knots) {
+         knots + kFreedomThatTells <= captures.size() && knots <= kMaxKnots; ++knots) {
         auto const fit = with_knots(knots);
         if (fit && fit->freedom() >= kFreedomThatTells
             && (!best || fit->variance_mm2() < best->variance_mm2()))
             best = fit;
     }
     if (!best && options.kind)
-        best = with_knots(std::min(distinct_readings(captures), kMostKnots));
+        best = with_knots(std::min(distinct_readings(captures), kMaxKnots));
     return best;
 }
 
@@ -169,14 +169,14 @@ std::optional<RobustFit> fit_kind(HeightModelKind kind, Captures captures,
 // Residuals far below the ruler's accuracy are chance, and do not count.
 double chance_of_gain(RobustFit const& simple, RobustFit const& rich, double ruler_error_mm)
 {
-    double const least_variance = ruler_error_mm * ruler_error_mm / 9;
+    double const min_variance = ruler_error_mm * ruler_error_mm / 9;
     if (rich.freedom() == 0 || rich.freedom() >= simple.freedom())
         return 1;
     auto const extra = static_cast<double>(simple.freedom() - rich.freedom());
     double const gain = simple.fit.sum_of_squares_mm2 - rich.fit.sum_of_squares_mm2;
     if (!(gain > 0))
         return 1;
-    double const f = gain / extra / std::max(rich.variance_mm2(), least_variance);
+    double const f = gain / extra / std::max(rich.variance_mm2(), min_variance);
     boost::math::fisher_f const distribution(extra, static_cast<double>(rich.freedom()));
     return boost::math::cdf(boost::math::complement(distribution, f));
 }
@@ -345,11 +345,11 @@ std::optional<Hysteresis> hysteresis_of(Captures captures, HeightFit const& fit,
     auto const up = mean_of(from_below);
     auto const down = mean_of(from_above);
     // A few captures may agree by chance, so the error is at least that of the ruler.
-    double const least_variance = std::pow(std::max(fit.capture_error_mm, ruler_error_mm), 2)
+    double const min_variance = std::pow(std::max(fit.capture_error_mm, ruler_error_mm), 2)
         * (1 / static_cast<double>(up.count) + 1 / static_cast<double>(down.count));
     return Hysteresis { .mm = up.value - down.value,
                         .standard_error_mm
-                        = std::sqrt(std::max(up.variance + down.variance, least_variance)) };
+                        = std::sqrt(std::max(up.variance + down.variance, min_variance)) };
 }
 
 double pooled_noise(Captures captures)
@@ -459,11 +459,11 @@ std::optional<HeightModelKind> parse_height_model_kind(std::string_view name)
 
 HeightCapture::From direction(std::optional<double> before_mm, double ruler_mm)
 {
-    constexpr double kLeastMove_mm = 1;
+    constexpr double kMinMove_mm = 1;
     double const rise_mm = before_mm ? ruler_mm - *before_mm : 0;
-    return rise_mm > kLeastMove_mm ? HeightCapture::From::Below
-        : rise_mm < -kLeastMove_mm ? HeightCapture::From::Above
-                                   : HeightCapture::From::Nowhere;
+    return rise_mm > kMinMove_mm ? HeightCapture::From::Below
+        : rise_mm < -kMinMove_mm ? HeightCapture::From::Above
+                                 : HeightCapture::From::Nowhere;
 }
 
 void tell_directions(std::vector<HeightCapture>& captures)

@@ -17,12 +17,12 @@ namespace {
 
 using Captures = std::span<HeightCapture const>;
 
-constexpr double kLeastTravel_mm = 100;
-constexpr double kMostErrors = 3;        // Greatest acceptable deviation, in ruler errors.
-constexpr std::size_t kLeastFreedom = 2; // Surplus captures needed to confirm a law.
+constexpr double kMinTravel_mm = 100;
+constexpr double kMaxErrors = 3;       // Greatest acceptable deviation, in ruler errors.
+constexpr std::size_t kMinFreedom = 2; // Surplus captures needed to confirm a law.
 constexpr std::size_t kFreedomAfterSlips
     = 3; // Surplus captures needed to confirm a law after some were left out.
-constexpr std::size_t kMostForPairs
+constexpr std::size_t kMaxForPairs
     = 20; // With more captures, trying all pairs would take too long.
 
 // Returns the variance of a capture, from the simplest law that fits.
@@ -31,7 +31,7 @@ std::optional<double> variance_mm2(Captures captures)
     std::optional<double> least;
     for (auto const kind : { HeightModelKind::Linear, HeightModelKind::String }) {
         auto const parameters = parameter_count(kind);
-        if (captures.size() < parameters + kLeastFreedom)
+        if (captures.size() < parameters + kMinFreedom)
             continue;
         auto const fit
             = kind == HeightModelKind::Linear ? fit_linear(captures) : fit_string(captures);
@@ -81,9 +81,9 @@ LeftOut one_more(Captures captures, LeftOut const& before)
 
 std::vector<std::size_t> disagreeing(Captures captures, double error_mm)
 {
-    double const most_variance_mm2 = std::pow(kMostErrors * error_mm, 2);
+    double const most_variance_mm2 = std::pow(kMaxErrors * error_mm, 2);
     auto left_out = one_more(captures, {});
-    if (left_out.variance_mm2 > most_variance_mm2 && captures.size() <= kMostForPairs)
+    if (left_out.variance_mm2 > most_variance_mm2 && captures.size() <= kMaxForPairs)
         left_out = best_pair(captures);
     while (left_out.variance_mm2 > most_variance_mm2 && std::isfinite(left_out.variance_mm2)
            && 3 * (left_out.set.size() + 1) <= captures.size())
@@ -105,7 +105,7 @@ std::optional<HeightFitDoubt> doubt_about_travel(Captures captures)
         = std::minmax_element(captures.begin(), captures.end(),
                               [](auto const& a, auto const& b) { return a.ruler_mm < b.ruler_mm; });
     double const travel_mm = high->ruler_mm - low->ruler_mm;
-    if (travel_mm >= kLeastTravel_mm)
+    if (travel_mm >= kMinTravel_mm)
         return std::nullopt;
     return HeightFitDoubt { fmt::format(
         "the heights span only {:g} mm: were those centimetres? give millimetres, over most of the "
@@ -116,7 +116,7 @@ std::optional<HeightFitDoubt> doubt_about_travel(Captures captures)
 // True if captures are farther from their law than a ruler read with the stated error allows.
 bool is_apart(HeightFit const& fit, Captures captures, HeightFitOptions const& options)
 {
-    return fit.apart_mm > kMostErrors
+    return fit.apart_mm > kMaxErrors
         * error_beside_bend_mm(captures, options.ruler_error_mm, options.linearity_percent);
 }
 

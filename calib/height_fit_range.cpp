@@ -10,7 +10,7 @@ namespace tractus::calib {
 namespace {
 
 constexpr int kRangeSteps = 100;
-constexpr double kLeastKnown_mm = 3; // Greatest acceptable standard error of a height.
+constexpr double kMinKnown_mm = 3;   // Greatest acceptable standard error of a height.
 constexpr double kKnownInRulers = 5; // The limit is this many ruler errors if that is more.
 
 // The first reading in a range at which a model has no height, or reverses its direction.
@@ -67,7 +67,7 @@ Result<void> check_ends(HeightFit const& fit, HeightSpan const& span)
 
 Result<void> check_errors(HeightFit const& fit, double ruler_error_mm)
 {
-    double const most_mm = std::max(kLeastKnown_mm, kKnownInRulers * ruler_error_mm);
+    double const most_mm = std::max(kMinKnown_mm, kKnownInRulers * ruler_error_mm);
     for (int step = 0; step <= kRangeSteps; ++step) {
         double const counts
             = fit.low_counts + (fit.high_counts - fit.low_counts) * step / kRangeSteps;

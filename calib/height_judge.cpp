@@ -8,16 +8,16 @@ namespace tractus::calib {
 
 namespace {
 
-constexpr double kLeastDoubted_mm = 0.5; // Smaller deviations are noise, which the fit smooths.
-constexpr double kNoiseCounts = 4;       // Steps of up to this many counts are noise.
-constexpr double kNoises = 4; // Deviations up to this multiple of the usual one are noise.
+constexpr double kMinDoubted_mm = 0.5; // Smaller deviations are noise, which the fit smooths.
+constexpr double kNoiseCounts = 4;     // Steps of up to this many counts are noise.
+constexpr double kNoises = 4;          // Deviations up to this multiple of the usual one are noise.
 constexpr std::size_t kRemembered = 64;
 constexpr std::size_t kFewRemembered = 15; // Fewer readings determine neither rate nor noise.
 constexpr double kPause_s = 0.1;  // Longer intervals are pauses, and do not count for the rate.
 constexpr double kTrack_s = 0.02; // Time over which the speed is measured; see kTrackReadings.
 // The speed is measured over this number of readings if they take longer.
 constexpr std::size_t kTrackReadings = 4;
-constexpr std::size_t kMostReadings = 64;
+constexpr std::size_t kMaxReadings = 64;
 // Ratio of the median to the lower quartile of a normal distribution's absolute values.
 constexpr double kMedianPerQuartile = 2.117;
 constexpr double kUnseenOfNew_s = 0.01;
@@ -107,7 +107,7 @@ double HeightJudge::unseen_s() const
 
 double HeightJudge::noise_mm() const
 {
-    return std::max(kLeastDoubted_mm, kNoiseCounts * count_mm_) + kNoises * usual_bend_mm_;
+    return std::max(kMinDoubted_mm, kNoiseCounts * count_mm_) + kNoises * usual_bend_mm_;
 }
 
 // Returns how far off a reading may be because it was not taken at the time that it seems to have
@@ -175,7 +175,7 @@ bool HeightJudge::run_leads_back() const
 void HeightJudge::believe(Reading const& reading)
 {
     track_.push_back(reading);
-    keep_last(track_, kMostReadings);
+    keep_last(track_, kMaxReadings);
 }
 
 void HeightJudge::believe_run(std::vector<Reading>& believed)
@@ -213,7 +213,7 @@ HeightJudge::Verdict HeightJudge::judge(Reading const& reading, double count_mm,
         believe_run(believed);
         return Verdict::Believed;
     }
-    if (run_.size() > kMostWrong && reading.arrival - run_.front().arrival >= kLeastStep) {
+    if (run_.size() > kMaxWrong && reading.arrival - run_.front().arrival >= kMinStep) {
         believe_run(believed);
         return Verdict::Step;
     }

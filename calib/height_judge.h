@@ -16,19 +16,19 @@ namespace tractus::calib {
 // - the surface continues where it was expected: the doubted readings were wrong;
 // - kFewInRun doubted readings in a row lie on a smooth curve that leads back to the last position:
 //   the surface started, stopped or turned abruptly, or moved unobserved;
-// - more than kMostWrong readings in a row lie on a smooth curve, for at least kLeastStep: the
+// - more than kMaxWrong readings in a row lie on a smooth curve, for at least kMinStep: the
 //   surface is there now, however it got there (after the computer paused, or because the string
 //   slipped).
-// Up to kMostWrong wrong readings in a row are therefore never believed. Errors too small to differ
+// Up to kMaxWrong wrong readings in a row are therefore never believed. Errors too small to differ
 // from movement are believed: less than 1 mm at 500 readings a second, 5 mm at 50.
 //
 // Readings of one sensor come in the order of their arrival. No clock is read: equal readings give
 // equal judgements.
 class HeightJudge {
 public:
-    static constexpr std::size_t kMostWrong = 10;
+    static constexpr std::size_t kMaxWrong = 10;
     static constexpr std::size_t kFewInRun = 4;
-    static constexpr Duration kLeastStep = std::chrono::milliseconds(40);
+    static constexpr Duration kMinStep = std::chrono::milliseconds(40);
 
     // Limits of hands: the greatest speed of a surface, and the greatest sustained acceleration,
     // while drawing on it.

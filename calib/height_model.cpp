@@ -86,9 +86,9 @@ bool bend_is_valid(TrackBend const& bend)
 // is gentle.
 double bent(TrackBend const& bend, double straight)
 {
-    constexpr int kMostSteps = 60;
+    constexpr int kMaxSteps = 60;
     double counts = straight;
-    for (int step = 0; step < kMostSteps && !bend.empty(); ++step) {
+    for (int step = 0; step < kMaxSteps && !bend.empty(); ++step) {
         double const next = counts + straight - straightened(bend, counts);
         if (next == counts)
             break;

@@ -100,9 +100,9 @@ std::optional<ModelFit> better(std::optional<ModelFit> a, std::optional<ModelFit
 // remaining parameters are a line from counts to lengths. A difference in length is weighted by the
 // difference in height that it causes.
 std::optional<StringHeight> string_through(Columns const& columns, double offset_mm,
-                                           double least_rise_mm)
+                                           double min_rise_mm)
 {
-    double const base_mm = least_rise_mm - columns.heights.minCoeff();
+    double const base_mm = min_rise_mm - columns.heights.minCoeff();
     Eigen::VectorXd const rises = columns.heights.array() + base_mm;
     Eigen::VectorXd const lengths = (rises.array().square() + offset_mm * offset_mm).sqrt();
     Eigen::VectorXd const weights = (lengths.array() / rises.array()).square();

@@ -241,7 +241,7 @@ constexpr Duration kStepTakes = std::chrono::milliseconds(30);
 // speeds times the time, exactly so under a steady acceleration.
 void HeightMonitor::watch_step(drivers::HeightSample const& sample)
 {
-    constexpr std::size_t kLeastForStep = 3;
+    constexpr std::size_t kMinForStep = 3;
     if (!height_of(sample))
         path_.clear();
     for (auto const& reading : believed_) {
@@ -260,7 +260,7 @@ void HeightMonitor::watch_step(drivers::HeightSample const& sample)
     auto const after = line_through(path_, sample.time, {}, kSide);
     auto const before
         = line_through(path_, sample.time, kSide + kStepTakes, 2 * kSide + kStepTakes);
-    if (std::min(after.count, before.count) < kLeastForStep
+    if (std::min(after.count, before.count) < kMinForStep
         || std::abs(after.mm_per_s - before.mm_per_s) > limits_.step_speed_mm_per_s)
         return;
     double const way_mm = (after.mm_per_s + before.mm_per_s) / 2 * (after.seconds - before.seconds);
@@ -320,11 +320,11 @@ void HeightMonitor::watch_stuck(drivers::HeightSample const& sample)
 void HeightMonitor::watch_rate(Timestamp time)
 {
     constexpr Duration kSpan = std::chrono::seconds(1);
-    constexpr std::size_t kMostPerSecond = 20'000; // More than USB's 8 kHz allow.
+    constexpr std::size_t kMaxPerSecond = 20'000; // More than USB's 8 kHz allow.
     if (!recent_.empty() && time < recent_.back())
         recent_.clear(); // Times go back in concatenated logs.
     recent_.push_back(time);
-    while (time - recent_.front() > kSpan || recent_.size() > kMostPerSecond)
+    while (time - recent_.front() > kSpan || recent_.size() > kMaxPerSecond)
         recent_.pop_front();
 }
 

@@ -49,7 +49,7 @@ void HeightTrack::end_bridge()
 // True if the sensor gave readings throughout, although their values are not known.
 bool HeightTrack::is_bridged(Timestamp from, Timestamp to, Duration max_age) const
 {
-    if (to - from <= max_age || to - from > kMostBridged)
+    if (to - from <= max_age || to - from > kMaxBridged)
         return to - from <= max_age;
     auto last = from;
     for (auto time = std::upper_bound(unknown_.begin(), unknown_.end(), from);
@@ -67,7 +67,7 @@ Timestamp HeightTrack::newest() const
 // Returns the nearer neighbour's height if the reading is a spike, otherwise its own.
 double HeightTrack::without_spike_mm(Place const& reading) const
 {
-    constexpr double kLeastSpike_mm = 1; // Smaller deviations are noise, which the fit smooths.
+    constexpr double kMinSpike_mm = 1; // Smaller deviations are noise, which the fit smooths.
     constexpr double kQuickest_mm_per_ss
         = 20000; // Acceleration of a hand that reverses its movement.
     if (reading == readings_.begin() || std::next(reading) == readings_.end())
@@ -78,7 +78,7 @@ double HeightTrack::without_spike_mm(Place const& reading) const
     double const nearer_mm = std::clamp(reading->height_mm, low, high);
     double const seconds
         = to_seconds(std::max(reading->time - before.time, after.time - reading->time));
-    double const most_mm = kLeastSpike_mm + kQuickest_mm_per_ss / 2 * seconds * seconds;
+    double const most_mm = kMinSpike_mm + kQuickest_mm_per_ss / 2 * seconds * seconds;
     return std::abs(reading->height_mm - nearer_mm) > most_mm ? nearer_mm : reading->height_mm;
 }
 
@@ -160,7 +160,8 @@ std::optional<HeightTrack::Estimate> HeightTrack::at(Timestamp time, Duration ma
     if (!has_before && !has_after)
         return std::nullopt;
     auto const nearest = has_before ? std::prev(after) : after;
-    auto const reached = std::clamp(time, nearest->time - kCarriedOn, nearest->time + kCarriedOn);
+    auto const reached
+        = std::clamp(time, nearest->time - kExtrapolation, nearest->time + kExtrapolation);
     auto const line = fit(nearest->time, reached);
     return Estimate { line ? line->height_mm : nearest->height_mm,
                       TipSample::HeightSource::Extrapolated };
@@ -196,14 +197,14 @@ Duration HeightTrack::usual_spacing() const
 // readings earlier, unless readings are so rare that two of them span an outdated movement.
 HeightTrack::Place HeightTrack::some_time_before(Place const& reading) const
 {
-    constexpr Duration kLeastApart = std::chrono::milliseconds(6);
-    constexpr Duration kMostApart = std::chrono::milliseconds(25);
+    constexpr Duration kMinApart = std::chrono::milliseconds(6);
+    constexpr Duration kMaxApart = std::chrono::milliseconds(25);
     constexpr int kReadings = 2;
     auto before = reading;
     for (int i = 0; before != readings_.begin(); ++i, --before) {
-        bool const is_near = reading->time - before->time < kLeastApart;
+        bool const is_near = reading->time - before->time < kMinApart;
         bool const is_one_more_near
-            = i < kReadings && reading->time - std::prev(before)->time < kMostApart;
+            = i < kReadings && reading->time - std::prev(before)->time < kMaxApart;
         if (!is_near && !is_one_more_near)
             break;
     }
@@ -245,8 +246,8 @@ std::optional<HeightTrack::Estimate> HeightTrack::newest_at(Timestamp time, Dura
     if (empty() || time <= newest() || time - newest() > max_age)
         return at(time, max_age); // Times inside a bridged gap are interpolated, too.
     auto const& last = readings_.back();
-    auto const reached
-        = std::min(time, last.time + std::max({ kCarriedOn, usual_spacing() * 3 / 2, deliveries }));
+    auto const reached = std::min(
+        time, last.time + std::max({ kExtrapolation, usual_spacing() * 3 / 2, deliveries }));
     double const way_mm = newest_speed_mm_per_s() * to_seconds(reached - last.time);
     auto const line = fit(last.time, reached);
     double const height_mm = line

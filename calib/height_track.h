@@ -42,10 +42,10 @@ public:
     void add(Timestamp time, double height_mm);
 
     // Adds an instant with a reading that is not believable or has no height. If only such readings
-    // separate two others no farther apart than kMostBridged, the height between these is
+    // separate two others no farther apart than kMaxBridged, the height between these is
     // interpolated as if no reading were missing.
     void add_unknown(Timestamp time);
-    static constexpr Duration kMostBridged = std::chrono::milliseconds(600);
+    static constexpr Duration kMaxBridged = std::chrono::milliseconds(600);
 
     // Ends the bridging of unknown readings since the newest height, because they last too long.
     void end_bridge();
@@ -61,11 +61,11 @@ public:
     };
 
     // Longest extrapolation of a movement without further readings.
-    static constexpr Duration kCarriedOn = std::chrono::milliseconds(5);
+    static constexpr Duration kExtrapolation = std::chrono::milliseconds(5);
 
     // Returns the height at `time`: interpolated if there are readings at most `max_age` before and
-    // after it. With readings on one side only, it is extrapolated for kCarriedOn and then held,
-    // since the movement is not known. Otherwise no value.
+    // after it. With readings on one side only, it is extrapolated for kExtrapolation and then
+    // held, since the movement is not known. Otherwise no value.
     std::optional<Estimate> at(Timestamp time, Duration max_age) const;
 
     // Like at(), but narrows the fit to kNarrowHalfWidth where the carriage starts or stops
@@ -76,7 +76,7 @@ public:
     std::optional<Estimate> at_corner(Timestamp time, Duration max_age) const;
 
     // Returns the height with the least delay: like at(), but beyond the newest reading the
-    // movement is extrapolated for the usual spacing of readings, at least kCarriedOn, so that
+    // movement is extrapolated for the usual spacing of readings, at least kExtrapolation, so that
     // sparse readings do not cause a lag. If readings arrive in bundles, it is extrapolated for the
     // time between `deliveries`, since a pen's samples may arrive before the readings that belong
     // to them. Overshoot at a stop is bounded: the height is extrapolated neither faster than the

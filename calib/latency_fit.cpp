@@ -13,12 +13,12 @@ namespace tractus::calib {
 
 namespace {
 
-constexpr std::size_t kLeastLatencyTouches = 200;
-constexpr double kLeastLatencyRise_mm = 50;
-constexpr double kLeastRun_mm = 20;
+constexpr std::size_t kMinLatencyTouches = 200;
+constexpr double kMinLatencyRise_mm = 50;
+constexpr double kMinRun_mm = 20;
 constexpr double kTurn_mm = 20; // A movement back of at least this much counts as a turn.
-constexpr int kLeastTurns = 2;
-constexpr double kLeastCorrelation = 0.9;
+constexpr int kMinTurns = 2;
+constexpr double kMinCorrelation = 0.9;
 constexpr int kFarthest_ms = 150;
 constexpr int kStep_ms = 2;
 constexpr Duration kSpeedOver
@@ -158,23 +158,23 @@ int count_turns(Eigen::VectorXd const& heights)
 
 Result<void> check_movement(Data const& data)
 {
-    if (data.touches.size() < kLeastLatencyTouches)
+    if (data.touches.size() < kMinLatencyTouches)
         return fail(Fault::User,
                     fmt::format("the pen touched in only {} reports with a height, expected at "
                                 "least {}: let it follow the edge for ten seconds or more",
-                                data.touches.size(), kLeastLatencyTouches));
+                                data.touches.size(), kMinLatencyTouches));
     auto const heights = heights_at(data, 0).value();
     if (double const rise_mm = heights.maxCoeff() - heights.minCoeff();
-        rise_mm < kLeastLatencyRise_mm)
+        rise_mm < kMinLatencyRise_mm)
         return fail(Fault::User,
                     fmt::format("the surface moved by only {:.0f} mm while the pen touched, "
                                 "expected at least {}: move it further",
-                                rise_mm, kLeastLatencyRise_mm));
-    if (int const turns = count_turns(heights); turns < kLeastTurns)
+                                rise_mm, kMinLatencyRise_mm));
+    if (int const turns = count_turns(heights); turns < kMinTurns)
         return fail(Fault::User,
                     fmt::format("the surface turned {} times while the pen touched, expected at "
                                 "least {}: move it up and down several times",
-                                turns, kLeastTurns));
+                                turns, kMinTurns));
     return {};
 }
 
@@ -195,12 +195,12 @@ Result<int> coarse_delay_ms(Data const& data, Eigen::MatrixX2d const& places)
             best_ms = delay_ms;
         }
     }
-    if (best < kLeastCorrelation)
+    if (best < kMinCorrelation)
         return fail(Fault::User,
                     fmt::format("the pen's place and the height do not belong together "
                                 "(correlation {:.2f}, expected at least {}): keep the pen against "
                                 "one inclined edge that does not move",
-                                best, kLeastCorrelation));
+                                best, kMinCorrelation));
     if (std::abs(best_ms) == kFarthest_ms)
         return fail(Fault::User,
                     fmt::format("pen and height differ by {} ms or more: check that both devices "
@@ -247,11 +247,11 @@ Result<LatencyFit> fit_latency(std::span<drivers::PenSample const> pens,
     int const coarse_ms = TRY(coarse_delay_ms(data, places));
     auto const edge = edge_at(places, heights_at(data, coarse_ms).value());
     double const run_mm = run_of(places, edge);
-    if (run_mm < kLeastRun_mm)
+    if (run_mm < kMinRun_mm)
         return fail(Fault::User,
                     fmt::format("the pen went only {:.0f} mm along the tablet, expected at least "
                                 "{}: incline the edge more, 45 degrees say",
-                                run_mm, kLeastRun_mm));
+                                run_mm, kMinRun_mm));
     auto const fit = refine(data, places, coarse_ms);
     if (!fit)
         return fail(Fault::User, "the delay cannot be told: record the movement again");

@@ -17,7 +17,7 @@ Eigen::MatrixXd small_product(Eigen::MatrixXd const& a, Eigen::MatrixXd const& b
 
 namespace {
 
-constexpr int kMostSteps = 200;
+constexpr int kMaxSteps = 200;
 constexpr double kSmallestStep = 1e-10; // Relative change of a parameter at which the search stops.
 constexpr double kSmallestGain
     = 1e-12; // Relative change of the sum of squares at which the search stops.
@@ -103,7 +103,7 @@ std::optional<LeastSquares> fit_least_squares(ResidualFunction const& residuals,
         return std::nullopt;
     SolverPoint here { start, *first };
     double damping = 1e-3;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
         auto const jacobian = jacobian_at(residuals, here.parameters, here.residuals, steps);
         if (!jacobian)
             return std::nullopt;

@@ -28,11 +28,11 @@ public:
     {
         // The determinant is the weighted variance of the times; if it is tiny, no slope can be
         // fitted.
-        constexpr double kLeastSpread_s = 1e-3;
+        constexpr double kMinSpread_s = 1e-3;
         constexpr int kFewestReadings = 4;
         double const determinant = weights_ * squares_ - times_ * times_;
         if (count_ < kFewestReadings
-            || !(determinant > weights_ * weights_ * kLeastSpread_s * kLeastSpread_s))
+            || !(determinant > weights_ * weights_ * kMinSpread_s * kMinSpread_s))
             return std::nullopt;
         return Line { (squares_ * values_ - times_ * products_) / determinant,
                       (weights_ * products_ - times_ * values_) / determinant };

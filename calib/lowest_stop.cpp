@@ -13,9 +13,9 @@ constexpr double kRestsWithin_mm = 0.5;
 constexpr double kComesFrom_mm
     = 10; // The surface must come from at least this height above the rest.
 constexpr double kOnePlace_mm = 0.3;
-constexpr double kBelow_mm = 1;     // A reading lower than a place by this much was below it.
-constexpr double kLeastMove_mm = 2; // Least movement of the stop that is reported.
-constexpr double kMostMove_mm
+constexpr double kBelow_mm = 1;   // A reading lower than a place by this much was below it.
+constexpr double kMinMove_mm = 2; // Least movement of the stop that is reported.
+constexpr double kMaxMove_mm
     = 30; // If the rest is higher than this, the surface was held, not let down.
 constexpr std::size_t kTimesOfStop = 4;
 constexpr std::size_t kTimesHigher
@@ -75,13 +75,13 @@ std::optional<LowestStop::Moved> LowestStop::let_down(Timestamp time, double hei
         return std::nullopt;
     }
     double const move_mm = height_mm - stop_->mm;
-    if (move_mm > kMostMove_mm)
+    if (move_mm > kMaxMove_mm)
         return std::nullopt;
     if (next_ && next_->is_at(height_mm) && lowest_mm_ >= next_->mm - kBelow_mm)
         next_->add(height_mm);
     else
         next_ = Place { height_mm, 1 };
-    if (std::abs(move_mm) < kLeastMove_mm
+    if (std::abs(move_mm) < kMinMove_mm
         || next_->times < (move_mm > 0 ? kTimesHigher : kTimesLower))
         return std::nullopt;
     Moved const moved { time, stop_->mm, next_->mm };

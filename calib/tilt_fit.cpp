@@ -14,15 +14,15 @@ namespace tractus::calib {
 
 namespace {
 
-constexpr std::size_t kLeastTiltTouches = 200;
-constexpr double kLeastSpan_deg = 40;
-constexpr double kMostMoved_mm = 1;
+constexpr std::size_t kMinTiltTouches = 200;
+constexpr double kMinSpan_deg = 40;
+constexpr double kMaxMoved_mm = 1;
 constexpr double kPlay_mm = 0.06; // Standard deviation of a shift of up to 0.1 mm to either side.
 constexpr std::size_t kFewInStretch = 5; // A mean needs at least five touches.
 
 struct Leant {
     std::vector<PlaneSighting> sightings {};
-    Vec2 least_tilt_rad = Vec2::Zero();
+    Vec2 min_tilt_rad = Vec2::Zero();
     Vec2 most_tilt_rad = Vec2::Zero();
 };
 
@@ -57,32 +57,31 @@ Result<Leant> touches_of(std::span<drivers::PenSample const> pens)
         return fail(Fault::User,
                     "the tablet tells no tilt for this pen, so there is nothing to "
                     "calibrate, and nothing that tips could be corrected by");
-    if (leant.sightings.size() < kLeastTiltTouches)
+    if (leant.sightings.size() < kMinTiltTouches)
         return fail(Fault::User,
                     fmt::format("the pen touched in only {} reports, expected at least {}: keep "
                                 "its nib on the tablet and lean it around for ten seconds or more",
-                                leant.sightings.size(), kLeastTiltTouches));
-    find_span(std::move(tilts_x), leant.least_tilt_rad.x(), leant.most_tilt_rad.x());
-    find_span(std::move(tilts_y), leant.least_tilt_rad.y(), leant.most_tilt_rad.y());
+                                leant.sightings.size(), kMinTiltTouches));
+    find_span(std::move(tilts_x), leant.min_tilt_rad.x(), leant.most_tilt_rad.x());
+    find_span(std::move(tilts_y), leant.min_tilt_rad.y(), leant.most_tilt_rad.y());
     return leant;
 }
 
 Result<void> check_span(Leant const& leant)
 {
-    Vec2 const span = leant.most_tilt_rad - leant.least_tilt_rad;
+    Vec2 const span = leant.most_tilt_rad - leant.min_tilt_rad;
     if (span.isZero(0))
         return fail(Fault::User,
                     "the tilt that the tablet tells never changed: lean the pen around, and if it "
                     "was, the tablet tells none for this pen");
-    if (degrees(span.minCoeff()) >= kLeastSpan_deg)
+    if (degrees(span.minCoeff()) >= kMinSpan_deg)
         return {};
     bool const is_x = span.x() <= span.y();
     return fail(Fault::User,
                 fmt::format("the pen leaned over only {:.0f} degrees {}, expected at least {}: "
                             "lean it farther to either side",
                             degrees(span.minCoeff()),
-                            is_x ? "to the left and right" : "towards you and away",
-                            kLeastSpan_deg));
+                            is_x ? "to the left and right" : "towards you and away", kMinSpan_deg));
 }
 
 // Returns the greatest distance of the nib's mean position within half a second from its overall
@@ -125,14 +124,14 @@ Result<TiltFit> fit_tilt(std::span<drivers::PenSample const> pens)
     TRY(check_span(leant));
     auto const lines = fit_plane_lines(leant.sightings);
     double const moved = moved_mm(lines, leant.sightings);
-    if (moved > kMostMoved_mm)
+    if (moved > kMaxMoved_mm)
         return fail(Fault::User,
                     fmt::format("the nib moved by {:.1f} mm, expected at most {}: keep it in one "
                                 "dent, on the tablet all the time, and lean the pen slowly",
-                                moved, kMostMoved_mm));
+                                moved, kMaxMoved_mm));
     return TiltFit { .coil_height_mm = lines.slope,
                      .coil_height_error_mm = with_play(lines.slope_error),
-                     .least_tilt_rad = leant.least_tilt_rad,
+                     .min_tilt_rad = leant.min_tilt_rad,
                      .most_tilt_rad = leant.most_tilt_rad,
                      .rms_mm = lines.rms_mm,
                      .touches = leant.sightings.size() };

@@ -17,7 +17,7 @@ struct TiltFit {
     Vec2 coil_height_error_mm = Vec2::Zero(); // Standard errors; see fit_tilt().
 
     // Least and greatest tilt towards +x and +y, ignoring a fortieth of the samples at either end.
-    Vec2 least_tilt_rad = Vec2::Zero();
+    Vec2 min_tilt_rad = Vec2::Zero();
     Vec2 most_tilt_rad = Vec2::Zero();
 
     double rms_mm = 0; // Root mean square displacement of the nib.

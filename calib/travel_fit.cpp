@@ -12,9 +12,9 @@ namespace tractus::calib {
 
 namespace {
 
-constexpr std::size_t kLeastTravelTouches = 100;
-constexpr double kLeastTravelRise_mm = 100;
-constexpr double kMostStray_mm = 3;
+constexpr std::size_t kMinTravelTouches = 100;
+constexpr double kMinTravelRise_mm = 100;
+constexpr double kMaxStray_mm = 3;
 
 struct Touch {
     Vec2 position_mm = Vec2::Zero();
@@ -48,22 +48,22 @@ std::vector<PlaneSighting> sightings_of(std::vector<Touch> const& touches)
 
 Result<double> check_rise(std::vector<Touch> const& touches)
 {
-    if (touches.size() < kLeastTravelTouches)
+    if (touches.size() < kMinTravelTouches)
         return fail(Fault::User,
                     fmt::format("the pen touched in only {} reports with a height, expected at "
                                 "least {}: hold it on the tablet and against the edge while the "
                                 "surface moves",
-                                touches.size(), kLeastTravelTouches));
+                                touches.size(), kMinTravelTouches));
     auto const [low, high]
         = std::minmax_element(touches.begin(), touches.end(), [](auto const& a, auto const& b) {
               return a.height_mm < b.height_mm;
           });
     double const rise_mm = high->height_mm - low->height_mm;
-    if (rise_mm < kLeastTravelRise_mm)
+    if (rise_mm < kMinTravelRise_mm)
         return fail(Fault::User,
                     fmt::format("the surface moved by only {:.0f} mm while the pen touched, "
                                 "expected at least {}: move it over most of its travel",
-                                rise_mm, kLeastTravelRise_mm));
+                                rise_mm, kMinTravelRise_mm));
     return rise_mm;
 }
 
@@ -76,11 +76,11 @@ Result<TravelFit> fit_travel(std::span<drivers::PenSample const> pens,
     TravelFit result { .rise_mm = TRY(check_rise(touches)), .touches = touches.size() };
     auto const lines = fit_plane_lines(sightings_of(touches));
     result.rms_mm = lines.rms_mm;
-    if (result.rms_mm > kMostStray_mm)
+    if (result.rms_mm > kMaxStray_mm)
         return fail(Fault::User,
                     fmt::format("the pen strayed {:.1f} mm from a straight line, expected at most "
                                 "{}: keep it against the edge all the time, and the edge fixed",
-                                result.rms_mm, kMostStray_mm));
+                                result.rms_mm, kMaxStray_mm));
     result.shear = lines.slope;
     result.shear_error = lines.slope_error;
     double const slope = result.shear.norm();

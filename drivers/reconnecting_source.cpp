@@ -171,7 +171,7 @@ void ReconnectingSource::wait_for_it(Duration timeout)
 
 // True if an event will announce the device. No event announces a change of permissions of a device
 // that is present but could not be opened.
-bool ReconnectingSource::is_told_of_it() const
+bool ReconnectingSource::has_device_events() const
 {
     auto const address = parse_device_address(listed_.location);
     return events_ && !refused_since_ && address && !is_only_named(*address);
@@ -181,7 +181,8 @@ void ReconnectingSource::look_for_it()
 {
     next_try_ = reconnection_.now();
     try_to_find_it();
-    next_try_ += is_told_of_it() ? reconnection_.retry_beside_events : reconnection_.retry_every;
+    next_try_
+        += has_device_events() ? reconnection_.retry_beside_events : reconnection_.retry_every;
 }
 
 void ReconnectingSource::try_to_find_it()

@@ -100,7 +100,7 @@ private:
     void wait_for_it(Duration timeout);
     void look_for_it();
     void try_to_find_it();
-    bool is_told_of_it() const;
+    bool has_device_events() const;
     void try_to_open(DeviceInfo const& info);
 
     DeviceInfo listed_; // The device as it was listed; opening it can add information.

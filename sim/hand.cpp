@@ -20,7 +20,7 @@ static constexpr double kLongMove_s = 0.4;
 static constexpr double kLowMoment_s = 0.1;
 
 static constexpr double kPressureRamp_s = 0.04;
-static constexpr double kLeastPressure = 0.02;
+static constexpr double kMinPressure = 0.02;
 
 SpeedProfile::SpeedProfile(double length_mm, double cruise_mm_s)
     : length_mm_(length_mm)
@@ -128,11 +128,11 @@ double Hand::cruise_mm_s(Path const& path, double speed_mm_s) const
     auto const& points = path.points_mm();
     for (std::size_t i = 1; i < points.size(); ++i) {
         Vec3 const direction = (points[i] - points[i - 1]).normalized();
-        constexpr double kLeast = 1e-9;
+        constexpr double kMin = 1e-9;
         limit = std::min(
-            limit, options_.max_plane_speed_mm_s / std::max(direction.head<2>().norm(), kLeast));
-        limit = std::min(
-            limit, options_.max_height_speed_mm_s / std::max(std::abs(direction.z()), kLeast));
+            limit, options_.max_plane_speed_mm_s / std::max(direction.head<2>().norm(), kMin));
+        limit = std::min(limit,
+                         options_.max_height_speed_mm_s / std::max(std::abs(direction.z()), kMin));
     }
     return limit;
 }
@@ -147,7 +147,7 @@ void Hand::make_tremor()
         for (auto& wave : tremor_[axis])
             wave = { .amplitude_mm = deviation_mm * std::sqrt(2 / count),
                      .rad_per_s
-                     = 2 * kPi * random.uniform(options_.least_tremor_hz, options_.most_tremor_hz),
+                     = 2 * kPi * random.uniform(options_.min_tremor_hz, options_.most_tremor_hz),
                      .phase_rad = random.uniform(0, 2 * kPi) };
     }
 }
@@ -172,8 +172,7 @@ void Hand::press(HandState& state, Part const& part, double seconds) const
     double const ramp = u * u * (3 - 2 * u);
     double const wander = 1 + 0.15 * std::sin(2 * kPi * 0.7 * seconds);
     state.touching = true;
-    state.pressure
-        = std::clamp(strokes_[part.stroke].pressure * ramp * wander, kLeastPressure, 1.0);
+    state.pressure = std::clamp(strokes_[part.stroke].pressure * ramp * wander, kMinPressure, 1.0);
 }
 
 HandState Hand::at(Timestamp time) const

@@ -59,7 +59,7 @@ struct HandOptions {
     // its frequencies.
     double plane_tremor_mm = 0.15;
     double height_tremor_mm = 0.05;
-    double least_tremor_hz = 4;
+    double min_tremor_hz = 4;
     double most_tremor_hz = 12;
 
     // Time of hovering at rest before pen-down and after pen-up.

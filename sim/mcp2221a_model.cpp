@@ -86,7 +86,8 @@ Mcp2221aModel::Packet Mcp2221aModel::answer_settings() const
     reply[2] = std::byte { 18 }; // Number of bytes of settings, and of the password.
     reply[3] = std::byte { 4 };
     // Bits 4 and 3 select the voltage; bit 2 selects it instead of the supply.
-    reply[7] = static_cast<std::byte>((told_reference_ & 6) << 2 | (told_reference_ & 1) << 2);
+    reply[7] = static_cast<std::byte>((configured_reference_ & 6) << 2
+                                      | (configured_reference_ & 1) << 2);
     put_u16(reply, 8, 0x04D8);
     put_u16(reply, 10, 0x00DD);
     reply[12] = std::byte { 0x80 };
@@ -109,7 +110,7 @@ void Mcp2221aModel::change_settings(std::span<std::byte const, kPacketBytes> com
         reference_ = 0;
     }
     if (changes_reference)
-        reference_ = told_reference_ = at(5) & 7;
+        reference_ = configured_reference_ = at(5) & 7;
 }
 
 bool Mcp2221aModel::converts() const

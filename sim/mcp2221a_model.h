@@ -47,7 +47,7 @@ private:
     std::array<std::uint8_t, 4> pins_;
     // Bits 2 and 1 select the voltage; bit 0 selects it instead of the supply.
     std::uint8_t reference_ = 0;
-    std::uint8_t told_reference_ = 0; // Reference that the settings report.
+    std::uint8_t configured_reference_ = 0; // Reference that the settings report.
 };
 
 } // namespace tractus::sim

@@ -16,9 +16,9 @@ std::vector<SetHeight> set_heights(std::span<double const> aimed_mm, PersonOptio
     std::vector<SetHeight> heights;
     for (double const aimed : aimed_mm)
         heights.push_back(
-            { .true_mm = aimed + options.ruler_error_mm * ruler.normal(), .said_mm = aimed });
+            { .true_mm = aimed + options.ruler_error_mm * ruler.normal(), .stated_mm = aimed });
     if (options.slip)
-        heights[options.slip->capture].said_mm += options.slip->wrong_by_mm;
+        heights[options.slip->capture].stated_mm += options.slip->wrong_by_mm;
     return heights;
 }
 
@@ -39,7 +39,7 @@ std::vector<calib::HeightCapture> simulate_captures(RigGeometry const& geometry,
                                 .counts = static_cast<std::int32_t>(read),
                                 .full_scale = geometry.full_scale_counts });
         }
-        auto const capture = calib::capture_at_rest(samples, height.said_mm);
+        auto const capture = calib::capture_at_rest(samples, height.stated_mm);
         // A simulated person who holds still, with a working sensor, always gets a capture.
         CHECK(capture);
         captures.push_back(*capture);

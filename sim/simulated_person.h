@@ -28,8 +28,8 @@ struct PersonOptions {
 
 // A height that a person sets: the true one and the stated one.
 struct SetHeight {
-    double true_mm = 0; // Height of the carriage.
-    double said_mm = 0; // Height stated by the person.
+    double true_mm = 0;   // Height of the carriage.
+    double stated_mm = 0; // Height stated by the person.
 };
 
 // Returns the heights set by a person who aims at `aimed_mm`.

@@ -81,7 +81,7 @@ Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input)
 }
 
 Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
-                                                    std::function<void()> told_to_move)
+                                                    std::function<void()> on_move_command)
 {
     auto const desk = std::make_shared<LinakDeskModel>(); // The model is shared by both functions.
     UhidAnswers answers;
@@ -92,7 +92,7 @@ Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
         return desk->get_feature(id);
     };
     answers.set_feature
-        = [desk, told = std::move(told_to_move)](std::span<std::byte const> report) {
+        = [desk, told = std::move(on_move_command)](std::span<std::byte const> report) {
               auto const before = desk->movement_count();
               bool const is_known = desk->set_feature(report);
               if (desk->movement_count() > before)

@@ -27,10 +27,10 @@ using InputNow = std::function<double()>;
 Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input);
 
 // Emulates a standing desk whose height is `input` as the decoder's fraction of full scale
-// (drivers/sensors/linak_desk.h), read anew for each request; `told_to_move` is called for each
+// (drivers/sensors/linak_desk.h), read anew for each request; `on_move_command` is called for each
 // command to move. Fails like UhidDevice::create().
 Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
-                                                    std::function<void()> told_to_move);
+                                                    std::function<void()> on_move_command);
 
 // An emulated MCP3208 connected to lines of a CP2112, which the kernel's hid-cp2112 exposes as a
 // gpiochip.

@@ -61,7 +61,7 @@ void batch(Reports& reports, Duration period)
 void make_wrong(Reports& reports, std::int32_t full_scale, Unkindness const& unkindness,
                 Random& random)
 {
-    constexpr double kLeastOff = 100;
+    constexpr double kMinOff = 100;
     auto next = Timestamp(unkindness.wrong_period);
     int wrong = 0;
     for (auto& report : reports) {
@@ -74,7 +74,7 @@ void make_wrong(Reports& reports, std::int32_t full_scale, Unkindness const& unk
         --wrong;
         int const counts = std::to_integer<int>(report.storage[1])
             | std::to_integer<int>(report.storage[2]) << 8;
-        double const off = random.uniform(kLeastOff, full_scale / 2.0);
+        double const off = random.uniform(kMinOff, full_scale / 2.0);
         auto const said = static_cast<int>(counts > full_scale / 2 ? counts - off : counts + off);
         report.storage[1] = static_cast<std::byte>(said & 0xff);
         report.storage[2] = static_cast<std::byte>(said >> 8);
@@ -122,7 +122,7 @@ std::vector<Vec3> hook(Path const& path, double length_mm, double side)
 Unkindness all_unkindness(std::uint64_t seed)
 {
     return { .seed = seed,
-             .least_hook_mm = 0.5,
+             .min_hook_mm = 0.5,
              .most_hook_mm = 2,
              .dab_share = 0.35,
              .tremor_mm = 0.3,
@@ -139,7 +139,7 @@ void add_hooks(std::vector<HandStroke>& strokes, RigGeometry const& geometry,
 {
     Random random({ .seed = unkindness.seed, .stream = kHookStream });
     for (auto& stroke : strokes) {
-        double const length_mm = random.uniform(unkindness.least_hook_mm, unkindness.most_hook_mm);
+        double const length_mm = random.uniform(unkindness.min_hook_mm, unkindness.most_hook_mm);
         double const side = random.uniform() < 0.5 ? -1 : 1;
         if (length_mm <= 0)
             continue;
@@ -188,7 +188,7 @@ void set_tremor(HandOptions& options, Unkindness const& unkindness)
     if (unkindness.tremor_mm <= 0)
         return;
     options.plane_tremor_mm = unkindness.tremor_mm;
-    options.least_tremor_hz = 8;
+    options.min_tremor_hz = 8;
     options.most_tremor_hz = 12;
 }
 

@@ -16,7 +16,7 @@ struct Unkindness {
 
     // Length by which the pen continues, on a curve over the tablet, while it leaves the surface.
     // Chosen at random between the least and the greatest length for each stroke; 0: no hooks.
-    double least_hook_mm = 0;
+    double min_hook_mm = 0;
     double most_hook_mm = 0;
 
     // Share of the strokes before which the pen touches by mistake, close to their start and for at

@@ -29,20 +29,20 @@ Result<void> parse_hooks(calib::TomlTable& table, Unkindness& unkindness)
                            fmt::format("is [{}, {}], expected the least and the greatest length, "
                                        "0 to {}",
                                        hooks_mm.x(), hooks_mm.y(), kLongest_mm));
-    unkindness.least_hook_mm = hooks_mm.x();
+    unkindness.min_hook_mm = hooks_mm.x();
     unkindness.most_hook_mm = hooks_mm.y();
     return {};
 }
 
 Result<void> parse_wrong_readings(calib::TomlTable& table, Unkindness& unkindness)
 {
-    constexpr std::int64_t kMost = 1000;
+    constexpr std::int64_t kMax = 1000;
     unkindness.wrong_period = TRY(milliseconds(table, "wrong_every_ms"));
     if (!table.has("wrong_in_a_row"))
         return {};
     auto const most = TRY(table.integer("wrong_in_a_row", calib::NumberRange::Positive));
-    if (most > kMost)
-        return table.wrong("wrong_in_a_row", fmt::format("is {}, expected 1 to {}", most, kMost));
+    if (most > kMax)
+        return table.wrong("wrong_in_a_row", fmt::format("is {}, expected 1 to {}", most, kMax));
     unkindness.most_wrong_in_a_row = static_cast<int>(most);
     return {};
 }
@@ -60,15 +60,15 @@ Result<void> parse_stalls(calib::TomlTable& table, Unkindness& unkindness)
 
 Result<Unkindness> parse_unkindness(calib::TomlTable& table, std::uint64_t seed)
 {
-    constexpr double kMostTremor_mm = 5;
-    constexpr double kMostLost = 0.95;
+    constexpr double kMaxTremor_mm = 5;
+    constexpr double kMaxLost = 0.95;
     Unkindness unkindness { .seed = seed };
     TRY(parse_hooks(table, unkindness));
     unkindness.dab_share = TRY(at_most(table, "dab_share", 1));
-    unkindness.tremor_mm = TRY(at_most(table, "tremor_mm", kMostTremor_mm));
+    unkindness.tremor_mm = TRY(at_most(table, "tremor_mm", kMaxTremor_mm));
     if (table.has("reports"))
         unkindness.reports_changes_only = TRY(table.word("reports", { "all", "changes" })) == 1;
-    unkindness.skipped_share = TRY(at_most(table, "lost_share", kMostLost));
+    unkindness.skipped_share = TRY(at_most(table, "lost_share", kMaxLost));
     unkindness.batch_period = TRY(milliseconds(table, "batch_ms"));
     TRY(parse_wrong_readings(table, unkindness));
     TRY(parse_stalls(table, unkindness));

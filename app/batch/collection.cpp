@@ -44,13 +44,13 @@ Result<void> check_count(CollectionOptions const& options)
 {
     auto const shard = options.shard.number;
     auto const count = first_plant(options, shard + 1) - first_plant(options, shard);
-    if (count <= kMostPlantsInShard)
+    if (count <= kMaxPlantsInShard)
         return {};
-    auto const parts = (options.count + kMostPlantsInShard - 1) / kMostPlantsInShard;
+    auto const parts = (options.count + kMaxPlantsInShard - 1) / kMaxPlantsInShard;
     return fail(Fault::User,
                 fmt::format("{} plants are too many for one run, which makes {}: make them in "
                             "parts, with --shard 1/{} and so on",
-                            count, kMostPlantsInShard, parts));
+                            count, kMaxPlantsInShard, parts));
 }
 
 // A collection in progress; each member function is a stage.
@@ -225,7 +225,7 @@ void Collection::add_details(exports::PlacedMesh& mesh, std::function<Plant()> c
     if (options_.details == 0)
         return;
     double share = 1;
-    mesh.least_coverage = kFullCoverage;
+    mesh.min_coverage = kFullCoverage;
     for (std::size_t level = 1; level < options_.details; ++level) {
         share /= 2;
         mesh.details.push_back(

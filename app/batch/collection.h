@@ -37,10 +37,10 @@ struct AgeRange {
     double oldest = 1;
 };
 
-constexpr std::size_t kMostDetails = 6;
+constexpr std::size_t kMaxDetails = 6;
 
 // Limit for one shard, as places and manifest entries are kept in memory.
-constexpr std::size_t kMostPlantsInShard = 1'000'000;
+constexpr std::size_t kMaxPlantsInShard = 1'000'000;
 
 struct CollectionOptions {
     std::filesystem::path model {};
@@ -67,7 +67,7 @@ struct CollectionOptions {
     exports::GlbOptions glb {};
     bool has_wind = false; // True if files contain data for animation by wind; glb.wind says where.
 
-    // Number of coarser levels of detail of each plant, 0 to kMostDetails. Each has half the
+    // Number of coarser levels of detail of each plant, 0 to kMaxDetails. Each has half the
     // triangles of the one before (engine/mesh/level_of_detail.h); the last is a billboard.
     std::size_t details = 0;
 };
@@ -108,7 +108,7 @@ struct CollectionReport {
 // number of threads. Memory use does not grow with the number of plants. Every file appears
 // complete or not at all; if the run is stopped or the disk is full, files written before stay.
 // Fails like reading the plant and its drawing, if a file cannot be written, if pictures are wanted
-// and the system has no OpenGL, and with a user error if a shard has more than kMostPlantsInShard
+// and the system has no OpenGL, and with a user error if a shard has more than kMaxPlantsInShard
 // plants.
 Result<CollectionReport> make_collection(CollectionOptions const& options,
                                          terminal::Progress& progress);

@@ -16,7 +16,7 @@ static constexpr mesh::MeshOptions kSheetMesh { .min_sides = 3, .max_sides = 8, 
 
 static std::size_t sheet_plant_count(std::size_t count)
 {
-    return std::min(count, kMostSheetPlants);
+    return std::min(count, kMaxSheetPlants);
 }
 
 std::size_t sheet_plant(std::size_t tile, std::size_t count)

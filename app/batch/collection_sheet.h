@@ -19,9 +19,9 @@ struct SheetPlants {
 };
 
 // Most plants on a sheet, as many as a screen can show.
-constexpr std::size_t kMostSheetPlants = 48;
+constexpr std::size_t kMaxSheetPlants = 48;
 
-// Index of the plant in the `tile`-th picture of a sheet. If there are more than kMostSheetPlants,
+// Index of the plant in the `tile`-th picture of a sheet. If there are more than kMaxSheetPlants,
 // they are chosen at even intervals from the first to the last.
 std::size_t sheet_plant(std::size_t tile, std::size_t count);
 

@@ -220,8 +220,8 @@ growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth, std::
     edits.push_back(scene::SetGrowth { *own, seed, growth.variability });
     if (!growth.leaves.empty()) {
         auto const scene = TRY(document::scene_after({}, edits));
-        for (auto& edit : TRY(methods::dressing_edits(scene, scene.state.active,
-                                                      methods::dressing_of_word(growth.leaves))))
+        for (auto& edit : TRY(methods::foliage_edits(scene, scene.state.active,
+                                                     methods::parse_foliage(growth.leaves))))
             edits.push_back(std::move(edit));
     }
     if (growth.season) {

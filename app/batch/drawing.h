@@ -25,7 +25,7 @@ struct GrowthOptions {
     double variability = 1; // Strength of the variation; see at_variability().
     // True: branches grow along the ground instead of into it; see bend_along_ground().
     bool along_ground = false;
-    // Leaves as for dressing_edits(); empty: as saved in the session or model.
+    // Leaves as for foliage_edits(); empty: as saved in the session or model.
     std::string leaves {};
     // Season to show; no value: as saved in the session, otherwise none.
     std::optional<scene::Season> season {};

@@ -17,7 +17,8 @@ Result<std::vector<scene::Edit>> season_edits(scene::Scene const& scene,
     std::set<std::string> missing;
     if (season)
         for (auto const& plant : scene.plants)
-            missing.merge(scene::missing_leaves(*plant->dressed, *season, scene.state.leaf_sheets));
+            missing.merge(
+                scene::missing_leaves(*plant->foliated, *season, scene.state.leaf_sheets));
     for (auto const& name : missing) {
         auto sheet = methods::sheet_for(scene, name);
         if (!sheet)

@@ -127,8 +127,8 @@ std::string describe(calib::TiltFit const& fit)
         "{:.2f} ± {:.2f} mm towards you and away\n"
         "  leaned from {:.0f} to {:+.0f} degrees to the right, from {:.0f} to {:+.0f} away\n"
         "  {} touches, {:.2f} mm off the nib's place\n",
-        height.x(), error.x(), height.y(), error.y(), degrees(fit.least_tilt_rad.x()),
-        degrees(fit.most_tilt_rad.x()), degrees(fit.least_tilt_rad.y()),
+        height.x(), error.x(), height.y(), error.y(), degrees(fit.min_tilt_rad.x()),
+        degrees(fit.most_tilt_rad.x()), degrees(fit.min_tilt_rad.y()),
         degrees(fit.most_tilt_rad.y()), fit.touches, fit.rms_mm);
     if (fit.is_corrected())
         return text

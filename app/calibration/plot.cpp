@@ -10,7 +10,7 @@ namespace tractus::calibration {
 void fit_range(Plot& plot, PlotRange range)
 {
     constexpr double kMargin = 0.06;
-    constexpr double kLeast = 1e-6;
+    constexpr double kMin = 1e-6;
     plot.low = Vec2::Constant(std::numeric_limits<double>::infinity());
     plot.high = -plot.low;
     for (auto const& series : plot.series)
@@ -28,7 +28,7 @@ void fit_range(Plot& plot, PlotRange range)
     } else if (range == PlotRange::FromZeroY) {
         plot.low.y() = 0;
     }
-    Vec2 const margin = (kMargin * (plot.high - plot.low)).cwiseMax(kLeast);
+    Vec2 const margin = (kMargin * (plot.high - plot.low)).cwiseMax(kMin);
     plot.low -= margin;
     plot.high += margin;
     if (range == PlotRange::FromZeroY)

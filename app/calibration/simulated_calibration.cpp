@@ -60,7 +60,7 @@ Performance captures(SimulatedCalibration const& calibration)
     Performance performance;
     for (auto const& height : sim::set_heights(aimed_mm, calibration.person)) {
         performance.strokes.push_back(hold_still(height.true_mm));
-        performance.words.push_back(fmt::format("capture {}", height.said_mm));
+        performance.words.push_back(fmt::format("capture {}", height.stated_mm));
     }
     return performance;
 }

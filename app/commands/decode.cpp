@@ -36,7 +36,7 @@ struct Options {
 using Sink = std::function<Result<void>(std::string_view)>;
 
 // Most intervals kept per device; enough for a representative median.
-constexpr std::size_t kMostIntervals = 50'000;
+constexpr std::size_t kMaxIntervals = 50'000;
 
 // State of one device of the log, and statistics of its reports.
 struct Device {
@@ -47,7 +47,7 @@ struct Device {
     std::size_t touching = 0;
     std::size_t strokes = 0;
     bool was_touching = false;
-    // Times between samples, of the first kMostIntervals samples.
+    // Times between samples, of the first kMaxIntervals samples.
     std::vector<Duration> intervals {};
     Timestamp last {};
     std::size_t bad_reports = 0;
@@ -124,7 +124,7 @@ void append_row(std::string& text, std::size_t device, drivers::PenSample const&
 
 void count(Device& device, drivers::PenSample const& sample)
 {
-    if (device.samples++ > 0 && device.intervals.size() < kMostIntervals)
+    if (device.samples++ > 0 && device.intervals.size() < kMaxIntervals)
         device.intervals.push_back(sample.time - device.last);
     device.last = sample.time;
     device.touching += sample.touching;

@@ -87,8 +87,8 @@ ageing_plant(GrowArguments const& arguments, scene::Scene const& scene, std::str
 }
 
 // Message about what was written; a graph has no triangles to count.
-std::string said_of(Plant const& plant, std::uint64_t triangles,
-                    std::filesystem::path const& output)
+std::string describe_result(Plant const& plant, std::uint64_t triangles,
+                            std::filesystem::path const& output)
 {
     auto const text
         = fmt::format("{} segments, {} organs", plant.segment_count(), plant.organs.size());
@@ -118,7 +118,7 @@ Result<void> write_sequence(GrowArguments const& arguments, scene::Scene const& 
         auto const path = frame_path(arguments.output, i, arguments.frames);
         auto const triangles = TRY(batch::write_plant_file(plant, name, path, file));
         TRY(terminal::print_out(fmt::format("{}: age {:.3f}, {}\n", path.string(), age,
-                                            said_of(plant, triangles, path))));
+                                            describe_result(plant, triangles, path))));
     }
     return {};
 }
@@ -161,7 +161,7 @@ Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::
     auto const triangles
         = TRY(batch::write_plant_file(plant, name, arguments.output, arguments.file));
     return terminal::print_out(fmt::format("{}: {}\n", arguments.output.string(),
-                                           said_of(plant, triangles, arguments.output)));
+                                           describe_result(plant, triangles, arguments.output)));
 }
 
 Result<void> write_varied(GrowArguments const& arguments, scene::Scene const& scene,
@@ -283,8 +283,8 @@ Result<scene::Scene> with_growth(batch::GrowthOptions const& options, scene::Sce
     growth.variability = options.variability;
     scene = TRY(scene::apply_edit(std::move(scene), growth));
     if (!options.leaves.empty()) {
-        auto const edits = TRY(methods::dressing_edits(scene, scene.state.active,
-                                                       methods::dressing_of_word(options.leaves)));
+        auto const edits = TRY(methods::foliage_edits(scene, scene.state.active,
+                                                      methods::parse_foliage(options.leaves)));
         scene = TRY(scene::apply_edits(std::move(scene), edits));
     }
     return batch::with_season(std::move(scene), options.season);

@@ -106,11 +106,11 @@ Result<void> play_desk(SimPlayArguments const& arguments)
 {
     auto const log = TRY(load_sim_play(arguments));
     HeightPart part(TRY(sim::HeightCurve::read(log)));
-    bool was_told_to_move = false;
+    bool has_move_command = false;
     auto const device = TRY(sim::play_linak_desk([&part] { return part.fraction_now(); },
-                                                 [&] { was_told_to_move = true; }));
+                                                 [&] { has_move_command = true; }));
     TRY(play_part(*device, part, arguments));
-    if (was_told_to_move)
+    if (has_move_command)
         return fail(Fault::Device, "some program told the desk to move, which none of ours does");
     return {};
 }

@@ -94,7 +94,7 @@ void add_output_options(CLI::App& command, VaryArguments& arguments)
                     "Coarser levels of each plant, for being seen from afar (MSFT_lod): each has "
                     "half the triangles of the one before, and the last is a billboard")
         ->type_name("N")
-        ->check(options::whole_number(0, batch::kMostDetails))
+        ->check(options::whole_number(0, batch::kMaxDetails))
         ->capture_default_str();
     command
         .add_option("--wind", arguments.wind,

@@ -19,7 +19,7 @@
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/window/window.h"
-#include "app/window/workbench.h"
+#include "app/window/workspace.h"
 #include "calib/rig_file.h"
 #include "drivers/links/closing_signals.h"
 #include "drivers/logs/log.h"
@@ -49,7 +49,7 @@ struct WindowArguments {
     std::vector<std::string> devices;
     std::string played; // A log whose devices are treated as real ones.
     std::string recording;
-    std::vector<std::string> least; // Pairs TOOL=MM; see tools/least_extent.h.
+    std::vector<std::string> least; // Pairs TOOL=MM; see tools/min_extent.h.
     std::string session;
     std::string model; // Empty: the start page, or kUsualModel if there is no start page.
     bool wants_start_page = false; // True: opens the start page whatever the other arguments are.
@@ -226,12 +226,12 @@ Clock clock_for(WindowArguments const& arguments)
 }
 
 // Least extents from the command line, otherwise those in the user's settings.
-Result<tools::LeastExtents> read_least_extents(WindowArguments const& arguments)
+Result<tools::MinExtents> read_min_extents(WindowArguments const& arguments)
 {
     auto extents
-        = TRY(tools::parse_least_extents(fmt::format("{}", fmt::join(arguments.least, " "))));
+        = TRY(tools::parse_min_extents(fmt::format("{}", fmt::join(arguments.least, " "))));
     if (keeps_look(arguments))
-        extents.merge(TRY(load_least_extents(user_look_path())));
+        extents.merge(TRY(load_min_extents(user_look_path())));
     for (auto const& [tool, mm] : extents)
         if (!tools::find_tool_kind(arguments.methods.tools, tool))
             return fail(Fault::User,
@@ -254,7 +254,7 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
         options.rig = TRY(calib::load_rig(options.rig_file));
     if (!arguments.height.empty())
         options.height_mm = TRY(options::constant_height_mm(arguments.height));
-    options.least_extents = TRY(read_least_extents(arguments));
+    options.min_extents = TRY(read_min_extents(arguments));
     // Opens the drawing last, as that may create a file.
     auto const drawing = TRY(open_first_drawing(arguments, options));
     options.folder = std::filesystem::current_path();

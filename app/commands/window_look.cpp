@@ -49,20 +49,20 @@ Result<window::WindowLook> load_look(fs::path const& path)
     window::WindowLook look;
     look.is_light = TRY(is_second(table, "colors", kColors));
     look.is_left_handed = TRY(is_second(table, "hand", kHands));
-    (void)TRY(least_words(table)); // Marks the key as known; load_least_extents() uses it.
+    (void)TRY(least_words(table)); // Marks the key as known; load_min_extents() uses it.
     TRY(table.refuse_unknown_keys());
     return look;
 }
 
-Result<tools::LeastExtents> load_least_extents(fs::path const& path)
+Result<tools::MinExtents> load_min_extents(fs::path const& path)
 {
     std::error_code ignored;
     if (path.empty() || !fs::exists(path, ignored))
-        return tools::LeastExtents();
+        return tools::MinExtents();
     auto const text = TRY(read_file(path));
     auto table = TRY(calib::TomlTable::parse(text, path.string()));
     auto const words = TRY(least_words(table));
-    auto extents = tools::parse_least_extents(words);
+    auto extents = tools::parse_min_extents(words);
     if (!extents)
         return table.wrong("least", fmt::format("is wrong: {}", extents.error().message));
     return extents;
@@ -71,9 +71,9 @@ Result<tools::LeastExtents> load_least_extents(fs::path const& path)
 Result<void> save_look(fs::path const& path, window::WindowLook const& look)
 {
     TRY(make_folder(path.parent_path()));
-    auto const least = load_least_extents(path);
+    auto const least = load_min_extents(path);
     auto const kept = least && !least->empty()
-        ? fmt::format("least = \"{}\"\n", tools::print_least_extents(*least))
+        ? fmt::format("least = \"{}\"\n", tools::print_min_extents(*least))
         : std::string();
     return write_file(path,
                       fmt::format("# How tractus' window looks, as chosen there last.\n"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/tools/least_extent.h"
+#include "app/tools/min_extent.h"
 #include "app/window/window.h"
 #include "engine/base/result.h"
 
@@ -17,9 +17,9 @@ std::filesystem::path user_look_path();
 Result<window::WindowLook> load_look(std::filesystem::path const& path);
 
 // Reads the least extents of strokes from the same file: its key "least", with words such as
-// "draw=6 sketch=12" (tools/least_extent.h), is edited by the user. Empty if the key is missing.
+// "draw=6 sketch=12" (tools/min_extent.h), is edited by the user. Empty if the key is missing.
 // Fails like load_look().
-Result<tools::LeastExtents> load_least_extents(std::filesystem::path const& path);
+Result<tools::MinExtents> load_min_extents(std::filesystem::path const& path);
 
 // Writes the settings, and creates the folder if necessary. The file's least extents are kept.
 Result<void> save_look(std::filesystem::path const& path, window::WindowLook const& look);

@@ -23,17 +23,17 @@ fs::path CardLibrary::file_of(std::string const& name) const
 std::vector<tools::ToolCard> CardLibrary::cards_of(tools::ToolKinds kinds,
                                                    tools::ToolKind const& kind) const
 {
-    constexpr std::size_t kMostBytes = 4096;
+    constexpr std::size_t kMaxBytes = 4096;
     std::vector<fs::path> files;
     std::error_code error; // An error is ignored: a missing folder has no cards.
     for (fs::directory_iterator file(folder_, error), end; !error && file != end;
          file.increment(error))
-        if (file->path().extension() == kEnding && files.size() < kMostCards)
+        if (file->path().extension() == kEnding && files.size() < kMaxCards)
             files.push_back(file->path());
     std::sort(files.begin(), files.end());
     std::vector<tools::ToolCard> cards;
     for (auto const& file : files) {
-        auto const text = read_text_file(file, kMostBytes);
+        auto const text = read_text_file(file, kMaxBytes);
         auto tool
             = text ? tools::parse_card(kinds, *text, file.string()) : tl::unexpected(text.error());
         if (tool && &tool->kind() == &kind)
@@ -63,13 +63,13 @@ Result<std::string> CardLibrary::keep(tools::Tool const& hand) const
 // True if the name is a valid and visible file name on every system.
 static bool is_file_name(std::string_view name)
 {
-    constexpr std::size_t kMostLetters = 60;
+    constexpr std::size_t kMaxLetters = 60;
     bool const is_plain = std::none_of(name.begin(), name.end(), [](unsigned char letter) {
         return std::iscntrl(letter) != 0
             || std::string_view("/\\:*?\"<>|").find(static_cast<char>(letter))
             != std::string_view::npos;
     });
-    return is_plain && !name.empty() && name.size() <= kMostLetters && name.front() != '.'
+    return is_plain && !name.empty() && name.size() <= kMaxLetters && name.front() != '.'
         && name.front() != ' ' && name.back() != ' ';
 }
 

@@ -13,7 +13,7 @@ namespace tractus::controllers {
 // The user's own cards (presets of tools): text files NAME.card in a folder.
 class CardLibrary {
 public:
-    static constexpr std::size_t kMostCards = 500; // Most cards of a kind that are shown.
+    static constexpr std::size_t kMaxCards = 500; // Most cards of a kind that are shown.
 
     // The folder may not exist yet. Empty: no cards can be saved.
     explicit CardLibrary(std::filesystem::path folder = {})
@@ -21,7 +21,7 @@ public:
     {
     }
 
-    // The cards of a kind, sorted by name, at most kMostCards. Files that are not cards are
+    // The cards of a kind, sorted by name, at most kMaxCards. Files that are not cards are
     // skipped.
     std::vector<tools::ToolCard> cards_of(tools::ToolKinds kinds,
                                           tools::ToolKind const& kind) const;

@@ -42,7 +42,7 @@ std::optional<render::Image> read_image(fs::path const& file, std::size_t most_b
 // Reads a picture, scaled to the size on a card.
 std::optional<render::Image> small_picture(fs::path const& file)
 {
-    auto const image = read_image(file, scene::kMostPictureBytes);
+    auto const image = read_image(file, scene::kMaxPictureBytes);
     if (!image || image->width() == 0)
         return std::nullopt;
     double const scale

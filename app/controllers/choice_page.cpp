@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostOfFolder = 60;
+constexpr std::size_t kMaxOfFolder = 60;
 
 // A folder's display name, such as "home/Pictures".
 std::string name_of(fs::path const& folder)
@@ -44,7 +44,7 @@ Choices picture_choices(std::vector<fs::path> const& folders)
     for (auto const& folder : folders) {
         auto& group = choices.groups.emplace_back();
         group.title = name_of(folder);
-        for (auto const& file : pictures_in(folder, kMostOfFolder))
+        for (auto const& file : pictures_in(folder, kMaxOfFolder))
             group.choices.push_back({ file.stem().string(),
                                       file.parent_path() == folder
                                           ? std::string()

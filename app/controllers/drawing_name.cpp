@@ -59,15 +59,15 @@ std::string name_of_drawing(std::filesystem::path const& session, std::string co
 
 Result<std::string> name_as_typed(std::string_view typed)
 {
-    constexpr std::size_t kMostBytes = 60;
+    constexpr std::size_t kMaxBytes = 60;
     auto const first = std::min(typed.find_first_not_of(' '), typed.size());
     auto const name = typed.substr(first, typed.find_last_not_of(' ') + 1 - first);
     if (name.empty())
         return fail(Fault::User, "type a name first: it has at least one letter");
-    if (name.size() > kMostBytes || std::any_of(name.begin(), name.end(), is_control))
+    if (name.size() > kMaxBytes || std::any_of(name.begin(), name.end(), is_control))
         return fail(
             Fault::User,
-            fmt::format("a name has at most {} letters, and no tabs or line ends", kMostBytes));
+            fmt::format("a name has at most {} letters, and no tabs or line ends", kMaxBytes));
     return std::string(name);
 }
 

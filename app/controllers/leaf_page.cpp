@@ -42,7 +42,7 @@ view::StartStudy::Picture picture(char const* title, render::Image image)
     return { title, std::make_shared<render::Image const>(std::move(image)) };
 }
 
-std::string said_of_age(double age, std::optional<scene::Season> const& season)
+std::string describe_age(double age, std::optional<scene::Season> const& season)
 {
     if (!season)
         return fmt::format("age {:.2f}", age);
@@ -119,7 +119,7 @@ void LeafPage::show_sliders()
 {
     auto& sliders = state_.study->sliders;
     auto const shown = look();
-    sliders = { { said_of_age(shown.age, season_), 1, shown.age },
+    sliders = { { describe_age(shown.age, season_), 1, shown.age },
                 { season_ ? scene::month_name(season_->month) : std::string("no season"),
                   kLastMonth, season_ ? season_->month : 0 } };
     for (auto const& [text, number, most, step] : kNumbers) {
@@ -164,7 +164,7 @@ void LeafPage::accept()
 {
     if (!is_open_)
         return;
-    accepted_ = view::DressActivePlant { .leaves = wanted_.leaves,
+    accepted_ = view::SetActiveFoliage { .leaves = wanted_.leaves,
                                          .drawn = wanted_.drawn,
                                          .age = wanted_.age,
                                          .damage = wanted_.damage };

@@ -20,7 +20,7 @@ public:
     struct Subject {
         std::string title {}; // Title of the page, for example "Oak".
         methods::GrammarOfLeaves grammar {};
-        methods::Dressing wanted {};            // The initial settings of the page.
+        methods::Foliage wanted {};             // The initial settings of the page.
         std::optional<scene::Season> season {}; // The document's season.
     };
 
@@ -34,7 +34,7 @@ public:
     void settle();
 
     // The accepted foliage; the page is then closed.
-    std::optional<view::DressActivePlant> take_accepted()
+    std::optional<view::SetActiveFoliage> take_accepted()
     {
         return std::exchange(accepted_, std::nullopt);
     }
@@ -64,9 +64,9 @@ private:
     view::StartPageState state_;
     // The leaf's subject as given when the page was opened.
     std::shared_ptr<Subject const> subject_ {};
-    methods::Dressing wanted_ {};
+    methods::Foliage wanted_ {};
     std::optional<scene::Season> season_ {};
-    std::optional<view::DressActivePlant> accepted_ {};
+    std::optional<view::SetActiveFoliage> accepted_ {};
     NewestJob<Wanted, Result<leaf::LeafStudy>> job_;
 };
 

@@ -27,8 +27,8 @@ Result<LiveWindow> LiveWindow::create(devices::LiveDevices devices, LiveWindowOp
     station_options.tools = options.methods.tools;
     station_options.layers = options.methods.layers;
     station_options.curves = options.methods.curves;
-    station_options.least_extents = options.least_extents;
-    station_options.least_extents.merge(tools::usual_least_extents(options.methods.tools));
+    station_options.min_extents = options.min_extents;
+    station_options.min_extents.merge(tools::usual_min_extents(options.methods.tools));
     bool const has_sensor = has_height_sensor(devices);
     bool const lacks_calibration = controllers::lacks_calibration(devices, options);
     auto const mouse = add_mouse(devices, options);
@@ -303,8 +303,8 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
     (void)controller_->finish(station_, now);
     (void)controller_->take_done(); // Discards earlier steps, which do not belong to the recording.
     recorded_from_stroke_ = controller_->document().stroke_count();
-    recorder_->write_tool(now, tools::kLeastExtentsLine,
-                          tools::print_least_extents(station_.least_extents()));
+    recorder_->write_tool(now, tools::kMinExtentsLine,
+                          tools::print_min_extents(station_.min_extents()));
     // Writes the station's tools, so that the recording starts with the same tools at both ends of
     // the pen.
     for (auto const& tool : station_.tools_to_go_on_with()) {

@@ -36,8 +36,8 @@ struct LiveWindowOptions {
     std::optional<calib::Rig> rig {};
     // File for the rig after calibration; empty: calibration is not available.
     std::filesystem::path rig_file {};
-    // Minimum extents of strokes by tool name, where they differ from tools::usual_least_extents().
-    tools::LeastExtents least_extents {};
+    // Minimum extents of strokes by tool name, where they differ from tools::usual_min_extents().
+    tools::MinExtents min_extents {};
     // Fixed height of the surface above the controller, replacing a height sensor.
     std::optional<double> height_mm {};
     scene::Scene scene {}; // The scene to draw on; its base plant must be loaded.

@@ -197,7 +197,7 @@ void LiveWindow::keep_drawn_leaf(std::filesystem::path const& file)
 void LiveWindow::open_leaf_page(std::filesystem::path const& file)
 {
     auto const& state = scene().state;
-    methods::Dressing wanted { .leaves = methods::leaves_of_grammar(file.string()) };
+    methods::Foliage wanted { .leaves = methods::leaves_of_grammar(file.string()) };
     auto const drawn = std::ranges::find(drawn_leaves_, file, &DrawnLeafFile::file);
     auto const worn = methods::worn_leaves(state, state.active);
     if (drawn != drawn_leaves_.end())
@@ -253,7 +253,7 @@ void LiveWindow::follow_choices()
     if (choice_of_ == ChoiceOf::Picture)
         perform_kind(view::LayPictureFile { *file });
     else if (file->empty())
-        perform_kind(view::DressActivePlant {});
+        perform_kind(view::SetActiveFoliage {});
     else if (methods::is_organ_file(*file) && brings_leaf(*file))
         perform_kind(view::BringLeaf { *file });
     else if (methods::is_organ_file(*file)

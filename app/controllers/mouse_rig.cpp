@@ -23,8 +23,8 @@ static_assert((kSurfaceHigh - kSurfaceLow) / kCountsPerSurfaceMm == MouseRig::kT
 // Within this time of both ends of a stall, heights are sent at the usual rate: pen positions fall
 // into it, and a moving surface comes to rest.
 constexpr Duration kDenseAroundStall = std::chrono::milliseconds(250);
-constexpr Duration::rep kMostOfStall = 10'000; // Most reports for the middle of a stall, even after
-                                               // hours.
+constexpr Duration::rep kMaxOfStall = 10'000; // Most reports for the middle of a stall, even after
+                                              // hours.
 
 } // namespace
 
@@ -109,7 +109,7 @@ private:
     Duration period(Timestamp time, Timestamp end) const
     {
         auto const sparse
-            = std::max<Duration>(MouseRig::kStalledHeightPeriod, (end - begin_) / kMostOfStall);
+            = std::max<Duration>(MouseRig::kStalledHeightPeriod, (end - begin_) / kMaxOfStall);
         bool const is_dense
             = time - begin_ < kDenseAroundStall || end - time < kDenseAroundStall + sparse;
         return is_dense ? Duration(MouseRig::kHeightPeriod) : sparse;

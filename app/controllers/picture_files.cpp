@@ -27,13 +27,13 @@ std::vector<fs::path> pictures_in(fs::path const& folder, std::size_t most)
 {
     constexpr int kDeepest = 2;
     // Most files looked at per folder, which may be a whole archive.
-    constexpr std::size_t kMostLookedAt = 20'000;
+    constexpr std::size_t kMaxLookedAt = 20'000;
     std::vector<std::pair<std::chrono::sys_seconds, fs::path>> found;
     std::error_code error;
     std::size_t looked_at = 0;
     auto const options = fs::directory_options::skip_permission_denied;
     for (fs::recursive_directory_iterator entry(folder, options, error), end;
-         !error && entry != end && looked_at < kMostLookedAt; entry.increment(error)) {
+         !error && entry != end && looked_at < kMaxLookedAt; entry.increment(error)) {
         ++looked_at;
         auto const& path = entry->path();
         if (entry.depth() >= kDeepest || path.filename().string().starts_with('.'))
@@ -56,14 +56,14 @@ std::vector<fs::path> pictures_in(fs::path const& folder, std::size_t most)
 Result<scene::LayPicture> load_back_picture(fs::path const& file, Vec2 const& tablet_mm)
 {
     constexpr double kShare = 0.9; // Part of the tablet's size that the picture fills.
-    auto bytes = TRY(read_file(file, scene::kMostPictureBytes));
+    auto bytes = TRY(read_file(file, scene::kMaxPictureBytes));
     auto const image = render::read_picture(bytes);
     if (!image)
         return fail(Fault::User, fmt::format("{}: {}", file.string(), image.error().message));
     double const aspect = static_cast<double>(image->width()) / image->height();
     scene::LayPicture edit { .name = file.filename().string(), .file = std::move(bytes) };
     edit.place.width_mm = std::clamp(kShare * std::min(tablet_mm.x(), tablet_mm.y() * aspect),
-                                     scene::kLeastPictureWidth_mm, scene::kGreatestPictureWidth_mm);
+                                     scene::kMinPictureWidth_mm, scene::kGreatestPictureWidth_mm);
     return edit;
 }
 

@@ -50,9 +50,9 @@ private:
     void perform_kind(view::RemoveCard const&) { }
     void perform_kind(view::OpenPictures const&) { }
     void perform_kind(view::LayPictureFile const&) { }
-    void perform_kind(view::DragDrawnGlyph const&) { }
+    void perform_kind(view::DragDrawnGizmo const&) { }
     void perform_kind(view::OpenLeaves const&) { }
-    void perform_kind(view::DressActivePlant const&) { }
+    void perform_kind(view::SetActiveFoliage const&) { }
     void perform_kind(view::BringLeaf const&) { }
     void perform_kind(view::PickCurve const&) { } // The recording says what is selected.
     // Naming has no effect, as a recording has no name to change.

@@ -34,10 +34,10 @@ std::vector<fs::path> models_in(fs::path const& folder)
 
 // A model's description, from its first comment up to the full stop: "/* A weeping birch: a slender
 // …" gives "A weeping birch". Empty if the model does not begin with a comment.
-std::string said_of_model(fs::path const& model)
+std::string describe_model(fs::path const& model)
 {
-    constexpr std::size_t kMost_bytes = 1'000'000;
-    auto const text = read_file(model, kMost_bytes);
+    constexpr std::size_t kMax_bytes = 1'000'000;
+    auto const text = read_file(model, kMax_bytes);
     constexpr std::string_view kBeginning = "/* ";
     if (!text || !text->starts_with(kBeginning))
         return {};
@@ -150,7 +150,7 @@ void StartPageController::list_models()
     for (auto const& folder : options_.models)
         for (auto const& model : models_in(folder)) {
             cards.cards.push_back(
-                { .title = name_in_words(model.stem().string()), .detail = said_of_model(model) });
+                { .title = name_in_words(model.stem().string()), .detail = describe_model(model) });
             meanings.push_back({ { .plant = model } });
         }
     add_group(std::move(cards), std::move(meanings));
@@ -160,7 +160,7 @@ void StartPageController::list_recent()
 {
     view::StartCards cards { .title = "Recent drawings", .title_of_others = "Earlier drawings" };
     std::vector<Meaning> meanings;
-    for (auto const& drawing : recent_drawings(options_.sessions, kMostRecent, options_.now())) {
+    for (auto const& drawing : recent_drawings(options_.sessions, kMaxRecent, options_.now())) {
         cards.cards.push_back({ .title = drawing.name, .detail = drawing.time });
         meanings.push_back({ { .session = drawing.file } });
     }

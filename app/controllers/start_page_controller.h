@@ -37,7 +37,7 @@ StartPageOptions start_page_of_user(tools::Methods const& methods);
 // opened, in the background. Use from one thread.
 class StartPageController final : public view::StartPageModel {
 public:
-    static constexpr std::size_t kMostRecent = 12;
+    static constexpr std::size_t kMaxRecent = 12;
 
     explicit StartPageController(StartPageOptions options);
     ~StartPageController() override; // Deletes a new file if its drawing was chosen but not taken.

@@ -62,11 +62,12 @@ void StationController::take_strokes(station::Station& station)
 void StationController::tell_of_dab(station::Station const& station)
 {
     auto const* const kind = station.last_dab();
-    bool const is_new = std::exchange(told_dabs_, station.counts().dabs) < station.counts().dabs;
-    if (!is_new || !told_dabs_of_.insert(kind).second)
+    bool const is_new
+        = std::exchange(reported_dabs_, station.counts().dabs) < station.counts().dabs;
+    if (!is_new || !tools_with_reported_dabs_.insert(kind).second)
         return;
     view_.state().status
-        = tools::describe_dab(*kind, tools::least_extent_mm(station.least_extents(), *kind));
+        = tools::describe_dab(*kind, tools::min_extent_mm(station.min_extents(), *kind));
 }
 
 // The tool to select when the plant's tool changed with the scene; nullopt if it did not.
@@ -241,9 +242,9 @@ void StationController::perform(view::LayPictureFile const& command, station::St
     show_document(station, now_);
 }
 
-void StationController::perform(view::DragDrawnGlyph const& command, station::Station& station)
+void StationController::perform(view::DragDrawnGizmo const& command, station::Station& station)
 {
-    auto const* const kind = station.tool().kind().drawn_glyph;
+    auto const* const kind = station.tool().kind().drawn_gizmo;
     if (!kind)
         return;
     if (command.slider == view::ChangeGrowth::Slider::Moving) {
@@ -263,7 +264,7 @@ void StationController::perform(view::DragDrawnGlyph const& command, station::St
 }
 
 // Describes the chosen foliage to the user.
-static std::string leaves_in_words(methods::Dressing const& wanted)
+static std::string leaves_in_words(methods::Foliage const& wanted)
 {
     if (wanted.drawn != 0)
         return "leaves like the one that is drawn, and follows it";
@@ -272,21 +273,21 @@ static std::string leaves_in_words(methods::Dressing const& wanted)
         : fmt::format("leaves of {}", std::filesystem::path(wanted.leaves).stem().string());
 }
 
-void StationController::perform(view::DressActivePlant const& command, station::Station& station)
+void StationController::perform(view::SetActiveFoliage const& command, station::Station& station)
 {
-    methods::Dressing const wanted { .leaves = methods::leaves_of_grammar(command.leaves),
-                                     .drawn = command.drawn,
-                                     .age = command.age,
-                                     .damage = command.damage };
+    methods::Foliage const wanted { .leaves = methods::leaves_of_grammar(command.leaves),
+                                    .drawn = command.drawn,
+                                    .age = command.age,
+                                    .damage = command.damage };
     auto const change = [wanted, season = command.season](
                             scene::Scene const& scene) -> Result<document::WantedStep::Change> {
         if (!scene::active_plant(scene.state))
             return fail(Fault::User, "There is no plant yet: draw one first");
-        auto edits = TRY(methods::dressing_edits(scene, scene.state.active, wanted));
+        auto edits = TRY(methods::foliage_edits(scene, scene.state.active, wanted));
         // In a season the leaves' ages follow the season instead of the chosen age.
         if (auto const then = season.value_or(scene.state.season); then || season) {
-            auto const dressed = TRY(scene::apply_edits(scene, edits));
-            for (auto& edit : TRY(batch::season_edits(dressed, then)))
+            auto const foliated = TRY(scene::apply_edits(scene, edits));
+            for (auto& edit : TRY(batch::season_edits(foliated, then)))
                 edits.push_back(std::move(edit));
         }
         return document::WantedStep::Change {
@@ -304,7 +305,7 @@ void StationController::perform(view::BringLeaf const& command, station::Station
         auto edits = TRY(methods::organ_edits(scene, file));
         scene::SceneBuilder builder(scene, {});
         auto const after = TRY(scene::apply_edits(scene.state, edits, builder));
-        return document::WantedStep::Change { std::move(edits), methods::said_of_organ(after) };
+        return document::WantedStep::Change { std::move(edits), methods::describe_organ(after) };
     };
     document_->make({ change, document::WantedStep::Of::Scene });
     show_document(station, now_);

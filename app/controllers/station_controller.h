@@ -74,8 +74,8 @@ public:
     void perform(view::TakeOrphansAway const&, station::Station& station);
     void perform(view::PickCurve const& command, station::Station& station);
     void perform(view::LayPictureFile const& command, station::Station& station);
-    void perform(view::DragDrawnGlyph const& command, station::Station& station);
-    void perform(view::DressActivePlant const& command, station::Station& station);
+    void perform(view::DragDrawnGizmo const& command, station::Station& station);
+    void perform(view::SetActiveFoliage const& command, station::Station& station);
     void perform(view::BringLeaf const& command, station::Station& station);
 
     // Adapts what was drawn with a tool after the tool's numbers have changed (ToolKind::follow).
@@ -115,10 +115,10 @@ private:
     view::StationView view_;
     std::vector<document::DoneStep> done_; // Steps that take_done() has not returned yet.
     std::optional<tools::Tool> hand_;      // Tool that take_hand() has not returned yet.
-    std::size_t told_dabs_ = 0; // Number of the station's dabs (touches too short for a stroke)
-                                // handled so far.
+    std::size_t reported_dabs_ = 0; // Number of the station's dabs (touches too short for a stroke)
+                                    // handled so far.
     // Kinds of tools for which the message about dabs was shown.
-    std::set<tools::ToolKind const*> told_dabs_of_ {};
+    std::set<tools::ToolKind const*> tools_with_reported_dabs_ {};
     Timestamp now_ {};                // Time of the last show().
     bool knows_what_is_lost_ = false; // The user has already been warned once about losing unsaved
                                       // work.

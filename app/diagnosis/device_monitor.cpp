@@ -91,7 +91,7 @@ void DeviceMonitor::follow(drivers::PenSample const& sample)
     }
     Vec2 const place = sample.position_mm.cwiseQuotient(pen_->traits().size_mm);
     if (begins) {
-        keeps_touch_ = pen.touches.size() < PenReading::kMostTouches;
+        keeps_touch_ = pen.touches.size() < PenReading::kMaxTouches;
         if (keeps_touch_)
             pen.touches.push_back({ .begin = sample.time, .begin_place = place });
     }
@@ -136,9 +136,9 @@ void DeviceMonitor::watch_pace(Timestamp time)
         recent_.clear();
     }
     // Most reports kept from one second; more than USB's 8 kHz allow.
-    constexpr std::size_t kMostPerSecond = 20'000;
+    constexpr std::size_t kMaxPerSecond = 20'000;
     recent_.push_back(time);
-    while (recent_.front() + kWindow < time || recent_.size() > kMostPerSecond)
+    while (recent_.front() + kWindow < time || recent_.size() > kMaxPerSecond)
         recent_.pop_front();
 }
 

@@ -49,13 +49,13 @@ struct PenTouch {
 struct PenReading {
     // Number of bins of the pressure histogram, 1 % each.
     static constexpr std::size_t kPressureSteps = 100;
-    static constexpr std::size_t kMostTouches = 200;
+    static constexpr std::size_t kMaxTouches = 200;
 
     std::size_t hovering = 0; // Number of samples in range but not touching.
     std::size_t touching = 0;
     // Histogram of the touching samples' pressure; empty if the device reports none.
     std::vector<std::size_t> pressures {};
-    std::vector<PenTouch> touches {}; // The first kMostTouches touches.
+    std::vector<PenTouch> touches {}; // The first kMaxTouches touches.
 };
 
 // Statistics of everything a device has sent so far.

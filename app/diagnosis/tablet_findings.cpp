@@ -193,19 +193,19 @@ bool are_one_tablet(DeviceReading const& a, DeviceReading const& b)
 
 bool is_same_touch(PenTouch const& a, PenTouch const& b)
 {
-    constexpr Duration kMostApart = 60ms;
+    constexpr Duration kMaxApart = 60ms;
     constexpr double kNear = 0.02; // Tolerance as a share of the active area's side.
     auto const is_near = [](Vec2 const& first, Vec2 const& second) {
         return (first - second).cwiseAbs().maxCoeff() <= kNear;
     };
-    return std::chrono::abs(a.begin - b.begin) <= kMostApart
-        && std::chrono::abs(a.end - b.end) <= kMostApart && is_near(a.begin_place, b.begin_place)
+    return std::chrono::abs(a.begin - b.begin) <= kMaxApart
+        && std::chrono::abs(a.end - b.end) <= kMaxApart && is_near(a.begin_place, b.begin_place)
         && is_near(a.end_place, b.end_place);
 }
 
 bool sends_the_same(PenReading const& a, PenReading const& b)
 {
-    constexpr double kMostOf = 0.8;
+    constexpr double kMaxOf = 0.8;
     bool const is_a_fewer = a.touches.size() <= b.touches.size();
     auto const& fewer = is_a_fewer ? a.touches : b.touches;
     auto const& more = is_a_fewer ? b.touches : a.touches;
@@ -213,7 +213,7 @@ bool sends_the_same(PenReading const& a, PenReading const& b)
         return std::ranges::any_of(
             more, [&](PenTouch const& other) { return is_same_touch(touch, other); });
     });
-    return same > 0 && static_cast<double>(same) >= kMostOf * static_cast<double>(fewer.size());
+    return same > 0 && static_cast<double>(same) >= kMaxOf * static_cast<double>(fewer.size());
 }
 
 // True if the node of the tablet's basic mode took over for good from that of its full mode.

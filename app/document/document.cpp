@@ -226,11 +226,11 @@ Result<void> Document::set_name(std::string name)
 void Document::perform(tools::ToolStroke const& stroke)
 {
     DrawnStroke drawn { stroke.stroke, stroke.tool };
-    auto edits = stroke.tool.mean(stroke.stroke, scene_);
+    auto edits = stroke.tool.edits_for(stroke.stroke, scene_);
     auto step = edits ? compute(*std::move(edits)) : tl::unexpected(edits.error());
     if (step) {
         drawn.edits = step->edits;
-        drawn.said = said_of(stroke.tool, scene_);
+        drawn.message = describe_result(stroke.tool, scene_);
     } else {
         drawn.refusal = step.error().message;
     }

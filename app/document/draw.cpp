@@ -11,15 +11,15 @@ Result<scene::Scene> scene_after(scene::Scene scene, std::vector<scene::Edit> co
     return scene::apply_edits(std::move(scene), edits, make_load_options());
 }
 
-std::string said_of(tools::Tool const& tool, scene::Scene const& after)
+std::string describe_result(tools::Tool const& tool, scene::Scene const& after)
 {
-    return tool.kind().said ? tool.kind().said(tool, after) : "";
+    return tool.kind().describe ? tool.kind().describe(tool, after) : "";
 }
 
 DrawnStroke draw(Stroke stroke, tools::Tool const& tool, scene::Scene& scene)
 {
     DrawnStroke drawn { std::move(stroke), tool };
-    auto edits = tool.mean(drawn.stroke, scene);
+    auto edits = tool.edits_for(drawn.stroke, scene);
     if (!edits) {
         drawn.refusal = edits.error().message;
         return drawn;
@@ -31,7 +31,7 @@ DrawnStroke draw(Stroke stroke, tools::Tool const& tool, scene::Scene& scene)
     }
     scene = *std::move(next);
     drawn.edits = *std::move(edits);
-    drawn.said = said_of(tool, scene);
+    drawn.message = describe_result(tool, scene);
     return drawn;
 }
 

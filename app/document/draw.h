@@ -16,11 +16,12 @@ struct DrawnStroke {
     tools::Tool tool;
     std::string refusal {}; // Why the stroke changed nothing; empty if it changed the scene.
     std::vector<scene::Edit> edits {}; // The edits it made; empty if it was refused.
-    std::string said {}; // Message for the user that replaces the tool's default, ToolKind::done.
+    std::string
+        message {}; // Message for the user that replaces the tool's default, ToolKind::done.
 };
 
-// The tool's own message after a stroke (ToolKind::said).
-std::string said_of(tools::Tool const& tool, scene::Scene const& after);
+// The tool's own message after a stroke (ToolKind::describe).
+std::string describe_result(tools::Tool const& tool, scene::Scene const& after);
 
 // Applies a stroke drawn with a tool to a scene: all of its edits, or none if one is refused.
 DrawnStroke draw(Stroke stroke, tools::Tool const& tool, scene::Scene& scene);

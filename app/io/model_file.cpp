@@ -177,13 +177,13 @@ static std::vector<std::string> unused_companions(std::filesystem::path const& p
 
 void warn_of_unused_companions(std::filesystem::path const& path, ModelCompanions const& companions)
 {
-    constexpr std::size_t kMostTold = 3;
+    constexpr std::size_t kMaxListedNames = 3;
     auto const unused = unused_companions(path, companions);
-    for (std::size_t i = 0; i < std::min(unused.size(), kMostTold); ++i)
+    for (std::size_t i = 0; i < std::min(unused.size(), kMaxListedNames); ++i)
         terminal::print_warning(unused[i]);
-    if (unused.size() > kMostTold)
+    if (unused.size() > kMaxListedNames)
         terminal::print_warning(fmt::format("{} more views and colour files beside {} are not used",
-                                            unused.size() - kMostTold, path.string()));
+                                            unused.size() - kMaxListedNames, path.string()));
 }
 
 bool leads_out_of_folder(std::filesystem::path const& name)

@@ -136,18 +136,18 @@ Result<std::string> read_leaf_grammar(fs::path const& path)
     return leaf::read_leaf_text(path);
 }
 
-Dressing dressing_of_word(std::string const& word)
+Foliage parse_foliage(std::string const& word)
 {
     auto [grammar, damage] = lsystem::parse_leaf_word(word);
     return { .leaves = std::move(grammar), .damage = damage };
 }
 
-Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Dressing const& dressing)
+Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Foliage const& foliage)
 {
-    auto const& leaves = dressing.leaves;
-    if (dressing.drawn != 0)
-        return GrammarOfLeaves { drawn_name(dressing.drawn),
-                                 TRY(text_of_drawn(state, dressing.drawn)) };
+    auto const& leaves = foliage.leaves;
+    if (foliage.drawn != 0)
+        return GrammarOfLeaves { drawn_name(foliage.drawn),
+                                 TRY(text_of_drawn(state, foliage.drawn)) };
     if (auto const kept = state.leaf_grammars.find(leaves); kept != state.leaf_grammars.end())
         return GrammarOfLeaves { leaves, *kept->second };
     if (fs::path(leaves).extension() != ".leaf") {
@@ -163,33 +163,33 @@ Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Dressing c
     return GrammarOfLeaves { std::move(name), std::move(text) };
 }
 
-Result<std::vector<scene::Edit>> dressing_edits(scene::Scene const& scene, scene::ItemId plant,
-                                                Dressing const& dressing)
+Result<std::vector<scene::Edit>> foliage_edits(scene::Scene const& scene, scene::ItemId plant,
+                                               Foliage const& foliage)
 {
     auto const number = TRY(scene::plant_number(scene.state, plant));
     if (leaf::leaf_sketch(*scene.state.plants[number]))
         return fail(Fault::User,
                     "a drawn leaf wears no leaves itself: choose the plant that shall have them");
-    if (dressing.leaves.empty() && dressing.drawn == 0)
-        return std::vector<scene::Edit> { scene::DressPlant { plant, {} } };
-    auto const [name, text] = TRY(grammar_of(scene.state, dressing));
-    lsystem::LeafOrder const order { .grammar = lsystem::leaf_word({ name, dressing.damage }),
-                                     .age = dressing.age };
+    if (foliage.leaves.empty() && foliage.drawn == 0)
+        return std::vector<scene::Edit> { scene::SetFoliage { plant, {} } };
+    auto const [name, text] = TRY(grammar_of(scene.state, foliage));
+    lsystem::LeafOrder const order { .grammar = lsystem::leaf_word({ name, foliage.damage }),
+                                     .age = foliage.age };
     auto const sheet = lsystem::leaf_sheet_name(order);
     std::vector<scene::Edit> edits;
     if (fs::path(name).extension() == ".leaf") {
         std::set<std::string> names { sheet };
-        if (dressing.drawn != 0)
-            names.merge(drawn_and_worn(scene.state)[dressing.drawn]);
+        if (foliage.drawn != 0)
+            names.merge(drawn_and_worn(scene.state)[foliage.drawn]);
         edits = TRY(keeping_edits(scene.state, name, text, names));
     } else if (!scene.state.leaf_sheets.contains(sheet)) {
         edits.emplace_back(scene::KeepLeaves { sheet, TRY(sheet_for(scene, sheet)) });
     }
-    edits.emplace_back(scene::DressPlant { plant, sheet });
+    edits.emplace_back(scene::SetFoliage { plant, sheet });
     return edits;
 }
 
-std::optional<Dressing> worn_leaves(scene::DocumentState const& state, scene::ItemId plant)
+std::optional<Foliage> worn_leaves(scene::DocumentState const& state, scene::ItemId plant)
 {
     auto const number = scene::find_plant(state, plant);
     auto const order
@@ -197,7 +197,7 @@ std::optional<Dressing> worn_leaves(scene::DocumentState const& state, scene::It
     if (!order)
         return std::nullopt;
     auto [grammar, damage] = lsystem::parse_leaf_word(order->grammar);
-    Dressing worn { .age = order->age, .damage = damage };
+    Foliage worn { .age = order->age, .damage = damage };
     auto const drawn = drawn_leaf_of(grammar);
     if (drawn && text_of_drawn(state, *drawn))
         worn.drawn = *drawn;

@@ -39,7 +39,7 @@ std::vector<DrawnLeafGrammar> drawn_leaves(scene::DocumentState const& state);
 Result<std::string> read_leaf_grammar(std::filesystem::path const& path);
 
 // The leaves that a plant should wear.
-struct Dressing {
+struct Foliage {
     // A built-in species' name, a path of a .leaf file, or the name of a grammar stored in the
     // document. Empty: the plant's own leaves.
     std::string leaves {};
@@ -50,7 +50,7 @@ struct Dressing {
 };
 
 // Parses leaves as users write them: "oak", "oak+spots=0.3" (leaf_word.h), "mine.leaf".
-Dressing dressing_of_word(std::string const& word);
+Foliage parse_foliage(std::string const& word);
 
 // A leaf grammar, and the name that it has within the names of leaf sheets.
 struct GrammarOfLeaves {
@@ -60,18 +60,18 @@ struct GrammarOfLeaves {
 
 // Finds the grammar of the chosen leaves. Fails with a user error if there is none, and if
 // `dressing` asks for the plant's own leaves.
-Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Dressing const& dressing);
+Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Foliage const& foliage);
 
 // Grows the leaves and returns the edits that put them on a plant of the scene. Fails with a user
 // error if the grammar does not exist or gives no leaf, and if the plant is itself a drawn leaf:
 // this prevents a leaf from wearing itself.
-Result<std::vector<scene::Edit>> dressing_edits(scene::Scene const& scene, scene::ItemId plant,
-                                                Dressing const& dressing);
+Result<std::vector<scene::Edit>> foliage_edits(scene::Scene const& scene, scene::ItemId plant,
+                                               Foliage const& foliage);
 
 // The leaves that the user chose for the plant, or no value if the plant has its own leaves or
 // leaves of unknown origin. `drawn` is set only while the drawn leaf is in the document; after that
 // its grammar is among those stored in the document.
-std::optional<Dressing> worn_leaves(scene::DocumentState const& state, scene::ItemId plant);
+std::optional<Foliage> worn_leaves(scene::DocumentState const& state, scene::ItemId plant);
 
 // Edits that must follow a step that changes the drawing of a leaf that plants wear: they store its
 // new grammar under the same name and regrow the leaves that are worn. Empty if the lines no longer

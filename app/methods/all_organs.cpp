@@ -58,7 +58,7 @@ Result<std::vector<scene::Edit>> organ_edits(scene::Scene const& scene, fs::path
         .text = lines::print_organ(organ) } };
 }
 
-std::string said_of_organ(scene::DocumentState const& after)
+std::string describe_organ(scene::DocumentState const& after)
 {
     auto const* const sketch = lines::active_pen_sketch(after);
     return sketch && sketch->organs.size() > 1

@@ -39,7 +39,7 @@ Result<std::vector<scene::Edit>> organ_edits(scene::Scene const& scene,
                                              std::filesystem::path const& file);
 
 // Message for the user after the edits were applied.
-std::string said_of_organ(scene::DocumentState const& after);
+std::string describe_organ(scene::DocumentState const& after);
 
 // A plant that consists of one leaf in three views, upright on the ground, with its upper side
 // towards a viewer in front. Fails with a user error if the file is invalid.

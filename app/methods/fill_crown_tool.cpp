@@ -44,12 +44,12 @@ self_organising::LifePart part_of(std::vector<silhouette::CrownBall> const& ball
               .touching = true });
     return { .stroke = { std::move(tips) },
              .is_volume = true,
-             .least_radius_mm = narrowest * placement.scale,
+             .min_radius_mm = narrowest * placement.scale,
              .most_radius_mm = widest * placement.scale };
 }
 
-Result<std::vector<scene::Edit>> mean_to_fill(tools::Tool const& tool, Stroke const&,
-                                              scene::Scene const& scene)
+Result<std::vector<scene::Edit>> fill_edits(tools::Tool const& tool, Stroke const&,
+                                            scene::Scene const& scene)
 {
     auto const habit = self_organising::habit_of(tool.get<FillCrownTool>()->species);
     return std::vector { TRY(fill_crown(scene, habit, kFillYears, 1 + scene.plants.size())) };
@@ -95,8 +95,8 @@ constexpr tools::ToolKind FillCrownTool::kKind {
     .group = "Sketch",
     .method = "Growth brush",
     .options = tools::options_type<FillCrownTool, visit>(),
-    .mean = mean_to_fill,
-    .said = describe_filled,
+    .edits_for = fill_edits,
+    .describe = describe_filled,
     .other_end = { &tools::EraseTool::kKind },
 };
 

@@ -1,6 +1,6 @@
 #include "app/play/simulated_recording.h"
 
-#include "app/tools/least_extent.h"
+#include "app/tools/min_extent.h"
 #include "app/tools/tool.h"
 #include "calib/rig_file.h"
 #include "drivers/logs/log_writer.h"
@@ -53,8 +53,8 @@ void write_reports(drivers::LogWriter& log, sim::SimulatedRun const& run, sim::H
                            : tools::words_in_hand(tools, gesture.tool, gesture.words));
     };
     if (script.unkindness.dab_share > 0)
-        log.write_tool({}, std::string(tools::kLeastExtentsLine),
-                       tools::print_least_extents(tools::usual_least_extents(tools)));
+        log.write_tool({}, std::string(tools::kMinExtentsLine),
+                       tools::print_min_extents(tools::usual_min_extents(tools)));
     auto gesture = script.gestures.begin();
     std::size_t stroke = 0;
     // Actions without a stroke take place when the hand selects the tool of the stroke that

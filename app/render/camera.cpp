@@ -12,7 +12,7 @@ namespace tractus::render {
 // Share of the picture that the framed shape may fill; the rest is margin.
 static constexpr double kFill = 0.94;
 // Least distance from the eye to the framed shape, as a share of its radius.
-static constexpr double kLeastClearance = 0.3;
+static constexpr double kMinClearance = 0.3;
 
 Eigen::Matrix4f T_camera_world(Camera const& camera)
 {
@@ -117,7 +117,7 @@ Camera touching_camera(ViewAngles const& angles, double aspect, std::array<doubl
     double const radius_mm = std::max(1.0, (box.max_mm - box.min_mm).norm() / 2);
     double const eye_back
         = std::max({ (high + low) / (2 * slopes.up), (rightmost + leftmost) / (2 * slopes.right),
-                     nearest + kLeastClearance * radius_mm });
+                     nearest + kMinClearance * radius_mm });
     Camera camera;
     camera.eye_mm = axes.back * eye_back + axes.up * (high - low) / 2
         + axes.right * (rightmost - leftmost) / 2;

@@ -54,7 +54,7 @@ Image upright(Image picture, int orientation)
 
 static_assert(sizeof(Color) == 4); // Both libraries write pixels of this layout.
 
-constexpr std::int64_t kMostPixels = 100'000'000;
+constexpr std::int64_t kMaxPixels = 100'000'000;
 
 auto fail_damaged(char const* why)
 {
@@ -64,7 +64,7 @@ auto fail_damaged(char const* why)
 Result<Image> read_png(std::string_view bytes)
 {
     Image image;
-    TRY(read_png_pixels(bytes, kMostPixels, [&](int width, int height) {
+    TRY(read_png_pixels(bytes, kMaxPixels, [&](int width, int height) {
         image = Image(width, height);
         return reinterpret_cast<std::uint8_t*>(image.pixels().data());
     }));
@@ -85,7 +85,7 @@ Result<Image> read_jpeg(std::string_view bytes)
                             &colors)
         != 0)
         return fail_damaged(tjGetErrorStr2(decoder.get()));
-    TRY(check_picture_size(width, height, kMostPixels));
+    TRY(check_picture_size(width, height, kMaxPixels));
     Image image(width, height);
     auto* const pixels = reinterpret_cast<unsigned char*>(image.pixels().data());
     if (tjDecompress2(decoder.get(), data, bytes.size(), pixels, width, 0, height, TJPF_RGBA,

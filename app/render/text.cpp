@@ -50,14 +50,14 @@ void blend(Color& pixel, Color const& over, int coverage)
               pixel.alpha };
 }
 
-struct GlyphPlace {
+struct GizmoPlace {
     int glyph = 0;
     double x_px = 0; // Distance of the glyph's origin from the line's left end.
 };
 
 // Kerned positions of a line's glyphs, and the line's width.
 struct Line {
-    std::vector<GlyphPlace> glyphs;
+    std::vector<GizmoPlace> glyphs;
     double width_px = 0;
 };
 

@@ -151,7 +151,7 @@ static int give_up_after_many(void* instructions)
 {
     auto& count = *static_cast<std::uint64_t*>(instructions);
     count += kInstructionsCounted;
-    return count > Database::kMostInstructions ? 1 : 0;
+    return count > Database::kMaxInstructions ? 1 : 0;
 }
 
 // Applies the advice of www.sqlite.org/security.html for files that may be malicious.

@@ -57,7 +57,7 @@ private:
 class Database {
 public:
     // Limit of virtual-machine instructions per row; reading or writing a row takes a few hundred.
-    static constexpr std::uint64_t kMostInstructions = 50'000'000;
+    static constexpr std::uint64_t kMaxInstructions = 50'000'000;
 
     enum class Access {
         Read,  // Writes nothing, not even journal files beside it.

@@ -12,7 +12,7 @@ namespace tractus::session {
 namespace {
 
 using Kind = FoundColumn::Kind;
-using Standing = FoundRow::Standing;
+using State = FoundRow::State;
 
 constexpr std::size_t kEditColumns = 7;
 constexpr std::size_t kEditColumnsOfFormat1 = 5; // Format 1 has no time and no checksum.
@@ -73,15 +73,15 @@ public:
             session.meta.emplace(key, std::move(candidate.text));
         std::int64_t last_listed = 0;
         for (auto const& [number, candidate] : edits_)
-            if (candidate.standing == Standing::Listed)
+            if (candidate.standing == State::Listed)
                 last_listed = number;
         std::chrono::sys_seconds newest {};
         for (auto& [number, candidate] : edits_) {
             // Edit numbers have no gaps: a missing one between listed ones was not deleted, unless
             // it is older than the edit before it.
-            bool const was_deleted = candidate.standing != Standing::Listed
+            bool const was_deleted = candidate.standing != State::Listed
                 && (candidate.row.made < newest
-                    || (candidate.standing == Standing::Deleted && number > last_listed));
+                    || (candidate.standing == State::Deleted && number > last_listed));
             if (was_deleted)
                 continue;
             newest = std::max(newest, candidate.row.made);
@@ -94,10 +94,10 @@ public:
 private:
     struct Candidate {
         EditRow row;
-        Standing standing = Standing::Deleted;
+        State standing = State::Deleted;
     };
 
-    void take_edit(EditRow&& row, Standing standing)
+    void take_edit(EditRow&& row, State standing)
     {
         auto const number = row.place.number;
         auto const [found, is_new] = edits_.try_emplace(number);
@@ -125,7 +125,7 @@ private:
         bool const is_copy = found.columns.size() == kMetaCopyColumns;
         if (is_copy && found.columns[2].whole != checksum_of_meta(key.bytes, text))
             return;
-        std::pair const rank(found.standing == Standing::Listed, is_copy);
+        std::pair const rank(found.standing == State::Listed, is_copy);
         auto const [best, is_new] = meta_.try_emplace(key.bytes);
         if (is_new || rank > best->second.rank || (rank.first && rank == best->second.rank))
             best->second = { std::move(text), rank };

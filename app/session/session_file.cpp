@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // In bytes; a larger edit gets no copy. Plants and strokes are far smaller; pictures may be larger.
-constexpr std::size_t kMostCopied = std::size_t { 16 } << 20;
+constexpr std::size_t kMaxCopied = std::size_t { 16 } << 20;
 
 // CRC-32 of the parts and their lengths, so that bytes moved from one part to the next change it.
 std::int64_t checksum_of_parts(std::initializer_list<std::string_view> parts)
@@ -205,7 +205,7 @@ Result<void> insert_row(Database const& database, char const* table, EditRow con
 
 Result<void> insert_copy(Database const& database, EditRow const& row)
 {
-    if (row.record.fields.size() + row.record.numbers.size() > kMostCopied)
+    if (row.record.fields.size() + row.record.numbers.size() > kMaxCopied)
         return {};
     return insert_row(database, "copies", row);
 }

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t { 4 } << 30;
+constexpr std::size_t kMaxBytes = std::size_t { 4 } << 30;
 
 std::optional<std::int64_t> whole_of(ScannedSession const& scanned, char const* key)
 {
@@ -38,11 +38,11 @@ std::string text_of(ScannedSession const& scanned, char const* key, char const* 
 // Edit numbers missing between the session's first number and the last one found.
 std::vector<std::int64_t> missing_numbers(std::vector<EditRow> const& rows)
 {
-    constexpr std::size_t kMost = 1'000'000;
+    constexpr std::size_t kMax = 1'000'000;
     std::vector<std::int64_t> missing;
     std::int64_t next = 1;
     for (auto const& row : rows) {
-        for (; next < row.place.number && missing.size() < kMost; ++next)
+        for (; next < row.place.number && missing.size() < kMax; ++next)
             missing.push_back(next);
         next = row.place.number + 1;
     }
@@ -95,12 +95,12 @@ std::size_t step_anew(SalvagedSession const& session, std::vector<EditRow> const
 
 Result<SalvagedSession> salvage_session(fs::path const& path, scene::EditKinds kinds)
 {
-    auto const file = TRY(read_file(path, kMostBytes));
+    auto const file = TRY(read_file(path, kMaxBytes));
     auto const log_path = fs::path(path.string() + "-wal");
     std::error_code ignored;
     std::string log;
     if (fs::exists(log_path, ignored))
-        log = TRY(read_file(log_path, kMostBytes));
+        log = TRY(read_file(log_path, kMaxBytes));
     auto scanned = scan_pages(file, log, kinds);
     if (scanned.rows.empty())
         return fail(Fault::User,

@@ -11,7 +11,7 @@ namespace tractus::session {
 
 namespace {
 
-using Standing = FoundRow::Standing;
+using State = FoundRow::State;
 
 constexpr std::size_t kFileHeaderBytes = 100;
 constexpr std::size_t kLogHeaderBytes = 32;
@@ -170,36 +170,37 @@ void SqlitePages::find_free_pages()
 }
 
 // For each offset in the page, the standing of a row that begins there.
-std::vector<FoundRow::Standing> SqlitePages::standings(Page const& page) const
+std::vector<FoundRow::State> SqlitePages::states_of_rows(Page const& page) const
 {
     std::size_t const begin = page.number == 1 ? kFileHeaderBytes : 0;
-    std::vector<Standing> standings(page.bytes.size(), Standing::Unknown);
+    std::vector<State> states_of_rows(page.bytes.size(), State::Unknown);
     auto const all_deleted = [&] {
-        for (auto& standing : standings)
-            if (standing == Standing::Unknown)
-                standing = Standing::Deleted;
-        return standings;
+        for (auto& standing : states_of_rows)
+            if (standing == State::Unknown)
+                standing = State::Deleted;
+        return states_of_rows;
     };
     if (!page.is_current || (page.number < is_free_.size() && is_free_[page.number]))
         return all_deleted();
     if (big_endian(page.bytes, begin, 1) != kTableLeaf)
-        return standings;
+        return states_of_rows;
     auto const count = big_endian(page.bytes, begin + 3, 2);
     bool is_whole = true;
     for (std::uint64_t i = 0; i < count; ++i) {
         auto const place = big_endian(page.bytes, begin + 8 + 2 * i, 2);
-        bool const is_row = place < standings.size() && header_at(page.bytes, place).has_value();
+        bool const is_row
+            = place < states_of_rows.size() && header_at(page.bytes, place).has_value();
         is_whole = is_whole && is_row;
         if (is_row)
-            standings[place] = Standing::Listed;
+            states_of_rows[place] = State::Listed;
     }
-    return is_whole ? all_deleted() : standings;
+    return is_whole ? all_deleted() : states_of_rows;
 }
 
 std::optional<SqlitePages::Header> SqlitePages::header_at(std::string_view page,
                                                           std::size_t place) const
 {
-    constexpr std::uint64_t kMostHeaderBytes = 64;
+    constexpr std::uint64_t kMaxHeaderBytes = 64;
     Header header;
     std::uint64_t id = 0;
     if (!read_varint(page, place, header.payload_bytes) || !read_varint(page, place, id))
@@ -208,7 +209,7 @@ std::optional<SqlitePages::Header> SqlitePages::header_at(std::string_view page,
     header.begin = place;
     std::uint64_t size = 0;
     if (header.id < 1 || header.payload_bytes < 2 || !read_varint(page, place, size) || size < 2
-        || size > kMostHeaderBytes || size > header.payload_bytes)
+        || size > kMaxHeaderBytes || size > header.payload_bytes)
         return std::nullopt;
     header.header_bytes = static_cast<std::size_t>(size);
     auto const end = header.begin + header.header_bytes;
@@ -221,7 +222,7 @@ std::optional<SqlitePages::Header> SqlitePages::header_at(std::string_view page,
         if (!bytes || *bytes > header.payload_bytes)
             return std::nullopt;
         total += *bytes;
-        if (header.columns == kMostColumns)
+        if (header.columns == kMaxColumns)
             return std::nullopt;
         header.types[header.columns++] = type;
     }
@@ -235,12 +236,12 @@ std::optional<std::string> SqlitePages::payload(Page const& page, Header const& 
 {
     auto const wanted = header.payload_bytes;
     std::uint64_t const most_here = page_size_ - 35;
-    std::uint64_t const least_here = (page_size_ - 12) * 32 / 255 - 23;
+    std::uint64_t const min_here = (page_size_ - 12) * 32 / 255 - 23;
     std::uint64_t here = wanted;
     if (wanted > most_here) {
-        here = least_here + (wanted - least_here) % (page_size_ - 4);
+        here = min_here + (wanted - min_here) % (page_size_ - 4);
         if (here > most_here)
-            here = least_here;
+            here = min_here;
     }
     if (header.begin + here > page.bytes.size() || wanted > pages.size() * page_size_)
         return std::nullopt;
@@ -265,7 +266,7 @@ void SqlitePages::find_rows(std::function<bool(std::size_t columns)> const& acce
     auto const states
         = newest_ == oldest_ ? std::vector { &newest_ } : std::vector { &newest_, &oldest_ };
     for (auto const& page : pages_) {
-        auto const standing = standings(page);
+        auto const standing = states_of_rows(page);
         for (std::size_t place = 0; place < page.bytes.size(); ++place) {
             auto const header = header_at(page.bytes, place);
             if (!header || !accepts(header->columns))

@@ -24,12 +24,12 @@ struct FoundRow {
     std::vector<FoundColumn> columns;
 
     // Whether a page of the database still refers to the row.
-    enum class Standing {
+    enum class State {
         Deleted, // Its page is intact and does not list it, or is free.
         Unknown, // Its page is damaged.
         Listed,  // A page in use lists it.
     };
-    Standing standing = Standing::Unknown;
+    State standing = State::Unknown;
 };
 
 // The pages of an SQLite file and its write-ahead log, for a given page size. The bytes may be
@@ -37,7 +37,7 @@ struct FoundRow {
 class SqlitePages {
 public:
     // Rows with more columns are skipped.
-    static constexpr std::size_t kMostColumns = 8;
+    static constexpr std::size_t kMaxColumns = 8;
 
     // Neither is copied: both must outlive this.
     SqlitePages(std::string_view file, std::string_view log, std::size_t page_size);
@@ -60,14 +60,14 @@ private:
         std::uint64_t payload_bytes = 0;
         std::int64_t id = 0;
         std::size_t begin = 0; // Offset of the payload in the page.
-        std::array<std::uint64_t, kMostColumns> types {};
+        std::array<std::uint64_t, kMaxColumns> types {};
         std::size_t columns = 0;
         std::size_t header_bytes = 0;
     };
 
     void add_log(std::string_view log);
     void find_free_pages();
-    std::vector<FoundRow::Standing> standings(Page const& page) const;
+    std::vector<FoundRow::State> states_of_rows(Page const& page) const;
     std::optional<Header> header_at(std::string_view page, std::size_t place) const;
     std::optional<std::string> payload(Page const& page, Header const& header,
                                        std::vector<std::string_view> const& pages) const;

@@ -113,8 +113,8 @@ Result<std::vector<LogReplay::Line>> LogReplay::read_lines(drivers::Log const& l
             if (!*step)
                 return fail(Fault::User, fmt::format("{}: {}", place, step->error().message));
             lines.push_back({ position, time, **std::move(step) });
-        } else if (word == tools::kLeastExtentsLine) {
-            auto extents = tools::parse_least_extents(arguments);
+        } else if (word == tools::kMinExtentsLine) {
+            auto extents = tools::parse_min_extents(arguments);
             if (!extents)
                 return fail(Fault::User, fmt::format("{}: {}", place, extents.error().message));
             lines.push_back({ position, time, *std::move(extents) });
@@ -150,8 +150,8 @@ void LogReplay::push_lines()
         if (auto const* const tool = std::get_if<tools::Tool>(&lines_[next_line_].what))
             station_.set_tool(lines_[next_line_].time, *tool);
         else if (auto const* const extents
-                 = std::get_if<tools::LeastExtents>(&lines_[next_line_].what))
-            station_.set_least_extents(*extents);
+                 = std::get_if<tools::MinExtents>(&lines_[next_line_].what))
+            station_.set_min_extents(*extents);
 }
 
 // Hands over each step after the same number of strokes as in the original session: its line may

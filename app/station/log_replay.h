@@ -72,7 +72,7 @@ private:
     struct Line {
         std::size_t position = 0; // Position of the line in the log; see LogTool.
         Timestamp time {};
-        std::variant<tools::Tool, document::LoggedStep, tools::LeastExtents> what;
+        std::variant<tools::Tool, document::LoggedStep, tools::MinExtents> what;
     };
 
     LogReplay(drivers::Log const& log, Station station, std::vector<Line> lines,

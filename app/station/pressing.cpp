@@ -18,7 +18,7 @@ constexpr tools::ToolKind kPressing { .word = "press",
                                       .help = "",
                                       .group = "",
                                       .options = tools::options_type<Pressing>(),
-                                      .mean = press };
+                                      .edits_for = press };
 
 } // namespace
 

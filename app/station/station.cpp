@@ -64,7 +64,7 @@ Station::Station(StationOptions const& options)
     , tools_(options.tools)
     , layers_(options.layers)
     , curves_(options.curves)
-    , least_extents_(options.least_extents)
+    , min_extents_(options.min_extents)
 {
 }
 
@@ -225,8 +225,8 @@ void Station::press_instead()
 void Station::keep_moment(Pen const& pen, drivers::PenSample const& sample, TipSample const& tip)
 {
     // Drops the older half if nobody fetches the moments often enough.
-    if (moments_.size() == kMostMoments)
-        moments_.erase(moments_.begin(), moments_.begin() + kMostMoments / 2);
+    if (moments_.size() == kMaxMoments)
+        moments_.erase(moments_.begin(), moments_.begin() + kMaxMoments / 2);
     moments_.push_back({ .in_range = sample.in_range,
                          .touching = tip.touching,
                          .eraser = tip.eraser,
@@ -451,7 +451,7 @@ void Station::finish_stroke(Stroke stroke)
     auto const tool = meaning_of(stroke.tips);
     if (tool == pressing())
         return;
-    if (tools::extent_mm(stroke) < tools::least_extent_mm(least_extents_, tool.kind())) {
+    if (tools::extent_mm(stroke) < tools::min_extent_mm(min_extents_, tool.kind())) {
         ++counts_.dabs;
         last_dab_ = &tool.kind();
         return;

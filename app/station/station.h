@@ -3,7 +3,7 @@
 #include "app/station/pressing.h"
 #include "app/tools/drawn_curve.h"
 #include "app/tools/layer.h"
-#include "app/tools/least_extent.h"
+#include "app/tools/min_extent.h"
 #include "app/tools/tool.h"
 #include "calib/fuser.h"
 #include "calib/height_monitor.h"
@@ -36,8 +36,8 @@ struct StationOptions {
     tools::DrawnCurveLists curves {}; // Lists of drawn curves, one for each method.
     // Initial tool; no value: the first one of `tools`.
     std::optional<tools::Tool> tool {};
-    // Least extents of strokes, until set_least_extents() changes them.
-    tools::LeastExtents least_extents {};
+    // Least extents of strokes, until set_min_extents() changes them.
+    tools::MinExtents min_extents {};
 };
 
 // Statistics of input and output.
@@ -93,8 +93,8 @@ public:
 
     // Sets the least extents for strokes that end from now on. A stroke shorter than its tool's
     // extent is a dab: it is counted and has no effect.
-    void set_least_extents(tools::LeastExtents extents) { least_extents_ = std::move(extents); }
-    tools::LeastExtents const& least_extents() const { return least_extents_; }
+    void set_min_extents(tools::MinExtents extents) { min_extents_ = std::move(extents); }
+    tools::MinExtents const& min_extents() const { return min_extents_; }
     // Tool of the last dab; null before the first.
     tools::ToolKind const* last_dab() const { return last_dab_; }
 
@@ -110,8 +110,8 @@ public:
     // ring.
     void press_instead();
 
-    // Pen movements since the last call, in order; at most the newest kMostMoments.
-    static constexpr std::size_t kMostMoments = 1024;
+    // Pen movements since the last call, in order; at most the newest kMaxMoments.
+    static constexpr std::size_t kMaxMoments = 1024;
     std::vector<PenMoment> take_moments() { return std::exchange(moments_, {}); }
 
     // A change of the selected tool.
@@ -239,7 +239,7 @@ private:
     tools::ToolKinds tools_;
     tools::Layers layers_;
     tools::DrawnCurveLists curves_;
-    tools::LeastExtents least_extents_;
+    tools::MinExtents min_extents_;
     tools::ToolKind const* last_dab_ = nullptr;
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     std::vector<PenMoment> moments_;         // Moments that take_moments() has not returned yet.

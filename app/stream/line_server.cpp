@@ -57,14 +57,14 @@ public:
     void add(std::string_view line, LineServer::Importance importance)
     {
         if (importance == LineServer::Importance::LeaveOut
-            && waiting_bytes() > LineServer::kMostWaiting) {
+            && waiting_bytes() > LineServer::kMaxWaiting) {
             ++left_out_;
             return;
         }
         if (auto const count = std::exchange(left_out_, 0); count > 0)
             waiting_ += lost_line(count);
         waiting_ += line;
-        if (waiting_bytes() > LineServer::kMostKept)
+        if (waiting_bytes() > LineServer::kMaxKept)
             is_gone_ = true;
     }
 
@@ -174,7 +174,7 @@ struct LineServer::Parts {
 
     void let_in(Timestamp now)
     {
-        while (readers.size() < kMostReaders) {
+        while (readers.size() < kMaxReaders) {
             SocketDescriptor caller(
                 ::accept4(socket.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
             if (caller.number() < 0)
@@ -193,7 +193,7 @@ Result<LineServer> LineServer::listen(std::filesystem::path const& path, std::st
     // connect.
     if (socket.number() < 0 || ::fchmod(socket.number(), S_IRUSR | S_IWUSR) != 0
         || ::bind(socket.number(), reinterpret_cast<sockaddr const*>(&address), sizeof address) != 0
-        || ::listen(socket.number(), kMostReaders) != 0)
+        || ::listen(socket.number(), kMaxReaders) != 0)
         return fail(Fault::User,
                     fmt::format("cannot listen at {}: {}", path.string(), std::strerror(errno)));
     return LineServer(std::make_unique<Parts>(

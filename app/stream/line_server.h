@@ -11,16 +11,16 @@
 
 namespace tractus::stream {
 
-// A local stream socket (AF_UNIX) from which up to kMostReaders programs read the same lines. It
+// A local stream socket (AF_UNIX) from which up to kMaxReaders programs read the same lines. It
 // never blocks: unsent data is queued for each reader, and readers that disconnect are removed. It
 // has no thread, so serve() has to be called regularly. Not thread-safe.
 class LineServer {
 public:
-    static constexpr std::size_t kMostReaders = 64;
+    static constexpr std::size_t kMaxReaders = 64;
     // Queue length above which a reader gets no more lines of Importance::LeaveOut.
-    static constexpr std::size_t kMostWaiting = std::size_t { 1 } << 20;
+    static constexpr std::size_t kMaxWaiting = std::size_t { 1 } << 20;
     // Queue length above which a reader is disconnected.
-    static constexpr std::size_t kMostKept = std::size_t { 64 } << 20;
+    static constexpr std::size_t kMaxKept = std::size_t { 64 } << 20;
     // A reader that fetches nothing for this long is no longer waited for until it reads again.
     static constexpr Duration kPatience = std::chrono::seconds(5);
 

@@ -58,7 +58,7 @@ Result<void> stream_log(station::LogReplay& replay, StreamOutput& output,
             });
         else
             serve_until(output, pace, stop,
-                        [&] { return output.waiting_bytes() < LineServer::kMostWaiting; });
+                        [&] { return output.waiting_bytes() < LineServer::kMaxWaiting; });
         TRY(stream_moment(replay, output));
     }
     if (!stop)

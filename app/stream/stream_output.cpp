@@ -71,9 +71,9 @@ Result<void> StreamOutput::tell_steps(Stroke const& stroke, tools::Tool const& t
     if (std::exchange(at->tips, stroke.tips.size()) == stroke.tips.size())
         return {};
     auto const ends_mm = steps(tool, stroke, scene);
-    while (at->steps_told < ends_mm.size()) {
-        auto const& end_mm = ends_mm[at->steps_told++];
-        TRY(put(step_line(at->steps_told, began, stroke.tips.back().time, end_mm),
+    while (at->reported_steps < ends_mm.size()) {
+        auto const& end_mm = ends_mm[at->reported_steps++];
+        TRY(put(step_line(at->reported_steps, began, stroke.tips.back().time, end_mm),
                 LineServer::Importance::Keep));
     }
     return {};

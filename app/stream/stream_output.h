@@ -56,7 +56,7 @@ private:
     // An unfinished stroke along which something grows, identified by the time of its first tip.
     struct Growing {
         Timestamp began {};
-        std::size_t steps_told = 0;
+        std::size_t reported_steps = 0;
         std::size_t tips = 0; // Number of the stroke's tips when its steps were last written.
     };
 

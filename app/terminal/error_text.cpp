@@ -17,7 +17,7 @@ namespace tractus::terminal {
 
 namespace {
 
-constexpr std::size_t kMostShownBytes = std::size_t { 16 } << 20;
+constexpr std::size_t kMaxShownBytes = std::size_t { 16 } << 20;
 // Most characters of a shown line; a longer one is cut to a part around the column.
 constexpr std::size_t kMaxLine = 160;
 
@@ -82,7 +82,7 @@ std::optional<std::string> read_line(Place const& place)
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(place.file, ignored))
         return std::nullopt;
-    auto const text = read_file(place.file, kMostShownBytes);
+    auto const text = read_file(place.file, kMaxShownBytes);
     if (!text)
         return std::nullopt;
     std::string_view rest = *text;

@@ -16,7 +16,7 @@ namespace {
 Result<scene::Scene> drawn_scene(UnfinishedStroke const& stroke, scene::Scene scene)
 {
     auto const edits = TRY(
-        stroke.tool.mean(Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) }, scene));
+        stroke.tool.edits_for(Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) }, scene));
     return scene::apply_edits(std::move(scene), edits);
 }
 

@@ -20,7 +20,7 @@ constexpr ToolKind DeleteTool::kKind {
     .group = "Draw",
     .at_once = true,
     .options = options_type<DeleteTool>(),
-    .mean = take_stroke_away,
+    .edits_for = take_stroke_away,
     .other_end = { &EraseTool::kKind },
 };
 

@@ -69,10 +69,10 @@ constexpr ToolKind DrawTool::kKind {
             "first point to its last as the branch did, or is not turned at all; a trunk takes it "
             "as it was drawn",
     .group = "Draw",
-    .least_extent_mm = 6,
+    .min_extent_mm = 6,
     .options = options_type<DrawTool, visit>(),
-    .mean = draw_selected,
-    .said = say_underground,
+    .edits_for = draw_selected,
+    .describe = say_underground,
     .previewer = branch_previewer,
     .other_end = { &EraseTool::kKind },
 };

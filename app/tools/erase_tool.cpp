@@ -123,9 +123,9 @@ std::vector<Vec3> way_of(Stroke const& eraser)
         Vec3 const from_mm = way_mm.empty() ? tip.position_mm : way_mm.back();
         Vec3 const step_mm = tip.position_mm - from_mm;
         // Limits the number of samples between two tips from a faulty device.
-        constexpr double kMostSteps = 1000;
+        constexpr double kMaxSteps = 1000;
         int const steps
-            = static_cast<int>(std::clamp(std::ceil(step_mm.norm() / kRadius_mm), 1.0, kMostSteps));
+            = static_cast<int>(std::clamp(std::ceil(step_mm.norm() / kRadius_mm), 1.0, kMaxSteps));
         for (int i = 1; i <= steps; ++i)
             way_mm.push_back(from_mm + step_mm * i / steps);
     }
@@ -272,7 +272,7 @@ constexpr ToolKind EraseTool::kKind {
     .key = 'E',
     .ink = { InkStyle::Look::Eraser, 2 * EraseTool::kRadius_mm },
     .options = options_type<EraseTool, visit>(),
-    .mean = erase,
+    .edits_for = erase,
     .previewer = stroke_reading_previewer,
     .other_end = { &EraseTool::kKind },
 };

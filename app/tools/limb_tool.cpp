@@ -240,10 +240,10 @@ constexpr ToolKind LimbTool::kKind {
             "is touched, as the pen's other end does",
     .group = "Draw",
     .key = 'B',
-    .least_extent_mm = 6,
+    .min_extent_mm = 6,
     .options = options_type<LimbTool, visit>(),
-    .mean = draw_limb,
-    .said = say_underground,
+    .edits_for = draw_limb,
+    .describe = say_underground,
     .previewer
     = []() -> std::unique_ptr<StrokePreviewer> { return std::make_unique<LimbPreviewer>(); },
     .other_end = { &LimbTool::kKind,

@@ -21,9 +21,9 @@ constexpr ToolKind OversketchTool::kKind {
     .help = "redraws a part of the selected branch's stroke",
     .group = "Draw",
     .begins_group_of_buttons = true,
-    .least_extent_mm = 6,
+    .min_extent_mm = 6,
     .options = options_type<OversketchTool>(),
-    .mean = oversketch,
+    .edits_for = oversketch,
     .previewer = branch_previewer,
     .other_end = { &EraseTool::kKind },
 };

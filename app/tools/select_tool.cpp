@@ -95,7 +95,7 @@ constexpr ToolKind SelectTool::kKind {
     .key = 'C',
     .surface = Surface::Skeleton,
     .options = options_type<SelectTool, visit>(),
-    .mean = select,
+    .edits_for = select,
     .marks_branches = selects_path,
     .other_end = { &SelectTool::kKind, taking },
 };

@@ -20,7 +20,7 @@ constexpr ToolKind SmoothTool::kKind {
     .group = "Draw",
     .at_once = true,
     .options = options_type<SmoothTool>(),
-    .mean = smooth,
+    .edits_for = smooth,
     .other_end = { &EraseTool::kKind },
 };
 

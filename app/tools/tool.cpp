@@ -29,7 +29,7 @@ constexpr ToolKind kNoTool { .word = "",
                              .help = "",
                              .group = "",
                              .options = options_type<NoOptions>(),
-                             .mean = refuse };
+                             .edits_for = refuse };
 
 // Collects all options as numbers, for comparisons.
 class ValueReader final : public OptionVisitor {
@@ -278,15 +278,15 @@ Tool Tool::changed_by(OptionVisitor& visitor) const
     return changed;
 }
 
-Glyph Tool::glyph() const
+Gizmo Tool::gizmo() const
 {
-    return kind_->glyph->show(options_.get());
+    return kind_->gizmo->show(options_.get());
 }
 
 Tool Tool::dragged(std::size_t handle, Vec2 const& to) const
 {
     auto const options = kind_->options.copy(options_.get());
-    kind_->glyph->drag(options.get(), handle, to);
+    kind_->gizmo->drag(options.get(), handle, to);
     auto changed = *this;
     changed.options_ = options;
     return changed;

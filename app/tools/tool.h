@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/tools/glyph.h"
+#include "app/tools/gizmo.h"
 #include "app/tools/tool_kind.h"
 #include "engine/base/result.h"
 #include "engine/scene/desk_placement.h"
@@ -56,7 +56,7 @@ public:
 
     // The gizmo of the tool's options, and the tool after the user has dragged or pressed one of
     // its handles (glyph.h). Only for kinds with a gizmo.
-    Glyph glyph() const;
+    Gizmo gizmo() const;
     Tool dragged(std::size_t handle, Vec2 const& to) const;
 
     // True if the tool acts at once, without a stroke, and leaves the current tool selected; "now"
@@ -74,10 +74,11 @@ public:
     // Name of the tool, for the user.
     std::string title() const;
 
-    // Interprets a stroke; see ToolKind::mean.
-    Result<std::vector<scene::Edit>> mean(Stroke const& stroke, scene::Scene const& scene) const
+    // Interprets a stroke; see ToolKind::edits_for.
+    Result<std::vector<scene::Edit>> edits_for(Stroke const& stroke,
+                                               scene::Scene const& scene) const
     {
-        return kind_->mean(*this, stroke, scene);
+        return kind_->edits_for(*this, stroke, scene);
     }
 
     bool operator==(Tool const& other) const;

@@ -111,7 +111,7 @@ void Meanings::add_kind(ToolKind const& kind)
         if (offered == Never || (offered != Always && !is_in_hand))
             continue;
         begins_group_ |= i > 0 || offered == BesideLabel;
-        if (offered == InTurn || offered == BesideGlyph)
+        if (offered == InTurn || offered == BesideGizmo)
             add_next_word(tool, options[i], i);
         else if (offered == Cards)
             add_cards(options[i]);
@@ -119,7 +119,7 @@ void Meanings::add_kind(ToolKind const& kind)
             add_words(tool, options[i].option, i);
     }
     for (std::size_t i = 0; i < numbers.size() && is_in_hand; ++i)
-        if (numbers[i].option.offered != NumberOption::Offered::OnGlyph)
+        if (numbers[i].option.offered != NumberOption::Offered::OnGizmo)
             add_number(numbers[i], i);
 }
 
@@ -146,7 +146,7 @@ void Meanings::add_next_word(Tool const& tool, ChosenWord const& chosen, std::si
                     option.words[static_cast<std::size_t>(value)].label, option.label),
         next);
     meanings_.back().is_on = false;
-    meanings_.back().is_beside_glyph = option.offered == WordOption::Offered::BesideGlyph;
+    meanings_.back().is_beside_gizmo = option.offered == WordOption::Offered::BesideGizmo;
 }
 
 // Adds the button that opens the presets; its text contains the preset that exactly matches the

@@ -42,7 +42,7 @@ struct Meaning {
     // If set, the button asks for the tool's number option with this index and selects no tool.
     std::optional<std::size_t> number {};
     bool opens_cards = false;     // The button opens the tool's presets and selects no tool.
-    bool is_beside_glyph = false; // Offered only while the gizmo is visible.
+    bool is_beside_gizmo = false; // Offered only while the gizmo is visible.
 };
 
 // Buttons for the variants of the tool's group and method, preceded by the group's other methods.

@@ -18,8 +18,8 @@
 namespace tractus::tools {
 
 class Tool;
-struct DrawnGlyphKind;
-struct GlyphKind;
+struct DrawnGizmoKind;
+struct GizmoKind;
 struct ToolKind;
 
 // What the coordinates of a stroke refer to, and thus the view in which the pen works.
@@ -69,8 +69,8 @@ struct ToolKind {
     bool at_once = false;                 // Needs no stroke: pressing its button is enough.
     Surface surface = Surface::Space;
     // Least extent of a stroke, in mm on the desk; a shorter one is a slip of the hand and does
-    // nothing. 0 if a touch has a meaning. The user can change it (least_extent.h).
-    double least_extent_mm = 0;
+    // nothing. 0 if a touch has a meaning. The user can change it (min_extent.h).
+    double min_extent_mm = 0;
     InkStyle ink {};
     // True if the document is shown as an unfinished stroke would change it if it ended now. Only
     // for tools whose strokes can be interpreted and shown within a frame.
@@ -80,14 +80,14 @@ struct ToolKind {
     // is active. Null: none, or those that like_drawn() recognises.
     scene::SourceKind const* makes = nullptr;
     OptionsType options;
-    GlyphKind const* glyph = nullptr;            // Gizmo of its options; null: it has only buttons.
-    DrawnGlyphKind const* drawn_glyph = nullptr; // Gizmo of the active plant's numbers; null: none.
+    GizmoKind const* gizmo = nullptr;            // Gizmo of its options; null: it has only buttons.
+    DrawnGizmoKind const* drawn_gizmo = nullptr; // Gizmo of the active plant's numbers; null: none.
 
     // Interprets a finished stroke as edits of `scene`, to be applied in order. `stroke` has no
     // tips if the tool acts at once. Fails with a user error if the stroke has no meaning, for
     // example beside the plant or with nothing selected.
-    Result<std::vector<scene::Edit>> (*mean)(Tool const& tool, Stroke const& stroke,
-                                             scene::Scene const& scene);
+    Result<std::vector<scene::Edit>> (*edits_for)(Tool const& tool, Stroke const& stroke,
+                                                  scene::Scene const& scene);
 
     // Edits by which existing drawings follow when the user changes the tool's numbers; empty if
     // there are none. Null: drawings never follow.
@@ -100,7 +100,7 @@ struct ToolKind {
 
     // Message after a stroke, in place of `done`, for the scene after the stroke. Null or an empty
     // text: `done`.
-    std::string (*said)(Tool const& tool, scene::Scene const& after) = nullptr;
+    std::string (*describe)(Tool const& tool, scene::Scene const& after) = nullptr;
 
     // Creates the previewer of unfinished strokes. Null: no preview.
     std::unique_ptr<StrokePreviewer> (*previewer)() = nullptr;

@@ -25,7 +25,7 @@ struct WordOption {
         InHand,
         BesideLabel, // Like InHand, beside the label's button, which stays.
         InTurn,      // Like InHand, but one button cycles through all words: "Surface: in space".
-        BesideGlyph, // The option's words have buttons while the kind's gizmo is visible.
+        BesideGizmo, // The option's words have buttons while the kind's gizmo is visible.
         Never, // No buttons: it decides how new strokes are interpreted, where older logs differ.
         // A button such as "Rule: Opposite" opens the words as cards, beside the user's own presets
         // (tool_cards.h).
@@ -48,8 +48,8 @@ struct NumberOption {
     char const* label = nullptr; // Text on the option's button; null: its name.
     enum class Offered {
         Always,       // The option always has a button.
-        WithoutGlyph, // It has a button while the kind's gizmo, which also sets it, is hidden.
-        OnGlyph,      // The option is set by the gizmo only.
+        WithoutGizmo, // It has a button while the kind's gizmo, which also sets it, is hidden.
+        OnGizmo,      // The option is set by the gizmo only.
     } offered
         = Offered::Always;
 };

@@ -54,8 +54,8 @@ std::string describe_tool(ToolKind const& kind)
         text += fmt::format(" [{}]", fmt::join(words, "|"));
     if (kind.key)
         text += fmt::format("  (key {})", kind.key);
-    auto const least = kind.least_extent_mm > 0
-        ? fmt::format(" (strokes from {:g} mm on)", kind.least_extent_mm)
+    auto const least = kind.min_extent_mm > 0
+        ? fmt::format(" (strokes from {:g} mm on)", kind.min_extent_mm)
         : std::string();
     return fmt::format("{}\n    {}{}\n", text, kind.help, least);
 }
@@ -66,8 +66,8 @@ std::string manual_table(ToolKinds kinds)
                         "| --- | --- | --- | --- | --- |\n";
     for (auto const* const kind : kinds) {
         auto const key = kind->key ? fmt::format("**{}**", kind->key) : std::string();
-        auto const least = kind->least_extent_mm > 0 ? fmt::format("{:g} mm", kind->least_extent_mm)
-                                                     : std::string();
+        auto const least
+            = kind->min_extent_mm > 0 ? fmt::format("{:g} mm", kind->min_extent_mm) : std::string();
         table += fmt::format("| `{}` | {} | {} | {} | {} |\n", kind->word, words_in_manual(*kind),
                              key, least, kind->help);
     }

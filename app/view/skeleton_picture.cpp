@@ -13,7 +13,7 @@ using State = tools::SkeletonLine::State;
 
 static std::uint32_t orders_to_show(Plant const& plant)
 {
-    constexpr std::size_t kMostSegments = 40'000;
+    constexpr std::size_t kMaxSegments = 40'000;
     std::vector<std::size_t> segments;
     for (auto const& axis : plant.axes) {
         segments.resize(std::max<std::size_t>(segments.size(), axis.order + 1));
@@ -25,7 +25,7 @@ static std::uint32_t orders_to_show(Plant const& plant)
     std::size_t order = 0;
     for (; order < segments.size(); ++order) {
         sum += segments[order];
-        if (order > chosen && sum > kMostSegments)
+        if (order > chosen && sum > kMaxSegments)
             break;
     }
     return static_cast<std::uint32_t>(order);

@@ -76,7 +76,7 @@ void StationView::show(station::Station const& station, document::Document const
         take_kept(snapshot);
     if (!is_drawing && std::exchange(is_outcome_proposed_, false))
         propose({}); // Ends the preview, as the stroke changed nothing.
-    show_drawn_glyph();
+    show_drawn_gizmo();
 }
 
 void StationView::tell(document::DrawnStroke const& drawn)
@@ -87,8 +87,8 @@ void StationView::tell(document::DrawnStroke const& drawn)
                                          drawn.tool.kind().surface, drawn.refusal };
     ++state_.live_revision;
     state_.status = !drawn.refusal.empty() ? drawn.refusal
-        : drawn.said.empty()               ? drawn.tool.kind().done
-                                           : drawn.said;
+        : drawn.message.empty()            ? drawn.tool.kind().done
+                                           : drawn.message;
 }
 
 void StationView::begin_again(station::Station const& station, document::Document const& document)
@@ -210,7 +210,7 @@ void StationView::propose_outcome(station::Station const& station,
         return;
     Stroke stroke;
     stroke.tips = ink;
-    if (auto edits = tool.mean(stroke, *grown_scene_)) {
+    if (auto edits = tool.edits_for(stroke, *grown_scene_)) {
         is_outcome_proposed_ = true;
         propose(*std::move(edits));
     }
@@ -415,7 +415,7 @@ void StationView::take_kept(std::shared_ptr<document::Snapshot const> const& sna
     if (&snapshot->scene == grown_scene_.get())
         return;
     auto const before = std::exchange(grown_scene_, { snapshot, &snapshot->scene });
-    for (auto* const shown : { &shown_in_place_, &glyph_scene_ })
+    for (auto* const shown : { &shown_in_place_, &gizmo_scene_ })
         if (*shown == before)
             *shown = grown_scene_;
 }
@@ -488,13 +488,13 @@ void StationView::show_picture(scene::Scene const& scene)
     ++state_.picture_revision;
 }
 
-void StationView::show_drawn_glyph()
+void StationView::show_drawn_gizmo()
 {
-    auto const* const kind = state_.hand.kind().drawn_glyph;
-    bool const is_same_scene = std::exchange(glyph_scene_, shown_in_place_) == shown_in_place_;
-    if (std::exchange(glyph_kind_, kind) == kind && is_same_scene)
+    auto const* const kind = state_.hand.kind().drawn_gizmo;
+    bool const is_same_scene = std::exchange(gizmo_scene_, shown_in_place_) == shown_in_place_;
+    if (std::exchange(gizmo_kind_, kind) == kind && is_same_scene)
         return;
-    state_.drawn_glyph = kind ? kind->show(*shown_in_place_) : std::nullopt;
+    state_.drawn_gizmo = kind ? kind->show(*shown_in_place_) : std::nullopt;
     ++state_.live_revision;
 }
 
@@ -534,9 +534,9 @@ void StationView::show_growth()
 
 void StationView::collect(AskForCollection const& wanted)
 {
-    constexpr std::size_t kMost = 100;
+    constexpr std::size_t kMax = 100;
     state_.collection.clear();
-    state_.collection_wanted = std::min(wanted.count, kMost);
+    state_.collection_wanted = std::min(wanted.count, kMax);
     state_.individuality = wanted.individuality;
     collected_growth_ = grown_scene_->growth;
     ++state_.collection_revision;
@@ -568,7 +568,7 @@ void StationView::settle()
     show_grown();
     preview_->settle();
     take_preview();
-    show_drawn_glyph();
+    show_drawn_gizmo();
 }
 
 void StationView::show_grown()

@@ -112,7 +112,7 @@ private:
 
     void show_grown();
     void show_picture(scene::Scene const& scene);
-    void show_drawn_glyph();
+    void show_drawn_gizmo();
     void take_picture();
     void propose_outcome(station::Station const& station, std::vector<TipSample> const& ink);
     void take_proposal();
@@ -178,8 +178,8 @@ private:
     std::shared_ptr<scene::BackPicture const> picture_; // Picture that is shown or being decoded.
     // Scene of the plant and skeleton currently shown.
     std::shared_ptr<scene::Scene const> shown_in_place_;
-    std::shared_ptr<scene::Scene const> glyph_scene_;   // Scene shown by the drawn gizmo.
-    tools::DrawnGlyphKind const* glyph_kind_ = nullptr; // Kind of the drawn gizmo.
+    std::shared_ptr<scene::Scene const> gizmo_scene_;   // Scene shown by the drawn gizmo.
+    tools::DrawnGizmoKind const* gizmo_kind_ = nullptr; // Kind of the drawn gizmo.
     std::uint64_t proposed_live_ = 0;  // live_revision for which an outcome was requested last.
     bool is_outcome_proposed_ = false; // True while the outcome of an unfinished stroke is shown.
     bool is_proposed_ = false;         // True while proposed edits are shown or about to be.

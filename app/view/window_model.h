@@ -4,7 +4,7 @@
 #include "app/diagnosis/device_monitor.h"
 #include "app/diagnosis/finding.h"
 #include "app/render/image.h"
-#include "app/tools/glyph.h"
+#include "app/tools/gizmo.h"
 #include "app/tools/layer.h"
 #include "app/tools/skeleton_line.h"
 #include "app/tools/tool.h"
@@ -200,9 +200,9 @@ struct WindowState {
 
     tools::ToolKinds tools {}; // Tools that can be selected.
     tools::Tool hand;          // The tool that the pen uses now.
-    // The drawn gizmo (DrawnGlyphKind) of the current tool; no value if it has none or nothing was
+    // The drawn gizmo (DrawnGizmoKind) of the current tool; no value if it has none or nothing was
     // drawn with it. Changes with live_revision.
-    std::optional<tools::Glyph> drawn_glyph {};
+    std::optional<tools::Gizmo> drawn_gizmo {};
     std::vector<tools::ToolCard> cards {};  // The user's presets for the current kind of tool.
     std::vector<tools::Tool> remembered {}; // Tools to select with the options they had last.
     std::string tool;   // Name of the current tool for the user, for example "Draw".
@@ -306,9 +306,9 @@ struct AdjustTool {
     tools::Tool tool;
     ChangeGrowth::Slider slider = ChangeGrowth::Slider::Released;
 };
-// Drags a handle of WindowState::drawn_glyph to a place, or presses it. While it moves, the change
+// Drags a handle of WindowState::drawn_gizmo to a place, or presses it. While it moves, the change
 // is only previewed, as for growth.
-struct DragDrawnGlyph {
+struct DragDrawnGizmo {
     std::size_t handle = 0;
     Vec2 to = Vec2::Zero();
     ChangeGrowth::Slider slider = ChangeGrowth::Slider::Released;
@@ -380,7 +380,7 @@ struct LayPictureFile {
 // Shows leaves for the active plant, as WindowModel::start_page().
 struct OpenLeaves { };
 // Gives the active plant leaves; members as in Dressing in app/methods/all_leaves.h.
-struct DressActivePlant {
+struct SetActiveFoliage {
     // Path of a grammar file, or its name in the document; empty: the plant's own leaves.
     std::string leaves {};
     // If not 0: the drawn leaf to wear instead of `leaves`; later changes of its drawing apply.
@@ -408,7 +408,7 @@ using WindowCommand
                    PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
                    OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
                    AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard, OpenPictures,
-                   LayPictureFile, DragDrawnGlyph, OpenLeaves, DressActivePlant, BringLeaf,
+                   LayPictureFile, DragDrawnGizmo, OpenLeaves, SetActiveFoliage, BringLeaf,
                    NameDrawing, SaveCopy, WriteRules, PickCurve, SetAlongGround>;
 
 // Supplies a window's contents. For use on the window's thread only.

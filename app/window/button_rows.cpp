@@ -6,7 +6,7 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kLeastGap = 0.4f; // Least gap between buttons, as a share of the usual one.
+constexpr float kMinGap = 0.4f; // Least gap between buttons, as a share of the usual one.
 constexpr float kRoomyEase
     // Rows of several groups must be at least this roomy (ButtonRow::ease) if that adds no row.
     = 0.5f;
@@ -34,7 +34,7 @@ std::size_t end_of_group(Buttons buttons, std::size_t begin)
 // The end of a row: after as many groups as fit with at least this ease, or as many buttons of the
 // first group if that alone does not fit.
 std::size_t end_of_row(Buttons buttons, std::size_t begin, ButtonGaps const& gaps, float room,
-                       float least_ease)
+                       float min_ease)
 {
     auto const fits = [&](std::size_t end, float ease) {
         return width_of(buttons.subspan(begin, end - begin), gaps, ease) <= room;
@@ -47,17 +47,17 @@ std::size_t end_of_row(Buttons buttons, std::size_t begin, ButtonGaps const& gap
             ++end;
         return end;
     }
-    while (end < buttons.size() && fits(end_of_group(buttons, end), least_ease))
+    while (end < buttons.size() && fits(end_of_group(buttons, end), min_ease))
         end = end_of_group(buttons, end);
     return end;
 }
 
 std::vector<ButtonRow> rows_with(Buttons buttons, ButtonGaps const& gaps, float room,
-                                 float least_ease)
+                                 float min_ease)
 {
     std::vector<ButtonRow> rows;
     for (std::size_t begin = 0; begin < buttons.size(); begin = rows.back().end) {
-        auto const end = end_of_row(buttons, begin, gaps, room, least_ease);
+        auto const end = end_of_row(buttons, begin, gaps, room, min_ease);
         auto const row = buttons.subspan(begin, end - begin);
         float const least = width_of(row, gaps, 0);
         float const usual = width_of(row, gaps, 1);
@@ -71,8 +71,7 @@ std::vector<ButtonRow> rows_with(Buttons buttons, ButtonGaps const& gaps, float 
 
 float ButtonRow::gap_before(ButtonWidth const& button, ButtonGaps const& gaps) const
 {
-    return (button.begins_group ? gaps.of_groups : gaps.usual)
-        * (kLeastGap + ease * (1 - kLeastGap));
+    return (button.begins_group ? gaps.of_groups : gaps.usual) * (kMinGap + ease * (1 - kMinGap));
 }
 
 std::vector<ButtonRow> button_rows(std::span<ButtonWidth const> buttons, ButtonGaps const& gaps,

@@ -9,10 +9,10 @@ namespace tractus::window {
 namespace {
 
 constexpr float kUsualWidth_px = 170;
-constexpr float kLeastWidth_px = 130;
+constexpr float kMinWidth_px = 130;
 constexpr std::size_t kFewColumns = 3; // The number of columns in narrow windows, if the cards stay
                                        // wide enough.
-constexpr std::size_t kMostColumns = 8;
+constexpr std::size_t kMaxColumns = 8;
 constexpr float kGap_px = 14;
 constexpr float kTitleHeight_px = 44;
 constexpr float kSectionGap_px = 18;
@@ -36,8 +36,8 @@ std::size_t column_count(float width, float scale)
         float const count = (width + kGap_px * scale) / ((card_px + kGap_px) * scale);
         return static_cast<std::size_t>(std::max(1.0f, count));
     };
-    return std::min(std::max(fit(kUsualWidth_px), std::min(fit(kLeastWidth_px), kFewColumns)),
-                    kMostColumns);
+    return std::min(std::max(fit(kUsualWidth_px), std::min(fit(kMinWidth_px), kFewColumns)),
+                    kMaxColumns);
 }
 
 // Splits the groups into sections. Groups whose first cards matter most place those in the rest of

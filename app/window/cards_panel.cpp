@@ -1,6 +1,6 @@
 #include "app/window/cards_panel.h"
 
-#include "app/window/glyph_picture.h"
+#include "app/window/gizmo_picture.h"
 #include "app/window/theme.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace tractus::window {
 namespace {
 
 constexpr float kCardWidth_px = 148;
-constexpr float kGlyphHeight_px = 104;
+constexpr float kGizmoHeight_px = 104;
 constexpr float kCardName_px = 34;
 constexpr float kAround_px = 14;
 // Greatest height of the panel, as a share of the height above the bar.
@@ -30,12 +30,12 @@ tools::ToolCard const* card_in_hand(view::WindowState const& state)
 
 } // namespace
 
-WindowPart CardsPanel::show(view::WindowModel& model, Workbench& bench, Controls const& controls,
-                            WindowPart const& bar)
+WindowPart CardsPanel::show(view::WindowModel& model, Workspace& workspace,
+                            Controls const& controls, WindowPart const& bar)
 {
     auto const& state = model.state();
     if (!tools::cards_label(state.hand.kind())) {
-        bench.cards_are_shown = false;
+        workspace.cards_are_shown = false;
         return {};
     }
     float const around = kAround_px * scale_;
@@ -46,14 +46,14 @@ WindowPart CardsPanel::show(view::WindowModel& model, Workbench& bench, Controls
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
                      | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PopStyleVar();
-    show_cards(model, bench, bar.width - 2 * around);
+    show_cards(model, workspace, bar.width - 2 * around);
     if (auto const* const own = card_in_hand(state))
-        show_own(model, bench, controls, *own);
+        show_own(model, workspace, controls, *own);
     if (controls.button("Keep this one", 180))
         model.perform(view::KeepCard {});
     ImGui::SameLine();
     if (controls.button("Close##cards", 96))
-        bench.cards_are_shown = false;
+        workspace.cards_are_shown = false;
     auto const corner = ImGui::GetWindowPos();
     auto const size = ImGui::GetWindowSize();
     height_px_ = size.y;
@@ -62,7 +62,7 @@ WindowPart CardsPanel::show(view::WindowModel& model, Workbench& bench, Controls
 }
 
 // Shows the cards, which scroll by dragging.
-void CardsPanel::show_cards(view::WindowModel& model, Workbench& bench, float width_px)
+void CardsPanel::show_cards(view::WindowModel& model, Workspace& workspace, float width_px)
 {
     auto const& hand = model.state().hand;
     auto cards = tools::ready_cards(hand);
@@ -71,14 +71,14 @@ void CardsPanel::show_cards(view::WindowModel& model, Workbench& bench, float wi
     auto const& gap = ImGui::GetStyle().ItemSpacing;
     float const card_px = kCardWidth_px * scale_;
     float const height_px
-        = (hand.kind().glyph ? kGlyphHeight_px + kCardName_px : theme::kButtonHeight_px) * scale_;
+        = (hand.kind().gizmo ? kGizmoHeight_px + kCardName_px : theme::kButtonHeight_px) * scale_;
     auto const in_row = std::max(1, static_cast<int>((width_px + gap.x) / (card_px + gap.x)));
     auto const rows = (static_cast<int>(cards.size()) + in_row - 1) / in_row;
     float const room_px
         = ImGui::GetIO().DisplaySize.y * kGreatestShare - theme::kButtonHeight_px * scale_;
-    float const least_px = std::min(static_cast<float>(in_row), static_cast<float>(cards.size()));
+    float const min_px = std::min(static_cast<float>(in_row), static_cast<float>(cards.size()));
     ImGui::BeginChild("cards",
-                      { least_px * (card_px + gap.x),
+                      { min_px * (card_px + gap.x),
                         std::clamp(static_cast<float>(rows) * (height_px + gap.y),
                                    height_px + gap.y, std::max(room_px, height_px + gap.y)) });
     for (std::size_t i = 0; i < cards.size(); ++i) {
@@ -86,7 +86,7 @@ void CardsPanel::show_cards(view::WindowModel& model, Workbench& bench, float wi
             ImGui::SameLine();
         ImGui::PushID(static_cast<int>(i));
         if (show_card(cards[i], cards[i].tool == hand))
-            bench.choose(model, cards[i].tool);
+            workspace.choose(model, cards[i].tool);
         ImGui::PopID();
     }
     theme::scroll_by_dragging();
@@ -96,25 +96,25 @@ void CardsPanel::show_cards(view::WindowModel& model, Workbench& bench, float wi
 // Returns true if the card is pressed.
 bool CardsPanel::show_card(tools::ToolCard const& card, bool is_on) const
 {
-    bool const has_glyph = card.tool.kind().glyph != nullptr;
-    float const name_px = (has_glyph ? kCardName_px : theme::kButtonHeight_px) * scale_;
-    float const glyph_px = has_glyph ? kGlyphHeight_px * scale_ : 0;
+    bool const has_gizmo = card.tool.kind().gizmo != nullptr;
+    float const name_px = (has_gizmo ? kCardName_px : theme::kButtonHeight_px) * scale_;
+    float const gizmo_px = has_gizmo ? kGizmoHeight_px * scale_ : 0;
     auto const corner = ImGui::GetCursorScreenPos();
-    ImVec2 const size { kCardWidth_px * scale_, glyph_px + name_px };
+    ImVec2 const size { kCardWidth_px * scale_, gizmo_px + name_px };
     if (is_on)
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
     bool const is_pressed = ImGui::Button("##card", size);
     if (is_on)
         ImGui::PopStyleColor();
-    if (has_glyph)
-        draw_glyph(card.tool.glyph(),
-                   { { corner.x + size.x / 2, corner.y + glyph_px / 2 }, glyph_px / 2 }, scale_);
+    if (has_gizmo)
+        draw_gizmo(card.tool.gizmo(),
+                   { { corner.x + size.x / 2, corner.y + gizmo_px / 2 }, gizmo_px / 2 }, scale_);
     auto* const draw = ImGui::GetWindowDrawList();
     float const letter = ImGui::GetFontSize();
     auto const text = ImGui::CalcTextSize(card.name.c_str());
     float const left = corner.x + std::max((size.x - text.x) / 2, letter / 4);
     draw->PushClipRect(corner, { corner.x + size.x, corner.y + size.y }, true);
-    draw->AddText({ left, corner.y + glyph_px + (name_px - letter) / 2 },
+    draw->AddText({ left, corner.y + gizmo_px + (name_px - letter) / 2 },
                   ImGui::GetColorU32(ImGuiCol_Text), card.name.c_str());
     draw->PopClipRect();
     return is_pressed;
@@ -122,7 +122,7 @@ bool CardsPanel::show_card(tools::ToolCard const& card, bool is_on) const
 
 // Buttons to rename or delete the user's own card that is selected. Without a keyboard the name is
 // entered in the name panel.
-void CardsPanel::show_own(view::WindowModel& model, Workbench& bench, Controls const& controls,
+void CardsPanel::show_own(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                           tools::ToolCard const& card)
 {
     if (std::exchange(named_, card.name) != card.name)
@@ -136,7 +136,7 @@ void CardsPanel::show_own(view::WindowModel& model, Workbench& bench, Controls c
     ImGui::SameLine();
     bool const is_pressed = controls.button("Rename", 110);
     if (is_pressed && typed_ == name)
-        return bench.ask_name({ Workbench::AskedName::Of::Card, name });
+        return workspace.ask_name({ Workspace::AskedName::Of::Card, name });
     if (is_pressed || is_entered)
         return model.perform(view::RenameCard { name, typed_ });
     ImGui::SameLine();

@@ -19,13 +19,13 @@ public:
 
     // Shows the cards for the current tool above `bar`; clears `bench.cards_are_shown` when it is
     // closed or there are no cards. Returns the panel's rectangle.
-    WindowPart show(view::WindowModel& model, Workbench& bench, Controls const& controls,
+    WindowPart show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                     WindowPart const& bar);
 
 private:
-    void show_cards(view::WindowModel& model, Workbench& bench, float width_px);
+    void show_cards(view::WindowModel& model, Workspace& workspace, float width_px);
     bool show_card(tools::ToolCard const& card, bool is_on) const;
-    void show_own(view::WindowModel& model, Workbench& bench, Controls const& controls,
+    void show_own(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                   tools::ToolCard const& card);
 
     float scale_ = 1;

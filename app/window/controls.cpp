@@ -21,14 +21,14 @@ constexpr float kBarAir_px = 8;
 constexpr float kGroupGap_px = 28;
 // Greatest height of the bar as a share of the window's, if the main buttons allow it.
 constexpr float kGreatestPart = 0.6f;
-constexpr std::size_t kMostMainRows = 2;
+constexpr std::size_t kMaxMainRows = 2;
 constexpr float kLowWindow_px = 640;
-constexpr float kLeastAir_px = 7;   // Space on each side of a button's label.
+constexpr float kMinAir_px = 7;     // Space on each side of a button's label.
 constexpr float kToolWidth_px = 96; // Least width of a tool's button.
 // Tool buttons have this much less space around their label than other buttons.
 constexpr float kLessAir_px = 12;
 
-using Shown = Workbench::Shown;
+using Shown = Workspace::Shown;
 struct ViewButton {
     char const* name;
     Shown shown;
@@ -44,7 +44,8 @@ constexpr float kNextMark_px = 24; // Room for the mark that a button for the ne
 
 } // namespace
 
-WindowPart Controls::show(view::WindowModel& model, Workbench& bench, float left_px, float right_px)
+WindowPart Controls::show(view::WindowModel& model, Workspace& workspace, float left_px,
+                          float right_px)
 {
     auto const& display = ImGui::GetIO().DisplaySize;
     auto const& state = model.state();
@@ -60,15 +61,16 @@ WindowPart Controls::show(view::WindowModel& model, Workbench& bench, float left
         ImGui::ProgressBar(static_cast<float>(state.progress), { -1, kProgressHeight_px * scale_ },
                            "");
     show_status(state);
-    auto main = main_buttons(model, bench, Views::Each);
+    auto main = main_buttons(model, workspace, Views::Each);
     auto const rows = rows_of(main).size();
-    auto shorter = main_buttons(model, bench, Views::Next);
+    auto shorter = main_buttons(model, workspace, Views::Next);
     // In a low window, saving a row of buttons matters more than a button for each view.
     bool const is_low = display.y < kLowWindow_px * scale_;
-    if (rows > kMostMainRows || (is_low && rows_of(shorter).size() < rows))
+    if (rows > kMaxMainRows || (is_low && rows_of(shorter).size() < rows))
         main = std::move(shorter);
     if (state.is_live)
-        show_meanings(bench.turns_views ? view_meanings(bench) : tool_meanings(model, bench),
+        show_meanings(workspace.turns_views ? view_meanings(workspace)
+                                            : tool_meanings(model, workspace),
                       height_of(main));
     show_rows(main);
     if (!state.is_live)
@@ -112,7 +114,7 @@ std::vector<ButtonWidth> Controls::widths_of(std::vector<BarButton> const& butto
 {
     std::vector<ButtonWidth> widths;
     for (auto const& button : buttons)
-        widths.push_back({ button.width * scale_, least_width_px(button), button.begins_group });
+        widths.push_back({ button.width * scale_, min_width_px(button), button.begins_group });
     return widths;
 }
 
@@ -140,10 +142,10 @@ void Controls::show_rows(std::vector<BarButton> const& buttons) const
 }
 
 // Width at which the button's label is not cut off.
-float Controls::least_width_px(BarButton const& button) const
+float Controls::min_width_px(BarButton const& button) const
 {
     return std::min(ImGui::CalcTextSize(button.text.c_str(), nullptr, true).x
-                        + 2 * kLeastAir_px * scale_,
+                        + 2 * kMinAir_px * scale_,
                     button.width * scale_);
 }
 
@@ -207,14 +209,14 @@ void Controls::show_recording(view::RecordingView const& recording)
 }
 
 // True if a handle of the gizmo sets this number: it then needs no button while the gizmo is shown.
-static bool is_set_by_glyph(tools::Meaning const& meaning)
+static bool is_set_by_gizmo(tools::Meaning const& meaning)
 {
     return tools::chosen_numbers(meaning.tool)[*meaning.number].option.offered
-        == tools::NumberOption::Offered::WithoutGlyph;
+        == tools::NumberOption::Offered::WithoutGizmo;
 }
 
 // Buttons for the variants and numbers of the current tool.
-std::vector<BarButton> Controls::tool_meanings(view::WindowModel& model, Workbench& bench)
+std::vector<BarButton> Controls::tool_meanings(view::WindowModel& model, Workspace& workspace)
 {
     std::vector<BarButton> buttons;
     auto const& state = model.state();
@@ -224,25 +226,27 @@ std::vector<BarButton> Controls::tool_meanings(view::WindowModel& model, Workben
                             .begins_group = true,
                             .press = [&model] { model.perform(view::OpenPictures {}); } });
     for (auto const& meaning :
-         tools::meanings_of(state.tools, bench.hand(state), bench.remembered(state))) {
-        bool const is_on_glyph = meaning.number && is_set_by_glyph(meaning);
-        if (bench.glyph_is_seen ? is_on_glyph : meaning.is_beside_glyph)
+         tools::meanings_of(state.tools, workspace.hand(state), workspace.remembered(state))) {
+        bool const is_on_gizmo = meaning.number && is_set_by_gizmo(meaning);
+        if (workspace.gizmo_is_seen ? is_on_gizmo : meaning.is_beside_gizmo)
             continue;
-        bool const is_asked = meaning.number && meaning.number == bench.asked_number;
-        BarButton button {
-            .text = meaning.text,
-            .width = meaning.width,
-            .is_on = meaning.is_on || is_asked || (meaning.opens_cards && bench.cards_are_shown),
-            .begins_group = buttons.empty() || meaning.begins_group,
-            .press = [&model, &bench, tool = meaning.tool] { bench.choose(model, tool); }
-        };
+        bool const is_asked = meaning.number && meaning.number == workspace.asked_number;
+        BarButton button { .text = meaning.text,
+                           .width = meaning.width,
+                           .is_on = meaning.is_on || is_asked
+                               || (meaning.opens_cards && workspace.cards_are_shown),
+                           .begins_group = buttons.empty() || meaning.begins_group,
+                           .press = [&model, &workspace, tool = meaning.tool] {
+                               workspace.choose(model, tool);
+                           } };
         if (meaning.number)
-            button.press = [&bench, is_asked, number = *meaning.number] {
-                is_asked ? bench.close_panels() : bench.ask_number(number);
+            button.press = [&workspace, is_asked, number = *meaning.number] {
+                is_asked ? workspace.close_panels() : workspace.ask_number(number);
             };
         else if (meaning.opens_cards)
-            button.press
-                = [&bench] { bench.cards_are_shown ? bench.close_panels() : bench.show_cards(); };
+            button.press = [&workspace] {
+                workspace.cards_are_shown ? workspace.close_panels() : workspace.show_cards();
+            };
         buttons.push_back(std::move(button));
     }
     if (state.hand.kind().like_drawn)
@@ -252,57 +256,60 @@ std::vector<BarButton> Controls::tool_meanings(view::WindowModel& model, Workben
     return buttons;
 }
 
-std::vector<BarButton> Controls::view_meanings(Workbench& bench)
+std::vector<BarButton> Controls::view_meanings(Workspace& workspace)
 {
     constexpr double kButtonStep = kZoomStep * kZoomStep * kZoomStep;
-    auto const drag = [&](ViewDrag wished) { return [&bench, wished] { bench.drag = wished; }; };
+    auto const drag
+        = [&](ViewDrag wished) { return [&workspace, wished] { workspace.drag = wished; }; };
     auto const zoom
-        = [&](double factor) { return [&bench, factor] { bench.zoom_wished *= factor; }; };
-    return { { "Turn", 96, bench.drag == ViewDrag::Turn, true, drag(ViewDrag::Turn) },
-             { "Move", 96, bench.drag == ViewDrag::Move, false, drag(ViewDrag::Move) },
+        = [&](double factor) { return [&workspace, factor] { workspace.zoom_wished *= factor; }; };
+    return { { "Turn", 96, workspace.drag == ViewDrag::Turn, true, drag(ViewDrag::Turn) },
+             { "Move", 96, workspace.drag == ViewDrag::Move, false, drag(ViewDrag::Move) },
              { "Nearer", 110, false, true, zoom(kButtonStep) },
              { "Farther", 110, false, false, zoom(1 / kButtonStep) },
-             { "Whole plant", 150, false, false, [&bench] { bench.whole_is_wished = true; } } };
+             { "Whole plant", 150, false, false,
+               [&workspace] { workspace.whole_is_wished = true; } } };
 }
 
-std::vector<BarButton> Controls::main_buttons(view::WindowModel& model, Workbench& bench,
+std::vector<BarButton> Controls::main_buttons(view::WindowModel& model, Workspace& workspace,
                                               Views views)
 {
-    auto buttons = model.state().is_live ? tool_buttons(model, bench) : play_buttons(model);
+    auto buttons = model.state().is_live ? tool_buttons(model, workspace) : play_buttons(model);
     if (model.state().has_session) {
         buttons.push_back({ "Undo", 88, false, true, [&model] { model.perform(view::Undo {}); } });
         buttons.push_back({ "Redo", 88, false, false, [&model] { model.perform(view::Redo {}); } });
     }
     for (auto const& [name, shown, width] : kViews) {
-        if (views == Views::Next && bench.shown == shown)
+        if (views == Views::Next && workspace.shown == shown)
             buttons.push_back({ fmt::format("{} >", name), width + kNextMark_px, false, true,
-                                [&bench] { bench.show_next(); } });
+                                [&workspace] { workspace.show_next(); } });
         if (views == Views::Next)
             continue;
-        buttons.push_back({ name, width, bench.shown == shown, shown == kViews[0].shown,
-                            [&bench, wished = shown] { bench.shown = wished; } });
+        buttons.push_back({ name, width, workspace.shown == shown, shown == kViews[0].shown,
+                            [&workspace, wished = shown] { workspace.shown = wished; } });
     }
-    auto const open_or_close = [&bench] {
-        if (bench.menu_is_open())
-            bench.close_menu();
+    auto const open_or_close = [&workspace] {
+        if (workspace.menu_is_open())
+            workspace.close_menu();
         else
-            bench.open_menu(bench.last_menu);
+            workspace.open_menu(workspace.last_menu);
     };
-    buttons.push_back({ "Menu", 96, bench.menu_is_open(), false, open_or_close });
+    buttons.push_back({ "Menu", 96, workspace.menu_is_open(), false, open_or_close });
     return buttons;
 }
 
-std::vector<BarButton> Controls::tool_buttons(view::WindowModel& model, Workbench& bench)
+std::vector<BarButton> Controls::tool_buttons(view::WindowModel& model, Workspace& workspace)
 {
     std::vector<BarButton> buttons;
     auto const& state = model.state();
-    for (auto const& choice : tools::tool_choices(state.tools, bench.remembered(state)))
+    for (auto const& choice : tools::tool_choices(state.tools, workspace.remembered(state)))
         buttons.push_back(
             { choice.text, std::max(kToolWidth_px, tools::button_width(choice.text) - kLessAir_px),
-              !bench.turns_views && tools::is_same_group(choice.tool, state.hand), buttons.empty(),
-              [&model, &bench, tool = choice.tool] { bench.choose(model, tool); } });
-    buttons.push_back(
-        { "View", 96, bench.turns_views, false, [&bench] { bench.choose_view_tool(); } });
+              !workspace.turns_views && tools::is_same_group(choice.tool, state.hand),
+              buttons.empty(),
+              [&model, &workspace, tool = choice.tool] { workspace.choose(model, tool); } });
+    buttons.push_back({ "View", 96, workspace.turns_views, false,
+                        [&workspace] { workspace.choose_view_tool(); } });
     return buttons;
 }
 
@@ -317,9 +324,9 @@ std::vector<BarButton> Controls::play_buttons(view::WindowModel& model)
 // Shows the playback speed beside the last button if there is room.
 void Controls::show_speed(view::WindowModel& model) const
 {
-    constexpr float kLeast_px = 240;
+    constexpr float kMin_px = 240;
     ImGui::SameLine(0, kGroupGap_px * scale_);
-    if (ImGui::GetContentRegionAvail().x < kLeast_px * scale_)
+    if (ImGui::GetContentRegionAvail().x < kMin_px * scale_)
         ImGui::NewLine();
     auto speed = static_cast<float>(model.state().speed);
     ImGui::SetNextItemWidth(std::min(420 * scale_, ImGui::GetContentRegionAvail().x));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window/button_rows.h"
-#include "app/window/workbench.h"
+#include "app/window/workspace.h"
 
 #include <functional>
 #include <string>
@@ -46,7 +46,7 @@ public:
     float height_px() const { return height_px_; }
 
     // Shows the bar from `left_px` to `right_px`; returns its rectangle.
-    WindowPart show(view::WindowModel& model, Workbench& bench, float left_px, float right_px);
+    WindowPart show(view::WindowModel& model, Workspace& workspace, float left_px, float right_px);
 
     bool button(char const* text, float width, bool is_on = false) const;
 
@@ -61,16 +61,16 @@ private:
     std::vector<ButtonWidth> widths_of(std::vector<BarButton> const& buttons) const;
     std::vector<ButtonRow> rows_of(std::vector<BarButton> const& buttons) const;
     void show_rows(std::vector<BarButton> const& buttons) const;
-    float least_width_px(BarButton const& button) const;
+    float min_width_px(BarButton const& button) const;
     void show_speed(view::WindowModel& model) const;
-    static std::vector<BarButton> tool_meanings(view::WindowModel& model, Workbench& bench);
-    static std::vector<BarButton> view_meanings(Workbench& bench);
+    static std::vector<BarButton> tool_meanings(view::WindowModel& model, Workspace& workspace);
+    static std::vector<BarButton> view_meanings(Workspace& workspace);
     // Buttons for the views: one per view, or one that switches to the next view if the others need
     // too many rows.
     enum class Views { Each, Next };
-    static std::vector<BarButton> main_buttons(view::WindowModel& model, Workbench& bench,
+    static std::vector<BarButton> main_buttons(view::WindowModel& model, Workspace& workspace,
                                                Views views);
-    static std::vector<BarButton> tool_buttons(view::WindowModel& model, Workbench& bench);
+    static std::vector<BarButton> tool_buttons(view::WindowModel& model, Workspace& workspace);
     static std::vector<BarButton> play_buttons(view::WindowModel& model);
 
     float scale_ = 1;

@@ -18,15 +18,15 @@ namespace {
 constexpr int kSavedWidth_px = 1600; // Width of the file written by "Save picture".
 constexpr int kSavedHeight_px = 1200;
 constexpr float kGaugeWidth_px = 88;
-constexpr float kLeastForAll_px = 460; // In a narrower space than this beside the menu, only the
-                                       // plant is shown.
+constexpr float kMinForAll_px = 460; // In a narrower space than this beside the menu, only the
+                                     // plant is shown.
 constexpr double kAirAroundPad = 1.06;
-constexpr float kLeastStrokes_px = 150; // Below the pad, strokes are shown if this height is left.
-constexpr float kPadTitle_px = 50;      // Height of the pad's title.
-constexpr float kListWidth_px = 460;    // The list of strokes, if the view beside it is as wide.
+constexpr float kMinStrokes_px = 150; // Below the pad, strokes are shown if this height is left.
+constexpr float kPadTitle_px = 50;    // Height of the pad's title.
+constexpr float kListWidth_px = 460;  // The list of strokes, if the view beside it is as wide.
 constexpr float kTitleRow_px = 44;
 
-using Shown = Workbench::Shown;
+using Shown = Workspace::Shown;
 
 constexpr ImGuiWindowFlags kPanelFlags
     = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
@@ -50,11 +50,11 @@ WindowPart Layout::above_controls() const
 WindowPart Layout::beside_menu() const
 {
     auto part = above_controls();
-    if (!bench_.menu_is_open())
+    if (!workspace_.menu_is_open())
         return part;
     float const menu_px = menu_.width_px(part.width);
     part.width -= menu_px;
-    if (bench_.is_left_handed)
+    if (workspace_.is_left_handed)
         part.left += menu_px;
     return part;
 }
@@ -62,7 +62,7 @@ WindowPart Layout::beside_menu() const
 // While a text field is active it receives all keys, including those that would move the surface.
 bool Layout::takes_text() const
 {
-    return ImGui::GetIO().WantTextInput || bench_.asked_name;
+    return ImGui::GetIO().WantTextInput || workspace_.asked_name;
 }
 
 void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPointer const& pen,
@@ -87,7 +87,7 @@ void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPoint
         ImGui::End();
         return;
     }
-    if (bench_.is_on_stage) {
+    if (workspace_.is_on_stage) {
         show_stage(model, renderer, input);
         ImGui::End();
         show_ring(model, pen);
@@ -97,24 +97,24 @@ void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPoint
     }
     show_views(model, renderer, input);
     ImGui::End();
-    bool const is_beside_pen = model.state().has_pen() && bench_.shown != Shown::All;
+    bool const is_beside_pen = model.state().has_pen() && workspace_.shown != Shown::All;
     auto const whole = whole_window();
     float const left = is_beside_pen ? std::max(0.0f, pen_area_.left_px()) : 0;
     float const right = is_beside_pen ? std::min(whole.width, pen_area_.right_px()) : whole.width;
-    auto const bar = controls_.show(model, bench_, left, right);
+    auto const bar = controls_.show(model, workspace_, left, right);
     covered_.push_back(bar);
-    bench_.glyph_is_seen &= pad_part_.has_value();
+    workspace_.gizmo_is_seen &= pad_part_.has_value();
     if (pad_part_)
-        if (auto const glyph = glyph_panel_.show(model, bench_, controls_, *pad_part_))
-            covered_.push_back(*glyph);
-    if (bench_.asked_number)
-        covered_.push_back(number_panel_.show(model, bench_, controls_, bar));
-    if (bench_.cards_are_shown)
-        covered_.push_back(cards_panel_.show(model, bench_, controls_, bar));
-    if (bench_.asked_name)
-        covered_.push_back(name_panel_.show(model, bench_, controls_, bar, input.presses));
+        if (auto const gizmo = gizmo_panel_.show(model, workspace_, controls_, *pad_part_))
+            covered_.push_back(*gizmo);
+    if (workspace_.asked_number)
+        covered_.push_back(number_panel_.show(model, workspace_, controls_, bar));
+    if (workspace_.cards_are_shown)
+        covered_.push_back(cards_panel_.show(model, workspace_, controls_, bar));
+    if (workspace_.asked_name)
+        covered_.push_back(name_panel_.show(model, workspace_, controls_, bar, input.presses));
     show_menu(model, renderer);
-    if (bench_.keys_are_listed)
+    if (workspace_.keys_are_listed)
         covered_.push_back(show_shortcuts(model.state().tools, kPanelFlags, scale_));
     show_ring(model, pen);
     fulfil_view_wishes();
@@ -128,10 +128,10 @@ void Layout::show_stage(view::WindowModel& model, render::Renderer& renderer,
 {
     auto const& state = model.state();
     auto const whole = whole_window();
-    bool const draws = bench_.draws(state);
+    bool const draws = workspace_.draws(state);
     pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
     ImGui::SetCursorScreenPos({ 0, 0 });
-    plant_.show_on_stage(state, renderer, { whole.width, whole.height }, bench_.drag, !draws);
+    plant_.show_on_stage(state, renderer, { whole.width, whole.height }, workspace_.drag, !draws);
     ImGui::SetCursorScreenPos({ 0, 0 });
     ImGui::InvisibleButton("stage", { whole.width, whole.height });
     pad_is_pointed_at_ = ImGui::IsItemHovered();
@@ -148,7 +148,7 @@ void Layout::show_start(view::WindowModel& model)
     auto const whole = whole_window();
     pen_area_ = fit_pen_area(model.state().volume_mm, { 0, 0 }, { whole.width, whole.height });
     mouse_.let_go(model);
-    start_.show(*model.start_page(), bench_, controls_);
+    start_.show(*model.start_page(), workspace_, controls_);
     covered_.push_back(whole);
     tell_pressing_areas(model);
 }
@@ -174,31 +174,31 @@ void Layout::show_calibration(view::WindowModel& model, PenPointer const& pen)
 
 void Layout::show_menu(view::WindowModel& model, render::Renderer& renderer)
 {
-    if (bench_.menu_is_open())
-        covered_.push_back(menu_.show(model, bench_, controls_, room_for_menu(), [&] {
+    if (workspace_.menu_is_open())
+        covered_.push_back(menu_.show(model, workspace_, controls_, room_for_menu(), [&] {
             return plant_.picture(renderer, kSavedWidth_px, kSavedHeight_px);
         }));
-    bool const watches = bench_.menu == Workbench::MenuPage::Devices;
+    bool const watches = workspace_.menu == Workspace::MenuPage::Devices;
     if (std::exchange(devices_are_watched_, watches) != watches)
         model.perform(view::WatchDevices { watches });
 }
 
 void Layout::fulfil_view_wishes()
 {
-    double const factor = std::exchange(bench_.zoom_wished, 1);
-    bool const whole = std::exchange(bench_.whole_is_wished, false);
-    if (bench_.is_shown(Shown::Skeleton)) {
-        zoom(bench_.angle, whole ? 1 / bench_.angle.zoom : factor);
+    double const factor = std::exchange(workspace_.zoom_wished, 1);
+    bool const whole = std::exchange(workspace_.whole_is_wished, false);
+    if (workspace_.is_shown(Shown::Skeleton)) {
+        zoom(workspace_.angle, whole ? 1 / workspace_.angle.zoom : factor);
         if (whole)
-            bench_.angle.moved_mm.setZero();
+            workspace_.angle.moved_mm.setZero();
     }
-    if (bench_.is_shown(Shown::Strokes)) {
+    if (workspace_.is_shown(Shown::Strokes)) {
         if (whole)
             strokes_.look_at_whole();
         else if (factor != 1)
             strokes_.zoom(factor);
     }
-    if (!bench_.is_shown(Shown::Plant))
+    if (!workspace_.is_shown(Shown::Plant))
         return;
     if (whole)
         plant_.look_at_whole();
@@ -210,13 +210,13 @@ void Layout::fulfil_view_wishes()
 void Layout::begin_drawing(view::WindowModel& model)
 {
     start_.leave();
-    bench_.shown = Shown::All;
-    bench_.close_menu();
-    bench_.choose(model, model.state().hand);
+    workspace_.shown = Shown::All;
+    workspace_.close_menu();
+    workspace_.choose(model, model.state().hand);
     plant_.look_at_whole();
     strokes_.look_at_whole();
-    bench_.angle.zoom = 1;
-    bench_.angle.moved_mm.setZero();
+    workspace_.angle.zoom = 1;
+    workspace_.angle.moved_mm.setZero();
     has_begun_ = false;
 }
 
@@ -240,8 +240,10 @@ void Layout::begin_frame(view::WindowModel& model, HandInput const& input)
         model.perform(view::LayPictureFile { input.dropped.front() });
     }
     if (!std::exchange(has_begun_, true))
-        bench_.shown = bench_.shown_first.value_or(state.has_pen() ? Shown::Pad : bench_.shown);
-    bench_.angle.area_mm = (state.volume_mm.max_mm - state.volume_mm.min_mm).head<2>().cwiseMax(1);
+        workspace_.shown
+            = workspace_.shown_first.value_or(state.has_pen() ? Shown::Pad : workspace_.shown);
+    workspace_.angle.area_mm
+        = (state.volume_mm.max_mm - state.volume_mm.min_mm).head<2>().cwiseMax(1);
     covered_.clear();
     pad_part_.reset();
     pad_is_pointed_at_ = false;
@@ -249,35 +251,35 @@ void Layout::begin_frame(view::WindowModel& model, HandInput const& input)
         return;
     for (auto const& press : input.presses)
         if (auto* const start = model.start_page(); start && model.calibration() == nullptr)
-            start_.take_key(press, *start, bench_);
+            start_.take_key(press, *start, workspace_);
         else if (model.calibration() != nullptr)
-            take_calibration_shortcut(press, model, bench_);
+            take_calibration_shortcut(press, model, workspace_);
         else
-            take_shortcut(press, model, bench_, ring_);
+            take_shortcut(press, model, workspace_, ring_);
 }
 
 void Layout::show_views(view::WindowModel& model, render::Renderer& renderer,
                         HandInput const& input)
 {
     auto const& state = model.state();
-    if (!state.mouse_draws || !bench_.draws(state))
+    if (!state.mouse_draws || !workspace_.draws(state))
         mouse_.let_go(model);
-    if (bench_.shown != Shown::Collection && std::exchange(collection_is_shown_, false))
+    if (workspace_.shown != Shown::Collection && std::exchange(collection_is_shown_, false))
         CollectionView::end(model);
-    if (bench_.shown != Shown::All) {
+    if (workspace_.shown != Shown::All) {
         auto const whole = whole_window();
         pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
-        if (bench_.shown == Shown::Pad)
+        if (workspace_.shown == Shown::Pad)
             show_pad(model, renderer, whole, input);
-        else if (bench_.shown == Shown::Strokes)
+        else if (workspace_.shown == Shown::Strokes)
             show_strokes(model, renderer, beside_menu());
-        else if (bench_.shown == Shown::Skeleton)
+        else if (workspace_.shown == Shown::Skeleton)
             show_skeleton(model, renderer, whole, input);
-        else if (bench_.shown == Shown::Plant)
+        else if (workspace_.shown == Shown::Plant)
             show_plant(state, renderer, beside_menu());
         else
             show_collection(model, renderer, beside_menu());
-        if (bench_.shown != Shown::Pad)
+        if (workspace_.shown != Shown::Pad)
             move_surface_as_wished(model, input, false);
         return;
     }
@@ -288,7 +290,7 @@ void Layout::show_views(view::WindowModel& model, render::Renderer& renderer,
     // Area in which the pen points: the whole window unless it draws.
     auto const whole = whole_window();
     pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
-    if (bench_.menu_is_open() && room.width < kLeastForAll_px * scale_) {
+    if (workspace_.menu_is_open() && room.width < kMinForAll_px * scale_) {
         mouse_.let_go(model);
         return show_plant(state, renderer, room);
     }
@@ -311,7 +313,7 @@ float Layout::strokes_height_px(view::WindowState const& state, WindowPart const
     Vec2 const size_mm = state.surface_size_mm().cwiseMax(1);
     auto const aspect = static_cast<float>(size_mm.y() / size_mm.x());
     float const left_px = column.height - column.width * aspect - kPadTitle_px * scale_;
-    return left_px < kLeastStrokes_px * scale_ ? 0 : left_px;
+    return left_px < kMinStrokes_px * scale_ ? 0 : left_px;
 }
 
 // If the view fills the window, a list of the strokes is beside it.
@@ -321,20 +323,20 @@ void Layout::show_strokes(view::WindowModel& model, render::Renderer& renderer, 
     std::optional<std::size_t> pressed;
     auto const whole = part;
     float const list_px = kListWidth_px * scale_;
-    bool const has_list = bench_.shown == Shown::Strokes && part.width >= 2 * list_px;
+    bool const has_list = workspace_.shown == Shown::Strokes && part.width >= 2 * list_px;
     if (has_list) {
         float const title_px = kTitleRow_px * scale_;
         float const list_left
-            = bench_.is_left_handed ? part.left + part.width - list_px : part.left;
+            = workspace_.is_left_handed ? part.left + part.width - list_px : part.left;
         ImGui::SetCursorScreenPos({ list_left, part.top + title_px });
         pressed = strokes_.show_list(state, { list_px, part.height - title_px });
         part.width -= list_px;
-        if (!bench_.is_left_handed)
+        if (!workspace_.is_left_handed)
             part.left += list_px;
     }
     ImGui::SetCursorScreenPos({ part.left, part.top });
     if (auto const clicked
-        = strokes_.show(state, renderer, { part.width, part.height }, bench_.drag))
+        = strokes_.show(state, renderer, { part.width, part.height }, workspace_.drag))
         pressed = clicked;
     show_title(whole, "Strokes",
                state.curves.empty() ? "none yet: what you draw is shown here"
@@ -362,14 +364,14 @@ void Layout::show_pad(view::WindowModel& model, render::Renderer& renderer, Wind
                       HandInput const& input)
 {
     auto const& state = model.state();
-    bool const fills_window = bench_.shown == Shown::Pad;
+    bool const fills_window = workspace_.shown == Shown::Pad;
     auto const area = fit_pen_area(state.volume_mm, { part.left, part.top },
                                    { part.width, part.height }, fills_window ? 1 : kAirAroundPad);
     ImGui::SetCursorScreenPos({ part.left, part.top });
     pad_.show(state, renderer, area, { part.width, part.height });
     ImGui::SetCursorScreenPos({ part.left, part.top });
     ImGui::InvisibleButton("pad", { part.width, part.height });
-    bool const draws_here = bench_.draws(state) && !Workbench::selects(state);
+    bool const draws_here = workspace_.draws(state) && !Workspace::selects(state);
     if (draws_here) {
         pen_area_ = area;
         if (state.mouse_draws && !ring_.is_open())
@@ -390,14 +392,14 @@ void Layout::show_gauge(view::WindowState const& state, WindowPart const& part,
                         PenArea const& area) const
 {
     float const width = kGaugeWidth_px * scale_;
-    bool const fills_window = bench_.shown == Shown::Pad;
+    bool const fills_window = workspace_.shown == Shown::Pad;
     float const right = part.left + part.width;
     float left = fills_window ? std::max(part.left, area.left_px()) : part.left;
-    if (bench_.is_left_handed)
+    if (workspace_.is_left_handed)
         left = (fills_window ? std::min(right, area.right_px()) : right) - width;
     draw_height_gauge(state, { left, part.top + 40 * scale_ },
                       { width, pad_part_->height - 40 * scale_ },
-                      bench_.is_left_handed ? Side::Right : Side::Left);
+                      workspace_.is_left_handed ? Side::Right : Side::Left);
 }
 
 // Full screen, the view shows the whole tablet; beside other views it fits the plant, which may be
@@ -405,7 +407,7 @@ void Layout::show_gauge(view::WindowState const& state, WindowPart const& part,
 PenArea Layout::skeleton_area(view::WindowState const& state, WindowPart const& part) const
 {
     auto area = fit_pen_area(state.volume_mm, { part.left, part.top }, { part.width, part.height });
-    if (bench_.shown != Shown::All)
+    if (workspace_.shown != Shown::All)
         return area;
     auto const plant_mm
         = scene::fit_selection_view(state.skeleton_box_mm, { .area_mm = area.size_mm }).size_mm;
@@ -421,11 +423,11 @@ void Layout::show_skeleton(view::WindowModel& model, render::Renderer& renderer,
     auto const& state = model.state();
     auto const area = skeleton_area(state, part);
     ImGui::SetCursorScreenPos({ part.left, part.top });
-    skeleton_.show(state, renderer, bench_.angle, area, { part.width, part.height });
+    skeleton_.show(state, renderer, workspace_.angle, area, { part.width, part.height });
     ImGui::SetCursorScreenPos({ part.left, part.top });
     ImGui::InvisibleButton("skeleton", { part.width, part.height });
-    bool const selects_here = bench_.draws(state) && Workbench::selects(state);
-    turn_skeleton(bench_.angle, area, !selects_here, bench_.drag);
+    bool const selects_here = workspace_.draws(state) && Workspace::selects(state);
+    turn_skeleton(workspace_.angle, area, !selects_here, workspace_.drag);
     if (selects_here) {
         pen_area_ = area;
         draw_selecting_ink(state, area);
@@ -443,7 +445,7 @@ void Layout::show_plant(view::WindowState const& state, render::Renderer& render
                         WindowPart const& part)
 {
     ImGui::SetCursorScreenPos({ part.left, part.top });
-    plant_.show(state, renderer, { part.width, part.height }, bench_.drag);
+    plant_.show(state, renderer, { part.width, part.height }, workspace_.drag);
     show_title(part, "Plant", fmt::format("seed {}", state.seed).c_str());
 }
 
@@ -457,8 +459,8 @@ void Layout::show_collection(view::WindowModel& model, render::Renderer& rendere
     float const gap = ImGui::GetStyle().ItemSpacing.x;
     float const panel_px = individuality_.width_px(part.width);
     float const sheet_px = part.width - panel_px - gap;
-    float const sheet_left = part.left + (bench_.is_left_handed ? panel_px + gap : 0);
-    float const panel_left = part.left + (bench_.is_left_handed ? gap : sheet_px);
+    float const sheet_left = part.left + (workspace_.is_left_handed ? panel_px + gap : 0);
+    float const panel_left = part.left + (workspace_.is_left_handed ? gap : sheet_px);
     ImGui::SetCursorScreenPos({ sheet_left, part.top + title_px });
     collection_.show(model, renderer, { sheet_px, part.height - title_px });
     individuality_.show(model, controls_,
@@ -466,17 +468,17 @@ void Layout::show_collection(view::WindowModel& model, render::Renderer& rendere
                         CollectionView::kVariations);
     show_title(part, "Variations", "press one to give the plant its branches and its growth");
     if (model.state().seed != before)
-        bench_.shown = Shown::Plant;
+        workspace_.shown = Shown::Plant;
 }
 
 // The part of the window for the menu, within the pen's reach.
 WindowPart Layout::room_for_menu() const
 {
     auto room = above_controls();
-    if (bench_.shown == Shown::All)
+    if (workspace_.shown == Shown::All)
         return room;
     room.width = std::min(room.width, pen_area_.right_px());
-    if (bench_.is_left_handed) {
+    if (workspace_.is_left_handed) {
         room.left = std::max(0.0f, pen_area_.left_px());
         room.width -= room.left;
     }
@@ -488,16 +490,17 @@ std::vector<RingEntry> Layout::ring_entries(view::WindowModel& model)
 {
     std::vector<RingEntry> entries;
     auto const& state = model.state();
-    for (auto const& choice : tools::tool_choices(state.tools, bench_.remembered(state)))
-        entries.push_back({ choice.text, choice.tool.kind().icon,
-                            [this, &model, tool = choice.tool] { bench_.choose(model, tool); } });
-    entries.push_back({ "View", "", [this] { bench_.choose_view_tool(); } });
+    for (auto const& choice : tools::tool_choices(state.tools, workspace_.remembered(state)))
+        entries.push_back(
+            { choice.text, choice.tool.kind().icon,
+              [this, &model, tool = choice.tool] { workspace_.choose(model, tool); } });
+    entries.push_back({ "View", "", [this] { workspace_.choose_view_tool(); } });
     entries.push_back({ "Undo", "", [&model] { model.perform(view::Undo {}); } });
     entries.push_back({ "Redo", "", [&model] { model.perform(view::Redo {}); } });
-    if (bench_.is_on_stage)
-        entries.push_back({ "Off\nstage", "", [this] { bench_.is_on_stage = false; } });
+    if (workspace_.is_on_stage)
+        entries.push_back({ "Off\nstage", "", [this] { workspace_.is_on_stage = false; } });
     else
-        entries.push_back({ "Next\nview", "", [this] { bench_.show_next(); } });
+        entries.push_back({ "Next\nview", "", [this] { workspace_.show_next(); } });
     return entries;
 }
 
@@ -527,10 +530,10 @@ void Layout::show_ring(view::WindowModel& model, PenPointer const& pen)
 void Layout::follow_angle(view::WindowModel& model) const
 {
     auto const& state = model.state();
-    if (!state.is_live || state.hand_is_played || !Workbench::selects(state)
-        || state.hand.angle() == bench_.angle || state.pen.touching)
+    if (!state.is_live || state.hand_is_played || !Workspace::selects(state)
+        || state.hand.angle() == workspace_.angle || state.pen.touching)
         return;
-    model.perform(view::ChooseTool { state.hand.seen_from(bench_.angle) });
+    model.perform(view::ChooseTool { state.hand.seen_from(workspace_.angle) });
 }
 
 void Layout::tell_pressing_areas(view::WindowModel& model)
@@ -538,7 +541,7 @@ void Layout::tell_pressing_areas(view::WindowModel& model)
     auto const& state = model.state();
     if (!state.has_pen())
         return;
-    if (!bench_.draws(state))
+    if (!workspace_.draws(state))
         covered_.push_back(whole_window());
     std::vector<Eigen::AlignedBox2d> areas;
     for (auto const& part : covered_) {
@@ -549,9 +552,10 @@ void Layout::tell_pressing_areas(view::WindowModel& model)
     }
     auto const is_same
         = [](Eigen::AlignedBox2d const& a, Eigen::AlignedBox2d const& b) { return a.isApprox(b); };
-    if (std::equal(areas.begin(), areas.end(), told_areas_.begin(), told_areas_.end(), is_same))
+    if (std::equal(areas.begin(), areas.end(), last_covered_areas_.begin(),
+                   last_covered_areas_.end(), is_same))
         return;
-    told_areas_ = areas;
+    last_covered_areas_ = areas;
     model.perform(view::SetPressingAreas { std::move(areas) });
 }
 

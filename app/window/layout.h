@@ -4,7 +4,7 @@
 #include "app/window/cards_panel.h"
 #include "app/window/collection_view.h"
 #include "app/window/controls.h"
-#include "app/window/glyph_panel.h"
+#include "app/window/gizmo_panel.h"
 #include "app/window/individuality_panel.h"
 #include "app/window/menu.h"
 #include "app/window/mouse_hand.h"
@@ -35,7 +35,7 @@ public:
         , controls_(scale)
         , menu_(title_font, scale)
         , number_panel_(scale)
-        , glyph_panel_(scale)
+        , gizmo_panel_(scale)
         , cards_panel_(scale)
         , name_panel_(scale)
         , start_(title_font, scale)
@@ -51,9 +51,9 @@ public:
               HandInput const& input);
 
     // True if the user has asked to close the window since the last call.
-    bool take_wish_to_close() { return std::exchange(bench_.wants_to_close, false); }
+    bool take_wish_to_close() { return std::exchange(workspace_.wants_to_close, false); }
 
-    Workbench& bench() { return bench_; }
+    Workspace& workspace() { return workspace_; }
 
 private:
     bool takes_text() const;
@@ -90,12 +90,12 @@ private:
 
     ImFont* title_font_ = nullptr;
     float scale_ = 1;
-    Workbench bench_;
+    Workspace workspace_;
     CalibrationPanel calibration_;
     Controls controls_;
     Menu menu_;
     NumberPanel number_panel_;
-    GlyphPanel glyph_panel_;
+    GizmoPanel gizmo_panel_;
     CardsPanel cards_panel_;
     NamePanel name_panel_;
     StartView start_;
@@ -109,9 +109,10 @@ private:
     MouseHand mouse_;
     PenArea pen_area_;
     std::vector<WindowPart> covered_; // Panels shown in this frame, where the pen does not draw.
-    std::vector<Eigen::AlignedBox2d> told_areas_; // The covered areas last passed to the model.
-    std::optional<WindowPart> pad_part_;          // Rectangle of the drawing pad in this frame.
-    bool pad_is_pointed_at_ = false; // True if the mouse hovers over the pad in this frame.
+    std::vector<Eigen::AlignedBox2d>
+        last_covered_areas_;             // The covered areas last passed to the model.
+    std::optional<WindowPart> pad_part_; // Rectangle of the drawing pad in this frame.
+    bool pad_is_pointed_at_ = false;     // True if the mouse hovers over the pad in this frame.
     bool collection_is_shown_ = false;
     bool devices_are_watched_ = false;
     bool has_begun_ = false;

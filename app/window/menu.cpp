@@ -16,7 +16,7 @@ static constexpr float kLastMonth = 12.99f;
 namespace {
 
 constexpr float kMenuWidth_px = 460;
-constexpr float kLeastBeside_px = 140;
+constexpr float kMinBeside_px = 140;
 
 } // namespace
 
@@ -29,16 +29,16 @@ float Menu::item_px(int count) const
 
 float Menu::width_px(float room_px) const
 {
-    float const left_px = room_px - kLeastBeside_px * scale_;
+    float const left_px = room_px - kMinBeside_px * scale_;
     return std::min(kMenuWidth_px * scale_, std::max(left_px, room_px / 2));
 }
 
-WindowPart Menu::show(view::WindowModel& model, Workbench& bench, Controls const& controls,
+WindowPart Menu::show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                       WindowPart const& room, std::function<render::Image()> const& picture)
 {
-    using Page = Workbench::MenuPage;
+    using Page = Workspace::MenuPage;
     float const width = width_px(room.width);
-    float const left = bench.is_left_handed ? room.left : room.left + room.width - width;
+    float const left = workspace.is_left_handed ? room.left : room.left + room.width - width;
     WindowPart const part { left, room.top, width, room.height };
     ImGui::SetNextWindowPos({ part.left, part.top });
     ImGui::SetNextWindowSize({ part.width, part.height });
@@ -46,23 +46,23 @@ WindowPart Menu::show(view::WindowModel& model, Workbench& bench, Controls const
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove
                      | ImGuiWindowFlags_NoSavedSettings);
     row_px_ = ImGui::GetContentRegionAvail().x;
-    show_pages(bench, controls);
-    if (bench.menu == Page::Plant)
+    show_pages(workspace, controls);
+    if (workspace.menu == Page::Plant)
         show_plant(model, controls);
-    else if (bench.menu == Page::Keep)
-        show_keeping(model, bench, controls, picture);
-    else if (bench.menu == Page::Devices)
+    else if (workspace.menu == Page::Keep)
+        show_keeping(model, workspace, controls, picture);
+    else if (workspace.menu == Page::Devices)
         show_devices(model, controls);
     else
-        show_window(model.state(), bench, controls);
+        show_window(model.state(), workspace, controls);
     theme::scroll_by_dragging();
     ImGui::End();
     return part;
 }
 
-void Menu::show_pages(Workbench& bench, Controls const& controls) const
+void Menu::show_pages(Workspace& workspace, Controls const& controls) const
 {
-    using Page = Workbench::MenuPage;
+    using Page = Workspace::MenuPage;
     constexpr std::array<std::pair<char const*, Page>, 4> kPages { { { "Plant", Page::Plant },
                                                                      { "Keep", Page::Keep },
                                                                      { "Devices", Page::Devices },
@@ -72,14 +72,14 @@ void Menu::show_pages(Workbench& bench, Controls const& controls) const
     for (auto const& [name, page] : kPages) {
         if (page != Page::Plant)
             ImGui::SameLine();
-        if (controls.button(name, width, bench.menu == page))
-            bench.open_menu(page);
+        if (controls.button(name, width, workspace.menu == page))
+            workspace.open_menu(page);
     }
     ImGui::PopStyleVar();
     ImGui::Dummy({ 1, 8 * scale_ });
 }
 
-void Menu::show_keeping(view::WindowModel& model, Workbench& bench, Controls const& controls,
+void Menu::show_keeping(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                         std::function<render::Image()> const& picture)
 {
     using Format = view::ExportPlant::Format;
@@ -102,13 +102,13 @@ void Menu::show_keeping(view::WindowModel& model, Workbench& bench, Controls con
     show_leaving(model, controls);
     if (model.state().may_write_rules && controls.button("Write its rules", item_px()))
         model.perform(view::WriteRules {});
-    if (auto const& name = model.state().drawing_name; name && !bench.asked_name) {
-        using Of = Workbench::AskedName::Of;
+    if (auto const& name = model.state().drawing_name; name && !workspace.asked_name) {
+        using Of = Workspace::AskedName::Of;
         if (controls.button("Name ...", item_px(2)))
-            bench.ask_name({ Of::Drawing, *name });
+            workspace.ask_name({ Of::Drawing, *name });
         ImGui::SameLine();
         if (controls.button("Save a copy ...", item_px(2)))
-            bench.ask_name({ Of::Copy, *name + ", a copy" });
+            workspace.ask_name({ Of::Copy, *name + ", a copy" });
     }
 }
 
@@ -168,41 +168,41 @@ void Menu::show_devices(view::WindowModel& model, Controls const& controls)
 
 // A list of displays. The tablet's own is marked, because there the drawn line appears under the
 // pen's tip.
-void Menu::show_displays(view::WindowState const& state, Workbench& bench,
+void Menu::show_displays(view::WindowState const& state, Workspace& workspace,
                          Controls const& controls) const
 {
     auto const tablets = state.is_live && !state.mouse_draws
-        ? tablet_display(bench.displays, state.surface_size_mm())
+        ? tablet_display(workspace.displays, state.surface_size_mm())
         : std::nullopt;
-    bool const is_only_one = bench.displays.size() == 1;
-    for (std::size_t i = 0; i < bench.displays.size(); ++i) {
-        auto const& display = bench.displays[i];
-        bool const is_filled = bench.filled_display == i;
+    bool const is_only_one = workspace.displays.size() == 1;
+    for (std::size_t i = 0; i < workspace.displays.size(); ++i) {
+        auto const& display = workspace.displays[i];
+        bool const is_filled = workspace.filled_display == i;
         auto const text
             = is_only_one ? "Full screen" : fmt::format("Fill {}: {}", i + 1, display.name);
         if (controls.button(text.c_str(), item_px(), is_filled))
-            bench.full_screen_wished = Workbench::FullScreen { !is_filled, i };
+            workspace.full_screen_wished = Workspace::FullScreen { !is_filled, i };
         if (tablets == i)
             ImGui::TextWrapped("The tablet's own display: the ink lies under the pen.");
     }
 }
 
-void Menu::show_window(view::WindowState const& state, Workbench& bench,
+void Menu::show_window(view::WindowState const& state, Workspace& workspace,
                        Controls const& controls) const
 {
-    show_displays(state, bench, controls);
+    show_displays(state, workspace, controls);
     if (controls.button("On stage", item_px()))
-        bench.enter_stage();
+        workspace.enter_stage();
     if (controls.button(theme::palette().is_light ? "Dark" : "Light", item_px(3)))
         theme::set_light(!theme::palette().is_light);
     ImGui::SameLine();
-    if (controls.button("Left hand", item_px(3), bench.is_left_handed))
-        bench.is_left_handed = !bench.is_left_handed;
+    if (controls.button("Left hand", item_px(3), workspace.is_left_handed))
+        workspace.is_left_handed = !workspace.is_left_handed;
     ImGui::SameLine();
-    if (controls.button("Keys", item_px(3), bench.keys_are_listed))
-        bench.keys_are_listed = !bench.keys_are_listed;
+    if (controls.button("Keys", item_px(3), workspace.keys_are_listed))
+        workspace.keys_are_listed = !workspace.keys_are_listed;
     if (controls.button("Close", item_px()))
-        bench.wants_to_close = true;
+        workspace.wants_to_close = true;
 }
 
 void Menu::show_plant(view::WindowModel& model, Controls const& controls)

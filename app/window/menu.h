@@ -26,21 +26,21 @@ public:
 
     // Shows the menu at the right edge of `room`, or at the left one for left-handed use; returns
     // its rectangle. `picture` renders the plant from the current view, to be saved.
-    WindowPart show(view::WindowModel& model, Workbench& bench, Controls const& controls,
+    WindowPart show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                     WindowPart const& room, std::function<render::Image()> const& picture);
 
 private:
-    void show_pages(Workbench& bench, Controls const& controls) const;
+    void show_pages(Workspace& workspace, Controls const& controls) const;
     void show_plant(view::WindowModel& model, Controls const& controls);
     void show_season(view::WindowModel& model);
-    void show_keeping(view::WindowModel& model, Workbench& bench, Controls const& controls,
+    void show_keeping(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                       std::function<render::Image()> const& picture);
     void show_leaving(view::WindowModel& model, Controls const& controls) const;
     void show_organs(Controls const& controls);
     void show_devices(view::WindowModel& model, Controls const& controls);
-    void show_window(view::WindowState const& state, Workbench& bench,
+    void show_window(view::WindowState const& state, Workspace& workspace,
                      Controls const& controls) const;
-    void show_displays(view::WindowState const& state, Workbench& bench,
+    void show_displays(view::WindowState const& state, Workspace& workspace,
                        Controls const& controls) const;
     bool show_slider(char const* name, char const* text, float greatest, double& value,
                      bool& is_released) const;

@@ -12,7 +12,7 @@ namespace tractus::window {
 
 namespace {
 
-using AskedName = Workbench::AskedName;
+using AskedName = Workspace::AskedName;
 
 constexpr float kNameMargin_px = 14;
 constexpr float kWidestKey_px = 64;
@@ -96,12 +96,12 @@ void mark_selected(std::string const& text)
 
 } // namespace
 
-WindowPart NamePanel::show(view::WindowModel& model, Workbench& bench, Controls const& controls,
+WindowPart NamePanel::show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                            WindowPart const& bar, std::span<KeyPress const> presses)
 {
-    bool const is_new = asked_ != bench.asked_name;
+    bool const is_new = asked_ != workspace.asked_name;
     if (is_new) {
-        asked_ = bench.asked_name;
+        asked_ = workspace.asked_name;
         typed_ = asked_->now;
         is_selected_ = !typed_.empty();
         types_capitals_ = true;
@@ -117,19 +117,19 @@ WindowPart NamePanel::show(view::WindowModel& model, Workbench& bench, Controls 
                      | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     constexpr float kWidest = kLettersInRow * kWidestKey_px + (kLettersInRow - 1) * kKeyGap_px;
     float const width = std::min((bar.width - 2 * around) / scale_, kWidest);
-    show_name(model, bench, controls, width);
+    show_name(model, workspace, controls, width);
     show_keys(controls, width);
     auto const corner = ImGui::GetWindowPos();
     auto const size = ImGui::GetWindowSize();
     height_px_ = size.y;
     ImGui::End();
     ImGui::PopStyleVar(2);
-    if (!bench.asked_name)
+    if (!workspace.asked_name)
         asked_.reset();
     return { corner.x, corner.y, size.x, size.y };
 }
 
-void NamePanel::show_name(view::WindowModel& model, Workbench& bench, Controls const& controls,
+void NamePanel::show_name(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                           float width)
 {
     auto const words = words_of(asked_->of);
@@ -138,7 +138,7 @@ void NamePanel::show_name(view::WindowModel& model, Workbench& bench, Controls c
     bool const is_done = controls.button(words.button, kNameButton_px) || confirms_;
     ImGui::SameLine();
     if (controls.button("Close##name", kNameButton_px) || is_done || gives_up_)
-        bench.asked_name.reset();
+        workspace.asked_name.reset();
     if (is_done)
         perform(model, *asked_, typed_);
 }

@@ -22,11 +22,11 @@ public:
 
     // Shows it for `bench.asked_name` above `bar`, and resets that when it is done or closed.
     // `presses` are this frame's key presses. Returns the panel's rectangle.
-    WindowPart show(view::WindowModel& model, Workbench& bench, Controls const& controls,
+    WindowPart show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                     WindowPart const& bar, std::span<KeyPress const> presses);
 
 private:
-    void show_name(view::WindowModel& model, Workbench& bench, Controls const& controls,
+    void show_name(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                    float width);
     void take_keyboard(std::span<KeyPress const> presses);
     void take_letter(unsigned int letter);
@@ -38,7 +38,7 @@ private:
 
     float scale_ = 1;
     float height_px_ = 0;                          // Height of the panel in the last frame.
-    std::optional<Workbench::AskedName> asked_ {}; // What the name is for.
+    std::optional<Workspace::AskedName> asked_ {}; // What the name is for.
     std::string typed_ {};
     bool is_selected_ = false; // True if the whole text is selected.
     bool types_capitals_ = true;

@@ -41,15 +41,15 @@ std::string range_of(tools::NumberOption const& option)
 
 } // namespace
 
-WindowPart NumberPanel::show(view::WindowModel& model, Workbench& bench, Controls const& controls,
-                             WindowPart const& bar)
+WindowPart NumberPanel::show(view::WindowModel& model, Workspace& workspace,
+                             Controls const& controls, WindowPart const& bar)
 {
-    auto const numbers = tools::chosen_numbers(bench.hand(model.state()));
-    if (!bench.asked_number || *bench.asked_number >= numbers.size()) {
-        bench.asked_number.reset();
+    auto const numbers = tools::chosen_numbers(workspace.hand(model.state()));
+    if (!workspace.asked_number || *workspace.asked_number >= numbers.size()) {
+        workspace.asked_number.reset();
         return {};
     }
-    auto const number = *bench.asked_number;
+    auto const number = *workspace.asked_number;
     auto const& chosen = numbers[number];
     if (std::exchange(asked_, chosen.option.name) != chosen.option.name) {
         typed_.clear();
@@ -66,7 +66,7 @@ WindowPart NumberPanel::show(view::WindowModel& model, Workbench& bench, Control
     ImGui::BeginGroup();
     show_value(chosen, controls);
     if (controls.button("Close", kValueWidth_px))
-        bench.asked_number.reset();
+        workspace.asked_number.reset();
     if (!objection_.empty())
         ImGui::TextColored(theme::imgui_color(theme::palette().indicator), "%s",
                            objection_.c_str());
@@ -79,24 +79,25 @@ WindowPart NumberPanel::show(view::WindowModel& model, Workbench& bench, Control
     auto const size = ImGui::GetWindowSize();
     height_px_ = size.y;
     ImGui::End();
-    adjust(model, bench, chosen, number);
+    adjust(model, workspace, chosen, number);
     return { corner.x, corner.y, size.x, size.y };
 }
 
 // While a slider is dragged only a preview is shown; on release the value is set.
-void NumberPanel::adjust(view::WindowModel& model, Workbench& bench,
+void NumberPanel::adjust(view::WindowModel& model, Workspace& workspace,
                          tools::ChosenNumber const& chosen, std::size_t number)
 {
     auto const wanted = std::exchange(wanted_, std::nullopt);
     bool const moves = std::exchange(moves_, false);
     bool const is_released = std::exchange(is_released_, false);
     bool const changes = wanted && *wanted != chosen.value;
-    if (!changes && !(is_released && bench.adjusted))
+    if (!changes && !(is_released && workspace.adjusted))
         return;
     auto const slider
         = moves ? view::ChangeGrowth::Slider::Moving : view::ChangeGrowth::Slider::Released;
-    bench.adjust(
-        model, tools::with_number(bench.hand(model.state()), number, wanted.value_or(chosen.value)),
+    workspace.adjust(
+        model,
+        tools::with_number(workspace.hand(model.state()), number, wanted.value_or(chosen.value)),
         slider);
 }
 
@@ -150,9 +151,9 @@ void NumberPanel::show_keys(tools::ChosenNumber const& chosen, Controls const& c
 
 void NumberPanel::press_key(char key)
 {
-    constexpr std::size_t kMostDigits = 9;
+    constexpr std::size_t kMaxDigits = 9;
     objection_.clear();
-    if (key != 0 && typed_.size() < kMostDigits)
+    if (key != 0 && typed_.size() < kMaxDigits)
         typed_ += key;
     else if (key == 0 && !typed_.empty())
         typed_.pop_back();

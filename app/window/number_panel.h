@@ -18,7 +18,7 @@ public:
 
     // Shows it for `bench.asked_number` above `bar`, and resets that when it is closed or the
     // current tool has no such number. Returns the panel's rectangle.
-    WindowPart show(view::WindowModel& model, Workbench& bench, Controls const& controls,
+    WindowPart show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                     WindowPart const& bar);
 
 private:
@@ -27,7 +27,7 @@ private:
     void press_key(char key);
     void take_typed(tools::NumberOption const& option);
     void change_to(tools::NumberOption const& option, double value);
-    void adjust(view::WindowModel& model, Workbench& bench, tools::ChosenNumber const& chosen,
+    void adjust(view::WindowModel& model, Workspace& workspace, tools::ChosenNumber const& chosen,
                 std::size_t number);
 
     float scale_ = 1;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/render/camera.h"
-#include "app/window/workbench.h"
+#include "app/window/workspace.h"
 
 namespace tractus::window {
 

@@ -18,22 +18,22 @@ constexpr double kKeySpeed_mm_s = 80;
 
 // Closes an open panel; otherwise leaves the stage; otherwise full screen; otherwise closes the
 // window.
-void take_escape(Workbench& bench, ToolRing& ring)
+void take_escape(Workspace& workspace, ToolRing& ring)
 {
-    bool const is_anything_open
-        = ring.is_open() || bench.menu_is_open() || bench.keys_are_listed || bench.asked_number;
+    bool const is_anything_open = ring.is_open() || workspace.menu_is_open()
+        || workspace.keys_are_listed || workspace.asked_number;
     ring.close();
-    bench.close_menu();
-    bench.keys_are_listed = false;
-    bench.asked_number.reset();
+    workspace.close_menu();
+    workspace.keys_are_listed = false;
+    workspace.asked_number.reset();
     if (is_anything_open)
         return;
-    if (bench.is_on_stage)
-        bench.is_on_stage = false;
-    else if (bench.will_fill_display())
-        bench.turn_full_screen();
+    if (workspace.is_on_stage)
+        workspace.is_on_stage = false;
+    else if (workspace.will_fill_display())
+        workspace.turn_full_screen();
     else
-        bench.wants_to_close = true;
+        workspace.wants_to_close = true;
 }
 
 void take_undo_key(view::WindowModel& model, bool is_redo)
@@ -44,16 +44,16 @@ void take_undo_key(view::WindowModel& model, bool is_redo)
         model.perform(view::Undo {});
 }
 
-void take_tool_key(char key, view::WindowModel& model, Workbench& bench)
+void take_tool_key(char key, view::WindowModel& model, Workspace& workspace)
 {
     auto const& state = model.state();
     if (!state.is_live)
         return;
     if (key == 'T')
-        return bench.choose_view_tool();
+        return workspace.choose_view_tool();
     for (auto const* const kind : state.tools)
         if (kind->key == key)
-            return bench.choose(model, tools::chosen_anew(*kind, bench.remembered(state)));
+            return workspace.choose(model, tools::chosen_anew(*kind, workspace.remembered(state)));
 }
 
 // Returns the keys and names of the tools that have keys: "D C" and "Draw, Select".
@@ -72,7 +72,7 @@ std::pair<std::string, std::string> tool_keys(tools::ToolKinds tools)
 
 } // namespace
 
-void take_shortcut(KeyPress const& press, view::WindowModel& model, Workbench& bench,
+void take_shortcut(KeyPress const& press, view::WindowModel& model, Workspace& workspace,
                    ToolRing& ring)
 {
     if (press.has_control && press.key == 'Z')
@@ -83,31 +83,32 @@ void take_shortcut(KeyPress const& press, view::WindowModel& model, Workbench& b
         return;
     switch (press.key) {
     case '?':
-        bench.keys_are_listed = !bench.keys_are_listed;
+        workspace.keys_are_listed = !workspace.keys_are_listed;
         return;
     case KeyPress::kEscape:
-        return take_escape(bench, ring);
+        return take_escape(workspace, ring);
     case 'Q':
-        bench.wants_to_close = true;
+        workspace.wants_to_close = true;
         return;
     case 'N':
         return model.perform(view::NextVariation {});
     case 'V':
-        return bench.show_next();
+        return workspace.show_next();
     case 'F':
-        return bench.turn_full_screen();
+        return workspace.turn_full_screen();
     default:
-        return take_tool_key(press.key, model, bench);
+        return take_tool_key(press.key, model, workspace);
     }
 }
 
-void take_calibration_shortcut(KeyPress const& press, view::WindowModel& model, Workbench& bench)
+void take_calibration_shortcut(KeyPress const& press, view::WindowModel& model,
+                               Workspace& workspace)
 {
     bool const is_beside_drawing = model.state().is_live;
     if (press.key == KeyPress::kEscape && is_beside_drawing)
         model.perform(view::CloseCalibration {});
     else if (press.key == KeyPress::kEscape || press.key == 'Q')
-        bench.wants_to_close = true;
+        workspace.wants_to_close = true;
 }
 
 void move_surface_as_wished(view::WindowModel& model, HandInput const& input, bool wheel_counts)

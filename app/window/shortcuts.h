@@ -9,9 +9,10 @@ namespace tractus::window {
 // Keyboard shortcuts of the window.
 
 // Handles a shortcut on the drawing page; the calibration page has no shortcuts.
-void take_shortcut(KeyPress const& press, view::WindowModel& model, Workbench& bench,
+void take_shortcut(KeyPress const& press, view::WindowModel& model, Workspace& workspace,
                    ToolRing& ring);
-void take_calibration_shortcut(KeyPress const& press, view::WindowModel& model, Workbench& bench);
+void take_calibration_shortcut(KeyPress const& press, view::WindowModel& model,
+                               Workspace& workspace);
 
 // Moves the surface by keys and, if `wheel_counts`, by the mouse wheel, when no sensor measures its
 // height.

@@ -16,8 +16,8 @@ namespace {
 constexpr float kCardAir_px = 10; // Space around a card's text.
 constexpr float kBorder_px = 5;   // Width of a card's border around its picture.
 constexpr float kDetailSize_px = 16;
-constexpr float kLeastSize_px = 15; // Least text size when text is shrunk to fit.
-constexpr float kIconSize = 0.62f;  // Size of an icon as a share of the picture's height.
+constexpr float kMinSize_px = 15;  // Least text size when text is shrunk to fit.
+constexpr float kIconSize = 0.62f; // Size of an icon as a share of the picture's height.
 constexpr float kIconLine_px = 3;
 // Distance beyond which a touch scrolls the page and chooses no card.
 constexpr float kScrollFrom_px = 8;
@@ -69,9 +69,9 @@ std::pair<std::string, std::string> in_two_lines(std::string const& text, float 
 
 } // namespace
 
-void StartView::show(view::StartPageModel& page, Workbench& bench, Controls const& controls)
+void StartView::show(view::StartPageModel& page, Workspace& workspace, Controls const& controls)
 {
-    show_head(page, bench, controls);
+    show_head(page, workspace, controls);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
     bool const has_study = page.state().study.has_value();
     ImGui::BeginChild(has_study ? "study" : "cards", { 0, 0 }, false,
@@ -84,7 +84,7 @@ void StartView::show(view::StartPageModel& page, Workbench& bench, Controls cons
     ImGui::PopStyleColor();
 }
 
-void StartView::show_head(view::StartPageModel& page, Workbench& bench,
+void StartView::show_head(view::StartPageModel& page, Workspace& workspace,
                           Controls const& controls) const
 {
     auto const& state = page.state();
@@ -109,12 +109,12 @@ void StartView::show_head(view::StartPageModel& page, Workbench& bench,
     if (controls.button(theme::palette().is_light ? "Dark" : "Light", kWidths_px[0]))
         theme::set_light(!theme::palette().is_light);
     ImGui::SameLine();
-    if (controls.button("Full screen", kWidths_px[1], bench.will_fill_display()))
-        bench.turn_full_screen();
+    if (controls.button("Full screen", kWidths_px[1], workspace.will_fill_display()))
+        workspace.turn_full_screen();
     ImGui::SameLine();
     bool const goes_back = state.is_beside_drawing && controls.button("Back", kWidths_px[2]);
     if (!state.is_beside_drawing && controls.button("Close", kWidths_px[2]))
-        bench.wants_to_close = true;
+        workspace.wants_to_close = true;
     if (has_note_below)
         ImGui::TextWrapped("%s", state.note.c_str());
     ImGui::Dummy({ 1, 2 * scale_ });
@@ -253,7 +253,7 @@ void StartView::draw_fitted(std::string const& text, ImVec2 const& place, float 
 {
     float const room = words_width();
     float const usual = width_of(text, size_px);
-    float const least = std::min(size_px, kLeastSize_px * scale_);
+    float const least = std::min(size_px, kMinSize_px * scale_);
     float const size = usual <= room ? size_px : std::max(least, size_px * room / usual);
     auto shown = text;
     if (width_of(text, size) > room + 1) {
@@ -276,7 +276,7 @@ GLuint StartView::texture_of(std::shared_ptr<render::Image const> const& picture
     return found->second.on_card.texture();
 }
 
-void StartView::take_key(KeyPress const& press, view::StartPageModel& page, Workbench& bench)
+void StartView::take_key(KeyPress const& press, view::StartPageModel& page, Workspace& workspace)
 {
     static std::vector<view::StartCards> const no_cards;
     bool const has_study = page.state().study.has_value();
@@ -299,13 +299,13 @@ void StartView::take_key(KeyPress const& press, view::StartPageModel& page, Work
             if (groups[group].cards[card].key == press.key && !press.has_control)
                 return page.choose(group, card);
     if (press.key == 'F' && !press.has_control)
-        bench.turn_full_screen();
-    else if (press.key == KeyPress::kEscape && bench.will_fill_display())
-        bench.turn_full_screen();
+        workspace.turn_full_screen();
+    else if (press.key == KeyPress::kEscape && workspace.will_fill_display())
+        workspace.turn_full_screen();
     else if (press.key == KeyPress::kEscape && page.state().is_beside_drawing)
         page.leave();
     else if (press.key == KeyPress::kEscape || press.key == 'Q')
-        bench.wants_to_close = true;
+        workspace.wants_to_close = true;
 }
 
 void StartView::leave()

@@ -6,7 +6,7 @@
 #include "app/window/controls.h"
 #include "app/window/hand_input.h"
 #include "app/window/study_view.h"
-#include "app/window/workbench.h"
+#include "app/window/workspace.h"
 
 #include <imgui.h>
 #include <map>
@@ -29,11 +29,11 @@ public:
     }
 
     // Draws into the current ImGui window.
-    void show(view::StartPageModel& page, Workbench& bench, Controls const& controls);
+    void show(view::StartPageModel& page, Workspace& workspace, Controls const& controls);
 
     // Handles a key: a card's letter chooses it; arrows move the focus, and Enter chooses the
     // focused card.
-    void take_key(KeyPress const& press, view::StartPageModel& page, Workbench& bench);
+    void take_key(KeyPress const& press, view::StartPageModel& page, Workspace& workspace);
 
     // Frees the textures once the page is no longer shown.
     void leave();
@@ -45,7 +45,8 @@ private:
         render::GpuPicture on_card;
     };
 
-    void show_head(view::StartPageModel& page, Workbench& bench, Controls const& controls) const;
+    void show_head(view::StartPageModel& page, Workspace& workspace,
+                   Controls const& controls) const;
     void show_cards(view::StartPageModel& page);
     bool show_card(view::StartCard const& card, ImVec2 const& size_px, bool has_focus);
     void draw_picture(view::StartCard const& card, ImVec2 const& corner);

@@ -14,7 +14,7 @@ namespace {
 constexpr float kThinnest = 1.0f / 220; // Least width of a curve, as a share of the box's diagonal.
 constexpr float kWider = 1.9f;          // Factor on the width of highlighted curves.
 constexpr float kDotSize = 1.9f;        // Diameter of the dot at a curve's start, in its widths.
-constexpr std::size_t kMostDropLines = 3;
+constexpr std::size_t kMaxDropLines = 3;
 
 render::Curve thin_line(Vec3f const& from_mm, Vec3f const& to_mm, Vec3f const& color,
                         float width_px)
@@ -46,8 +46,8 @@ Bounds curves_box(view::WindowState const& state)
         if (!state.volume_mm.empty())
             box.min_mm.z() = std::min(box.min_mm.z(), state.volume_mm.min_mm.z());
     }
-    constexpr double kLeast_mm = 10; // A box with this extent can be framed.
-    box.max_mm = box.max_mm.cwiseMax(box.min_mm + Vec3::Constant(kLeast_mm));
+    constexpr double kMin_mm = 10; // A box with this extent can be framed.
+    box.max_mm = box.max_mm.cwiseMax(box.min_mm + Vec3::Constant(kMin_mm));
     return box;
 }
 
@@ -61,14 +61,14 @@ struct GroundGrid {
 
 GroundGrid ground_grid(view::WindowState const& state)
 {
-    constexpr float kLeastWidth = 0.6f; // Of the grid, as a share of the height above it.
+    constexpr float kMinWidth = 0.6f; // Of the grid, as a share of the height above it.
     auto const box = curves_box(state);
     Vec3f const low_mm = box.min_mm.cast<float>();
     Vec3f const high_mm = box.max_mm.cast<float>();
     float const step_mm = grid_step_mm((high_mm - low_mm).maxCoeff());
     Vec2f const middle_mm = (low_mm + high_mm).head<2>() / 2;
-    float const least_mm = kLeastWidth * (high_mm - low_mm).z() / 2;
-    Vec2f const half_mm = ((high_mm - low_mm).head<2>() / 2).cwiseMax(least_mm);
+    float const min_mm = kMinWidth * (high_mm - low_mm).z() / 2;
+    Vec2f const half_mm = ((high_mm - low_mm).head<2>() / 2).cwiseMax(min_mm);
     return { .low_mm = ((middle_mm - half_mm) / step_mm).array().floor() * step_mm,
              .high_mm = ((middle_mm + half_mm) / step_mm).array().ceil() * step_mm,
              .height_mm = low_mm.z(),
@@ -189,7 +189,7 @@ std::vector<render::Curve> ground_curves(view::WindowState const& state,
     add_grid(grid, curves);
     add_upright(state, grid, curves);
     // The newest ones, since there may be a thousand.
-    auto const first = highlighted.size() - std::min(highlighted.size(), kMostDropLines);
+    auto const first = highlighted.size() - std::min(highlighted.size(), kMaxDropLines);
     for (auto i = first; i < highlighted.size(); ++i) {
         auto const& points = state.curves[highlighted[i]].line.points;
         if (points.empty())

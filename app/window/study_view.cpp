@@ -17,10 +17,10 @@ constexpr float kOther = kAcross / 6;
 constexpr float kDown = 4 + kOther;
 constexpr float kMargin_px = 6;
 constexpr float kSliders_px = 290;
-constexpr float kLeastSliders_px = 210; // Least width of the sliders when the pictures need the
-                                        // room.
-constexpr float kLeastUnit_px = 52; // Least size of a unit when sliders are beside the pictures.
-constexpr float kLeastRow_px = 24;  // Least height of a slider.
+constexpr float kMinSliders_px = 210; // Least width of the sliders when the pictures need the
+                                      // room.
+constexpr float kMinUnit_px = 52;     // Least size of a unit when sliders are beside the pictures.
+constexpr float kMinRow_px = 24;      // Least height of a slider.
 constexpr float kCaption_px = 15;
 
 // Escapes text for ImGui, which treats it as a printf format.
@@ -41,10 +41,10 @@ void StudyView::show(view::StartPageModel& page, Controls const& controls)
     auto const corner = ImGui::GetCursorScreenPos();
     auto const room = ImGui::GetContentRegionAvail();
     float const gap = 2 * kMargin_px * scale_;
-    float const sliders = std::clamp(room.x - gap - kAcross * kLeastUnit_px * scale_,
-                                     kLeastSliders_px * scale_, kSliders_px * scale_);
+    float const sliders = std::clamp(room.x - gap - kAcross * kMinUnit_px * scale_,
+                                     kMinSliders_px * scale_, kSliders_px * scale_);
     float const beside = std::min((room.x - sliders - gap) / kAcross, room.y / kDown);
-    if (beside >= 0.99f * kLeastUnit_px * scale_) {
+    if (beside >= 0.99f * kMinUnit_px * scale_) {
         show_pictures(study, corner, beside);
         ImGui::SetCursorScreenPos({ corner.x + kAcross * beside + gap, corner.y });
         float const left = room.x - kAcross * beside - gap;
@@ -109,7 +109,7 @@ void StudyView::show_sliders(view::StartPageModel& page, Controls const& control
     auto const rows = static_cast<float>(study.sliders.size() + 1);
     float const usual = theme::kButtonHeight_px * scale_;
     float const row = height > 0
-        ? std::clamp((height - usual) / (rows - 1) - gap, kLeastRow_px * scale_, usual)
+        ? std::clamp((height - usual) / (rows - 1) - gap, kMinRow_px * scale_, usual)
         : usual;
     ImGui::BeginGroup();
     for (std::size_t i = 0; i < study.sliders.size(); ++i) {

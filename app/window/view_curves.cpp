@@ -212,18 +212,18 @@ void add_flat_line(view::WindowState const& state, tools::SkeletonLine const& li
 std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
                                              tools::LayerStyle const& style)
 {
-    constexpr float kMostDashes = 300; // Most dashes of a line, however long the line is.
+    constexpr float kMaxDashes = 300; // Most dashes of a line, however long the line is.
     float length_mm = 0;
     for (std::size_t i = 1; i < line_mm.size(); ++i)
         length_mm += (line_mm[i] - line_mm[i - 1]).norm();
     auto const width_mm = static_cast<float>(style.width_mm);
     switch (style.pattern) {
     case tools::LayerStyle::Pattern::Dashed: {
-        float const drawn_mm = std::max(4 * width_mm, length_mm / kMostDashes);
+        float const drawn_mm = std::max(4 * width_mm, length_mm / kMaxDashes);
         return dashes(line_mm, drawn_mm, 0.6f * drawn_mm);
     }
     case tools::LayerStyle::Pattern::Dotted: {
-        float const drawn_mm = std::max(width_mm, length_mm / kMostDashes);
+        float const drawn_mm = std::max(width_mm, length_mm / kMaxDashes);
         return dashes(line_mm, drawn_mm, 1.5f * drawn_mm);
     }
     case tools::LayerStyle::Pattern::Solid:

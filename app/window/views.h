@@ -5,7 +5,7 @@
 #include "app/window/palette.h"
 #include "app/window/pen_area.h"
 #include "app/window/view_curves.h"
-#include "app/window/workbench.h"
+#include "app/window/workspace.h"
 
 #include <imgui.h>
 #include <memory>

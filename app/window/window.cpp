@@ -148,21 +148,21 @@ Result<void> fill_at_first(Host& host, view::WindowState const& state, WindowOpt
     return {};
 }
 
-// Fulfils a request to enter or leave full screen and updates the workbench.
-void fill_as_wished(Host& host, view::WindowState const& state, Workbench& bench)
+// Fulfils a request to enter or leave full screen and updates the workspace.
+void fill_as_wished(Host& host, view::WindowState const& state, Workspace& workspace)
 {
-    if (auto const wish = std::exchange(bench.full_screen_wished, std::nullopt)) {
+    if (auto const wish = std::exchange(workspace.full_screen_wished, std::nullopt)) {
         auto const number = wish->display ? std::to_string(*wish->display + 1) : std::string();
         auto const display = wished_display(host, state, number);
         host.fill_display(wish->is_on && display ? std::optional(*display) : std::nullopt);
     }
-    bench.displays = host.displays();
-    bench.filled_display = host.filled_display();
+    workspace.displays = host.displays();
+    workspace.filled_display = host.filled_display();
 }
 
 WindowLook look_of(Layout& layout)
 {
-    return { theme::palette().is_light, layout.bench().is_left_handed };
+    return { theme::palette().is_light, layout.workspace().is_left_handed };
 }
 
 } // namespace
@@ -174,15 +174,15 @@ static Result<void> show_window(Host& host, view::WindowModel& model, WindowOpti
     auto renderer = TRY(render::Renderer::create());
     TRY(fill_at_first(host, model.state(), options));
     Layout layout(host.title_font(), host.scale());
-    layout.bench().is_left_handed = options.look.is_left_handed;
-    layout.bench().is_on_stage = options.is_on_stage;
-    layout.bench().shown_first = shown_of_word(options.view);
+    layout.workspace().is_left_handed = options.look.is_left_handed;
+    layout.workspace().is_on_stage = options.is_on_stage;
+    layout.workspace().shown_first = shown_of_word(options.view);
     PenPointer pen;
     auto const draw_frame = [&] {
         auto const step_s = counts_frames(options)
             ? std::optional(static_cast<float>(to_seconds(kFrameStep)))
             : std::nullopt;
-        fill_as_wished(host, model.state(), layout.bench());
+        fill_as_wished(host, model.state(), layout.workspace());
         host.set_title(model.state().title);
         auto const input = host.begin_frame(step_s);
         pen.feed(model.state(), layout.pen_area(), ImGui::GetIO().DeltaTime);

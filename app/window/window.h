@@ -13,7 +13,7 @@ namespace tractus::window {
 // The user's choices for the window's look.
 struct WindowLook {
     bool is_light = false;       // True for colours for a bright room; false for a dark one.
-    bool is_left_handed = false; // True for the left-handed layout; see Workbench::is_left_handed.
+    bool is_left_handed = false; // True for the left-handed layout; see Workspace::is_left_handed.
 
     bool operator==(WindowLook const&) const = default;
 };
@@ -31,11 +31,11 @@ struct WindowOptions {
     // window is on. nullopt: not full screen.
     std::optional<std::string> full_screen {};
 
-    // The view that a drawing begins with, one of shown_words() (workbench.h). Empty: the pad for a
+    // The view that a drawing begins with, one of shown_words() (workspace.h). Empty: the pad for a
     // pen tablet, otherwise all.
     std::string view {};
 
-    bool is_on_stage = false; // True: the window opens in the stage view (Workbench::is_on_stage).
+    bool is_on_stage = false; // True: the window opens in the stage view (Workspace::is_on_stage).
 
     WindowLook look {}; // Initial look of the window.
     double scale = 0;   // Scale of text and buttons; 0: the display's scale factor.

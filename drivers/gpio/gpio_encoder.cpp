@@ -57,7 +57,7 @@ private:
     Timestamp last_time_ {};                // Time stamp of the last report.
     Timestamp last_edge_ {};
     std::uint32_t edge_count_ = 0; // Edges since the last report.
-    std::uint32_t told_lost_ = 0;
+    std::uint32_t reported_lost_ = 0;
 };
 
 Result<void> GpioEncoderSource::take(Duration timeout)
@@ -81,7 +81,7 @@ RawReport GpioEncoderSource::report()
     last_time_ = std::max(time, last_time_ + Duration(1));
     last_report_ = now;
     auto const lost
-        = quadrature_.lost_count() - std::exchange(told_lost_, quadrature_.lost_count());
+        = quadrature_.lost_count() - std::exchange(reported_lost_, quadrature_.lost_count());
     RawReport report { .received = last_time_, .size = kEncoderReportSize };
     put_encoder_bytes(report, 0, lost > 0 ? 1 : 0, 1);
     put_encoder_bytes(report, 1, std::min<std::uint32_t>(lost, 0xff), 1);

@@ -21,11 +21,11 @@ std::string_view property(udev_device* device, char const* name)
 // No value if the text is no plausible side of a tablet.
 std::optional<double> side_mm(std::string_view text)
 {
-    constexpr int kLeast = 20;
-    constexpr int kMost = 2000;
+    constexpr int kMin = 20;
+    constexpr int kMax = 2000;
     int value = 0;
     auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || value < kLeast || value > kMost)
+    if (error != std::errc() || end != text.data() + text.size() || value < kMin || value > kMax)
         return std::nullopt;
     return value;
 }

@@ -68,7 +68,7 @@ class PipedRecording {
 public:
     explicit PipedRecording(std::string name)
         : name_(std::move(name))
-        , log_(name_, kMostPipedLogBytes)
+        , log_(name_, kMaxPipedLogBytes)
     {
     }
 
@@ -80,7 +80,7 @@ public:
             TRY(begin());
         else if (format_ == LogFormat::TractusLog)
             TRY(log_.feed(piece));
-        if (!log_.rest() && text_.size() <= kMostPipedLogBytes)
+        if (!log_.rest() && text_.size() <= kMaxPipedLogBytes)
             return {};
         return fail(Fault::User,
                     fmt::format("{} is no file, and more comes from it than is kept in memory: "

@@ -25,7 +25,7 @@ Result<void> ForeignLogBuilder::append_report(std::size_t line, std::size_t devi
                          kMaxReportBytes));
         return {};
     }
-    if (log_.records.size() * sizeof(LogRecord) + log_.bytes.size() > kMostPipedLogBytes)
+    if (log_.records.size() * sizeof(LogRecord) + log_.bytes.size() > kMaxPipedLogBytes)
         return fail(Fault::User,
                     fmt::format("{} holds more reports than are read at once: cut it into parts",
                                 log_.name));

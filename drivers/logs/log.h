@@ -144,14 +144,14 @@ private:
 // more than 1 MiB, an implausible number of rig lines or changes of tool, text in UTF-16.
 Result<Log> parse_log(std::string_view text, std::string_view name);
 
-// Reads a log file of any size, piece by piece. Only one line of text and the first kMostLogBytes
+// Reads a log file of any size, piece by piece. Only one line of text and the first kMaxLogBytes
 // of reports are kept in memory. A pipe, which cannot be read twice, may contain no more than
 // kMostPipedLogBytes of reports.
 Result<Log> read_log(std::filesystem::path const& path);
 
 // Limits of the reports in memory; each takes sizeof(LogRecord) and its own bytes.
-constexpr std::size_t kMostLogBytes = std::size_t { 1 } << 20;
-constexpr std::size_t kMostPipedLogBytes = std::size_t { 32 } << 20;
+constexpr std::size_t kMaxLogBytes = std::size_t { 1 } << 20;
+constexpr std::size_t kMaxPipedLogBytes = std::size_t { 32 } << 20;
 
 // Returns the warnings as one line for the user: "FILE: 2 odd lines, the first is line 7: …". Empty
 // if there are none.

@@ -27,10 +27,9 @@ Result<Log> read_log_file(std::filesystem::path const& path)
     // The file is opened before it is read, so that later reads get the same file even if its name
     // is reused.
     auto rest = std::make_shared<LogRest>(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    LogText text(path.string(), kMostLogBytes);
+    LogText text(path.string(), kMaxLogBytes);
     std::error_code no_file;
-    text.expect(
-        std::min<std::size_t>(std::filesystem::file_size(path, no_file), kMostLogBytes * 2));
+    text.expect(std::min<std::size_t>(std::filesystem::file_size(path, no_file), kMaxLogBytes * 2));
     TRY(read_file_in_pieces(path, std::numeric_limits<std::size_t>::max(),
                             [&](std::string_view piece) { return text.feed(piece); }));
     TRY(text.end());

@@ -18,7 +18,7 @@ constexpr std::size_t kMaxDescribedBytes = std::size_t { 16 } << 20;
 constexpr std::size_t kMaxDevices = 1024;
 
 // Reports of different devices may be out of order in a log by less than this.
-constexpr Duration kMostDisorder = std::chrono::milliseconds(100);
+constexpr Duration kMaxDisorder = std::chrono::milliseconds(100);
 // Pause inserted between two recordings in one file: long enough to end a stroke, and too short for
 // a sensor to count as silent.
 constexpr Duration kBetweenParts = std::chrono::milliseconds(200);
@@ -225,7 +225,7 @@ Result<void> LogText::read_departure(std::string_view content)
 // Adds a record whose bytes are those in log_.bytes from `offset` to the end.
 void LogText::take_record(Timestamp time, std::size_t offset)
 {
-    if (place_.latest && *place_.latest - time > kMostDisorder)
+    if (place_.latest && *place_.latest - time > kMaxDisorder)
         begin_part(time);
     place_.latest = std::max(time, place_.latest.value_or(time));
     place_.numbered[*place_.device].is_there = log_.bytes.size() > offset;
@@ -381,16 +381,16 @@ void LogText::read_ids(std::string_view content)
 
 void LogText::read_size(std::string_view content)
 {
-    constexpr int kLeastMm = 20;
-    constexpr int kMostMm = 2000;
+    constexpr int kMinMm = 20;
+    constexpr int kMaxMm = 2000;
     LogLine cursor(content);
     int width_mm = 0;
     int height_mm = 0;
     bool const has_both = cursor.integer(width_mm, 10) && cursor.integer(height_mm, 10);
     if (!is_whole_)
         warn("the last line is cut off: a tablet's size is dropped");
-    else if (!has_both || std::min(width_mm, height_mm) < kLeastMm
-             || std::max(width_mm, height_mm) > kMostMm)
+    else if (!has_both || std::min(width_mm, height_mm) < kMinMm
+             || std::max(width_mm, height_mm) > kMaxMm)
         warn("not a tablet's size (\"A: <width> <height>\", 20 to 2000 mm): skipped");
     else
         device().size_mm = Vec2(width_mm, height_mm);

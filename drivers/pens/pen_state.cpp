@@ -128,7 +128,7 @@ bool PenState::has_moved_unseen(PenSample const& sample) const
 }
 
 // Handles a report that says that the pen has left, which is not a silence.
-std::optional<PenSample> PenState::leave_as_said(Timestamp time)
+std::optional<PenSample> PenState::leave_as_reported(Timestamp time)
 {
     auto const left = leave(time);
     went_silent_touching_ = false;
@@ -139,7 +139,7 @@ std::optional<PenSample> PenState::push(Timestamp received, PenFields fields, Pe
 {
     auto const as_reported = fields;
     if (maybe_left_ && received - *maybe_left_ > habits_.false_leave)
-        return leave_as_said(*maybe_left_);
+        return leave_as_reported(*maybe_left_);
     undo_habits(fields);
     says_in_range_ = fields.in_range.has_value();
 
@@ -158,14 +158,14 @@ std::optional<PenSample> PenState::push(Timestamp received, PenFields fields, Pe
     if (is_in_doubt(sample))
         return std::nullopt;
     if (!sample.in_range || is_other_tool(sample))
-        return leave_as_said(received);
+        return leave_as_reported(received);
 
     if (!fields.carries_position && !has_position_)
         return std::nullopt;
     has_position_ = true;
     place(sample, fields, scale);
     if (has_moved_unseen(sample))
-        return leave_as_said(received);
+        return leave_as_reported(received);
     follow_rhythm(received, as_reported, sample);
     sample.buttons = fields.buttons;
     last_ = sample;

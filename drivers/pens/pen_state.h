@@ -96,7 +96,7 @@ private:
     bool can_say_leaving() const { return says_in_range_ && habits_.reports_leaving; }
     void follow_rhythm(Timestamp received, PenFields const& fields, PenSample const& sample);
     bool has_moved_unseen(PenSample const& sample) const;
-    std::optional<PenSample> leave_as_said(Timestamp time);
+    std::optional<PenSample> leave_as_reported(Timestamp time);
     bool is_other_tool(PenSample const& sample) const;
     void read_pressure(PenSample& sample, PenFields const& fields, PenScale const& scale) const;
     void place(PenSample& sample, PenFields const& fields, PenScale const& scale) const;

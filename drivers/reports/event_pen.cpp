@@ -115,8 +115,8 @@ PhysicalRange physical_range(std::uint16_t code, EventAxis const& axis)
         return {};
     double const steps = (is_tilt ? degrees(1.0) * 1000 : 1000.0) / axis.resolution;
     auto const scaled = [&](std::int64_t counts) {
-        constexpr auto kMost = static_cast<double>(std::numeric_limits<std::int32_t>::max());
-        return std::llround(std::clamp(static_cast<double>(counts) * steps, -kMost, kMost));
+        constexpr auto kMax = static_cast<double>(std::numeric_limits<std::int32_t>::max());
+        return std::llround(std::clamp(static_cast<double>(counts) * steps, -kMax, kMax));
     };
     if (is_tilt)
         return { scaled(axis.minimum), scaled(axis.maximum), kDegrees, -3 };

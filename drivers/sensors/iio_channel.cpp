@@ -36,20 +36,20 @@ struct IioSettings {
 
 Result<IioSettings> parse_iio_settings(std::string_view text)
 {
-    constexpr int kMostPeriod_us = 100'000;
+    constexpr int kMaxPeriod_us = 100'000;
     IioSettings settings;
     for (auto const word : split_settings(text)) {
         auto const period_us = number_between("", word, "us");
         if (auto const numbers = TRY(parse_greatest_number(word)))
             settings.numbers = *numbers;
-        else if (period_us && *period_us > 0 && *period_us <= kMostPeriod_us)
+        else if (period_us && *period_us > 0 && *period_us <= kMaxPeriod_us)
             settings.period = std::chrono::microseconds(*period_us);
         else
             return fail(Fault::User,
                         fmt::format("\"{}\" is no setting of an industrial I/O channel: expected "
                                     "the greatest value, such as max=4095, or the time between "
                                     "readings, 1us to {}us",
-                                    word, kMostPeriod_us));
+                                    word, kMaxPeriod_us));
     }
     return settings;
 }
@@ -57,14 +57,14 @@ Result<IioSettings> parse_iio_settings(std::string_view text)
 // Returns the greatest value for a channel's type, such as "le:s16/16>>0" or "be:u12/16>>4".
 std::optional<std::int32_t> greatest_of_type(std::string_view type)
 {
-    constexpr int kMostBits = 31;
+    constexpr int kMaxBits = 31;
     auto const colon = type.find(':');
     if (colon == std::string_view::npos || colon + 2 >= type.size())
         return std::nullopt;
     bool const has_sign = type[colon + 1] == 's';
     auto const bits = number_between("", type.substr(colon + 2, type.find('/') - colon - 2), "");
     int const value_bits = bits.value_or(0) - (has_sign ? 1 : 0);
-    if (value_bits < 1 || value_bits > kMostBits)
+    if (value_bits < 1 || value_bits > kMaxBits)
         return std::nullopt;
     return static_cast<std::int32_t>((std::int64_t { 1 } << value_bits) - 1);
 }

@@ -34,7 +34,7 @@ constexpr std::byte kConverterFunction {
 constexpr std::size_t kReferenceAt = 5; // Offset in the command that changes the settings.
 constexpr std::size_t kChangePinsAt = 7;
 constexpr std::size_t kSetPinsAt = 8;
-constexpr std::size_t kToldPinsAt = 22; // Offset in the reply with the settings.
+constexpr std::size_t kConfiguredPinsAt = 22; // Offset in the reply with the settings.
 constexpr std::size_t kPins = 4;
 constexpr std::size_t kReadingsAt
     = 50; // Offset of the readings in the status reply: GP1, GP2, GP3.
@@ -89,7 +89,7 @@ Result<void> set_up(PacketLink& link, Mcp2221aOptions const& options, std::strin
     Packet command { kSetSettings };
     command[kReferenceAt] = kChange | reference_bits(options.reference);
     command[kChangePinsAt] = kChange;
-    std::copy_n(settings.storage.begin() + kToldPinsAt, kPins, command.begin() + kSetPinsAt);
+    std::copy_n(settings.storage.begin() + kConfiguredPinsAt, kPins, command.begin() + kSetPinsAt);
     command[kSetPinsAt + static_cast<std::size_t>(options.pin)] = kConverterFunction;
     TRY(ask(link, command, who));
     return {};

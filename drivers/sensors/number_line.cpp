@@ -106,8 +106,8 @@ private:
 Result<std::optional<NumberFormat>> parse_greatest_number(std::string_view word)
 {
     constexpr std::string_view kPrefix = "max=";
-    constexpr std::size_t kMostDecimals = 6;
-    constexpr double kMostCounts = 2e9;
+    constexpr std::size_t kMaxDecimals = 6;
+    constexpr double kMaxCounts = 2e9;
     if (!word.starts_with(kPrefix))
         return std::optional<NumberFormat>();
     auto const number = word.substr(kPrefix.size());
@@ -117,8 +117,8 @@ Result<std::optional<NumberFormat>> parse_greatest_number(std::string_view word)
     auto const [end, error] = std::from_chars(number.data(), number.data() + number.size(), value,
                                               std::chars_format::fixed);
     auto const counts = std::round(value * std::pow(10.0, static_cast<double>(decimals)));
-    if (error != std::errc() || end != number.data() + number.size() || decimals > kMostDecimals
-        || !(counts >= 1 && counts <= kMostCounts))
+    if (error != std::errc() || end != number.data() + number.size() || decimals > kMaxDecimals
+        || !(counts >= 1 && counts <= kMaxCounts))
         return fail(Fault::User,
                     fmt::format("\"{}\" is not the greatest number of a sensor: expected such as "
                                 "max=4095, or max=500.00 for numbers with two decimals",

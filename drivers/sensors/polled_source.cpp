@@ -12,14 +12,14 @@ namespace {
 
 constexpr Duration kAnswerTime = 50ms; // Devices take about 4 ms.
 constexpr Duration kSilenceLimit = 1s;
-constexpr int kMostStale = 128; // More packets than a kernel queue can hold.
+constexpr int kMaxStale = 128; // More packets than a kernel queue can hold.
 
 // Drops late replies, which would be taken for the reply to the next command. Returns true if one
 // of them shows that the settings were changed.
 Result<bool> drop_stale(PacketLink& link, PacketTest const& spoils)
 {
     bool is_spoilt = false;
-    for (int i = 0; i < kMostStale; ++i) {
+    for (int i = 0; i < kMaxStale; ++i) {
         auto const packet = TRY(link.read(0ms));
         if (!packet)
             break;

@@ -171,9 +171,9 @@ Result<void> check_identity(HeightSensorLink& link, std::string const& who)
 // ones.
 Result<void> stop_and_forget(HeightSensorLink& link)
 {
-    constexpr int kMostFrames = 256;
+    constexpr int kMaxFrames = 256;
     TRY(link.set(HeightSensorRequest::SetStreaming, 0, {}));
-    for (int i = 0; i < kMostFrames; ++i)
+    for (int i = 0; i < kMaxFrames; ++i)
         if (!TRY(link.read(20ms)))
             break;
     return {};

@@ -75,7 +75,7 @@ void prefer_most_conditions(Candidates& candidates)
     prefer(candidates, [&](auto const& candidate) { return candidate.conditions_held == most; });
 }
 
-void prefer_told_maxima(Candidates& candidates, DeviceInfo const& info)
+void prefer_reported_maxima(Candidates& candidates, DeviceInfo const& info)
 {
     for (auto const& [index, text] : info.strings)
         if (auto const told = parse_parameters(index, text))
@@ -224,7 +224,7 @@ std::optional<TabletMatch> find_tablet(std::span<Tablet const> tablets, DeviceIn
         return std::nullopt;
     prefer(candidates, [](auto const& candidate) { return !candidate.is_refuted; });
     prefer_most_conditions(candidates);
-    prefer_told_maxima(candidates, info);
+    prefer_reported_maxima(candidates, info);
     prefer_own_name(candidates, info);
     prefer_report_sizes(candidates, longest);
     return choose(candidates);

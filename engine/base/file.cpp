@@ -253,9 +253,9 @@ static Result<void> write_and_rename(fs::path const& path, fs::path const& writt
 // Resolves symbolic links, even if the last one points to a file that does not exist yet.
 static fs::path follow_links(fs::path path)
 {
-    constexpr int kMostLinks = 40; // The same limit as the kernel's.
+    constexpr int kMaxLinks = 40; // The same limit as the kernel's.
     std::error_code error;
-    for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i)
+    for (int i = 0; i < kMaxLinks && fs::is_symlink(path, error); ++i)
         path = path.parent_path() / fs::read_symlink(path, error);
     return path;
 }

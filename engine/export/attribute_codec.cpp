@@ -18,9 +18,9 @@ namespace {
 constexpr std::byte kVersion { 0xa0 };
 constexpr std::size_t kGroup = 16;
 constexpr std::size_t kBlockBytes = 8192;
-constexpr std::size_t kMostInBlock = 256;
-constexpr std::size_t kLeastTail = 32;
-constexpr std::size_t kMostElementBytes = 256;
+constexpr std::size_t kMaxInBlock = 256;
+constexpr std::size_t kMinTail = 32;
+constexpr std::size_t kMaxElementBytes = 256;
 
 using Sixteen = std::uint8_t __attribute__((vector_size(kGroup)));
 using TwoWords = std::array<std::uint64_t, 2>;
@@ -114,7 +114,7 @@ std::uint8_t* append_group(Sixteen const& values, unsigned& way, std::uint8_t* t
 // One byte of every element of a block, preceded by that of the element before the block. The last
 // one is repeated up to a whole group.
 struct Column {
-    std::array<std::uint8_t, 1 + kMostInBlock> bytes;
+    std::array<std::uint8_t, 1 + kMaxInBlock> bytes;
 };
 
 Sixteen first_halves(Sixteen const& a, Sixteen const& b)
@@ -186,7 +186,7 @@ std::size_t most_bytes(std::size_t count, std::size_t element_bytes, std::size_t
 {
     auto const blocks = (count + block - 1) / block;
     auto const column = block + kGroup + block / (4 * kGroup) + 1;
-    return 1 + blocks * element_bytes * column + std::max(element_bytes, kLeastTail) + kGroup;
+    return 1 + blocks * element_bytes * column + std::max(element_bytes, kMinTail) + kGroup;
 }
 
 } // namespace
@@ -194,10 +194,10 @@ std::size_t most_bytes(std::size_t count, std::size_t element_bytes, std::size_t
 void compress_attributes(std::span<std::byte const> elements, std::size_t element_bytes,
                          BulkVector<std::byte>& to)
 {
-    CHECK(element_bytes > 0 && element_bytes % 4 == 0 && element_bytes <= kMostElementBytes);
+    CHECK(element_bytes > 0 && element_bytes % 4 == 0 && element_bytes <= kMaxElementBytes);
     auto const count = elements.size() / element_bytes;
     CHECK(count > 0);
-    auto const most = std::min(kBlockBytes / element_bytes / kGroup * kGroup, kMostInBlock);
+    auto const most = std::min(kBlockBytes / element_bytes / kGroup * kGroup, kMaxInBlock);
     to.resize(most_bytes(count, element_bytes, most));
     to[0] = kVersion;
     auto* end = reinterpret_cast<std::uint8_t*>(to.data()) + 1;
@@ -215,7 +215,7 @@ void compress_attributes(std::span<std::byte const> elements, std::size_t elemen
         }
     }
     // The tail: the first element, against which the first difference is zero.
-    auto const padding = element_bytes < kLeastTail ? kLeastTail - element_bytes : 0;
+    auto const padding = element_bytes < kMinTail ? kMinTail - element_bytes : 0;
     end = std::fill_n(end, padding, std::uint8_t { 0 });
     end = std::copy_n(from, element_bytes, end);
     to.resize(static_cast<std::size_t>(end - reinterpret_cast<std::uint8_t*>(to.data())));

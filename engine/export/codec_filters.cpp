@@ -12,7 +12,7 @@ namespace {
 constexpr float kOne = 127;
 // Number of bits that whole_bits() can represent, without the sign.
 constexpr int kMantissaBits = 22;
-constexpr int kLeastExponent = -12;
+constexpr int kMinExponent = -12;
 
 FourFloats magnitudes(FourFloats const& values)
 {
@@ -93,8 +93,8 @@ void encode_exponential(std::span<float const> values, std::uint32_t* to)
 {
     float const largest = largest_of(values);
     int const exponent = largest > 0
-        ? std::max(kLeastExponent, std::ilogb(largest) + 1 - kMantissaBits)
-        : kLeastExponent;
+        ? std::max(kMinExponent, std::ilogb(largest) + 1 - kMantissaBits)
+        : kMinExponent;
     float const scale = std::ldexp(1.0f, -exponent);
     auto const most = static_cast<float>((1 << kMantissaBits) - 1);
     auto const exponent_bits

@@ -16,7 +16,7 @@ namespace {
 
 constexpr char const* kMeshopt = "EXT_meshopt_compression";
 constexpr std::size_t kJsonStart = 20;
-constexpr std::uint64_t kMostDecompressed = std::uint64_t { 1 } << 32;
+constexpr std::uint64_t kMaxDecompressed = std::uint64_t { 1 } << 32;
 
 // Returns a member of an object, or null if there is none.
 Json const* member(Json const* object, char const* name)
@@ -163,7 +163,7 @@ Result<std::vector<Decompression>> plan_decompression(std::vector<CompressedView
         auto const size = elements.count * elements.stride;
         plan.push_back({ elements, start, size });
         start += (size + 3) / 4 * 4;
-        if (start > kMostDecompressed)
+        if (start > kMaxDecompressed)
             return fail_reading("its compressed buffer views hold more than 4 GiB");
     }
     return plan;

@@ -13,7 +13,7 @@ namespace tractus::exports {
 namespace {
 
 // Index 65,535 is excluded, since it restarts strips (glTF 2.0 section 3.7.2.1).
-constexpr std::size_t kMostShortVertices = 65535;
+constexpr std::size_t kMaxShortVertices = 65535;
 // Most vertices of a branch have equal wind data, so these compress well: expected factor.
 constexpr std::uint64_t kWindCompression = 8;
 
@@ -58,7 +58,7 @@ mesh::MeshExtent extent_of(mesh::TriangleMesh const& mesh)
 
 SurfaceFormat with_indices_for(SurfaceFormat format, std::size_t vertex_count)
 {
-    format.short_indices = vertex_count <= kMostShortVertices;
+    format.short_indices = vertex_count <= kMaxShortVertices;
     return format;
 }
 
@@ -90,9 +90,9 @@ void encode_prototype(TriangleView const& triangles, SurfaceFormat format, bool 
 // Lists the minimum coverage of all levels.
 Json coverages(PlacedMesh const& placed)
 {
-    auto of_levels = Json::array({ json_number(placed.least_coverage) });
+    auto of_levels = Json::array({ json_number(placed.min_coverage) });
     for (auto const& detail : placed.details)
-        of_levels.push_back(json_number(detail.least_coverage));
+        of_levels.push_back(json_number(detail.min_coverage));
     return of_levels;
 }
 

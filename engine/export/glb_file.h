@@ -62,7 +62,7 @@ public:
     std::uint64_t json_bytes() const { return json_bytes_; }
 
 private:
-    using Columns = std::array<GlbColumn, kMostStreams>;
+    using Columns = std::array<GlbColumn, kMaxStreams>;
 
     bool is_compressed() const { return options_.vertices == GlbOptions::Vertices::Compressed; }
     // Opens the column of a stream; if it is compressed, `piece` contains the whole column.

@@ -10,7 +10,7 @@ namespace tractus::exports {
 
 namespace {
 
-constexpr std::size_t kMostLines = std::size_t { 1 } << 24; // Limit after expanding instances.
+constexpr std::size_t kMaxLines = std::size_t { 1 } << 24; // Limit after expanding instances.
 
 // Returns the vertices of a primitive in the order of its lines, in glTF's frame.
 Result<std::vector<Vec3>> vertices_in_order(tinygltf::Model const& model,
@@ -58,8 +58,8 @@ Result<std::vector<SkeletonPiece>> read_glb_lines(std::string const& name, std::
             if (primitive.mode < TINYGLTF_MODE_LINE || primitive.mode > TINYGLTF_MODE_LINE_STRIP)
                 continue;
             auto const vertices = TRY(vertices_in_order(model, primitive));
-            if (vertices.size() * places[i].size() > kMostLines - lines.size())
-                return fail_reading(fmt::format("it expands to more than {} lines", kMostLines));
+            if (vertices.size() * places[i].size() > kMaxLines - lines.size())
+                return fail_reading(fmt::format("it expands to more than {} lines", kMaxLines));
             for (auto const& place : places[i])
                 add_lines(vertices, primitive.mode, place, lines);
         }

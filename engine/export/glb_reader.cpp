@@ -19,7 +19,7 @@
 namespace tractus::exports {
 namespace {
 
-constexpr std::size_t kMostVertices = std::size_t { 1 } << 26; // Limit after expanding instances.
+constexpr std::size_t kMaxVertices = std::size_t { 1 } << 26; // Limit after expanding instances.
 
 void compute_normals(mesh::TriangleMesh& mesh)
 {
@@ -151,9 +151,9 @@ private:
         read->material = TRY(material_index(primitive.material));
         vertices_ += read->positions_mm.size();
         if (places.size() > 1 && add_instances(*read, places))
-            return vertices_ > kMostVertices ? too_large() : Result<void>();
+            return vertices_ > kMaxVertices ? too_large() : Result<void>();
         vertices_ += read->positions_mm.size() * (places.size() - 1);
-        if (vertices_ > kMostVertices)
+        if (vertices_ > kMaxVertices)
             return too_large();
         for (auto const& place : places)
             append(*read, place);
@@ -168,7 +168,7 @@ private:
 
     static Result<void> too_large()
     {
-        return fail_reading(fmt::format("it expands to more than {} vertices", kMostVertices));
+        return fail_reading(fmt::format("it expands to more than {} vertices", kMaxVertices));
     }
 
     Result<MaterialId> material_index(int index)

@@ -8,8 +8,8 @@ namespace tractus::exports {
 
 Json json_number(double value)
 {
-    constexpr double kMostExact = 0x1p53; // Integers up to this are exact as doubles.
-    if (std::abs(value) <= kMostExact && value == std::trunc(value))
+    constexpr double kMaxExact = 0x1p53; // Integers up to this are exact as doubles.
+    if (std::abs(value) <= kMaxExact && value == std::trunc(value))
         return static_cast<std::int64_t>(value);
     return value;
 }

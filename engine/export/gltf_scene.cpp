@@ -13,7 +13,7 @@ namespace tractus::exports {
 
 namespace {
 
-constexpr std::size_t kMostPlaces = std::size_t { 1 } << 24; // Limit for all meshes together.
+constexpr std::size_t kMaxPlaces = std::size_t { 1 } << 24; // Limit for all meshes together.
 constexpr int kDeepestJson = 64;
 constexpr std::string_view kInstancing = "EXT_mesh_gpu_instancing";
 
@@ -196,8 +196,8 @@ private:
         } else {
             TRY(add_instances(extension->second, here, places));
         }
-        if (count_ > kMostPlaces)
-            return fail_reading(fmt::format("it has more than {} instances", kMostPlaces));
+        if (count_ > kMaxPlaces)
+            return fail_reading(fmt::format("it has more than {} instances", kMaxPlaces));
         return {};
     }
 
@@ -224,7 +224,7 @@ private:
         auto const scales = TRY(attribute<3>(extension, "SCALE"));
         auto const count = std::max({ translations.size(), rotations.size(), scales.size() });
         count_ += count;
-        if (count_ > kMostPlaces)
+        if (count_ > kMaxPlaces)
             return {};
         for (auto const size : { translations.size(), rotations.size(), scales.size() })
             if (size != 0 && size != count)

@@ -8,8 +8,8 @@ namespace tractus::exports {
 namespace {
 
 // Limit on the expansion: 256 bytes that are all equal take four bytes of headers.
-constexpr std::uint64_t kMostExpansion = 64;
-constexpr std::uint64_t kMostStride = 256;
+constexpr std::uint64_t kMaxExpansion = 64;
+constexpr std::uint64_t kMaxStride = 256;
 
 // Fixes the version of the encoding, since the library's default may change while the extension's
 // does not. Called once before the first compression, as the library stores it without a lock.
@@ -24,9 +24,9 @@ void choose_version()
 char const* flaw_in_attributes(CompressedElements const& elements)
 {
     auto const stride = elements.stride;
-    if (stride == 0 || stride % 4 != 0 || stride > kMostStride)
+    if (stride == 0 || stride % 4 != 0 || stride > kMaxStride)
         return "has an impossible stride";
-    if (elements.count > kMostExpansion * elements.bytes.size() / stride)
+    if (elements.count > kMaxExpansion * elements.bytes.size() / stride)
         return "claims more elements than it can hold";
     bool const fits_filter = elements.filter == CodecFilter::Octahedral
         ? stride == 4 || stride == 8

@@ -12,8 +12,8 @@
 namespace tractus::exports {
 namespace {
 
-constexpr float kMostByte = 127;
-constexpr float kMostShort = 32767;
+constexpr float kMaxByte = 127;
+constexpr float kMaxShort = 32767;
 
 // Allocates `count` values in one of a piece's streams.
 template<typename Value> Value* room_for(EncodedPiece& piece, std::size_t stream, std::size_t count)
@@ -77,7 +77,7 @@ public:
     {
         FourFloats const scaled = (positions_mm - origin_mm_) * per_mm_;
         nothing_ += scaled - scaled;
-        auto const number = bounded(scaled, kMostShort);
+        auto const number = bounded(scaled, kMaxShort);
         low_ = number < low_ ? number : low_;
         high_ = number > high_ ? number : high_;
         return whole_bits(number) & 0xFFFF;
@@ -94,8 +94,8 @@ public:
 private:
     float origin_mm_;
     float per_mm_;
-    FourFloats low_ = FourFloats {} + kMostShort;
-    FourFloats high_ = FourFloats {} - kMostShort;
+    FourFloats low_ = FourFloats {} + kMaxShort;
+    FourFloats high_ = FourFloats {} - kMaxShort;
     // Detects values that are not finite: x - x is 0 for finite x, and NaN otherwise.
     FourFloats nothing_ {};
 };
@@ -128,7 +128,7 @@ void encode_byte_normals(std::span<Vec3f const> normals, EncodedPiece& piece)
 {
     auto* const to = room_for<std::int8_t>(piece, 1, 4 * normals.size());
     auto const encode = [](FourFloats const& components) -> FourInts {
-        return whole_bits(bounded(components * kMostByte, kMostByte)) & 0xFF;
+        return whole_bits(bounded(components * kMaxByte, kMaxByte)) & 0xFF;
     };
     for_each_four(normals, [&](Vec3f const* from, std::size_t first, std::size_t count) {
         auto const n = turned_vectors(from);
@@ -151,7 +151,7 @@ void encode_tangents(std::span<Eigen::Vector4f const> tangents, SurfaceFormat co
     };
     if (format.quantized)
         encode(room_for<std::int8_t>(piece, kStream, 4 * tangents.size()), [](float value) {
-            return static_cast<std::int8_t>(rounded(kMostByte * std::clamp(value, -1.0f, 1.0f)));
+            return static_cast<std::int8_t>(rounded(kMaxByte * std::clamp(value, -1.0f, 1.0f)));
         });
     else
         encode(room_for<float>(piece, kStream, 4 * tangents.size()),
@@ -220,7 +220,7 @@ SurfaceFormat quantized_format(Bounds const& bounds_mm)
     // As rounded for the subtraction.
     format.origin_m = to_gltf(center_mm).cast<float>().cast<double>();
     // Slightly more than the size requires, so that rounding stays within 16 bits.
-    format.step_m = 0.001 * size_mm.maxCoeff() / (2 * (double { kMostShort } - 1));
+    format.step_m = 0.001 * size_mm.maxCoeff() / (2 * (double { kMaxShort } - 1));
     return format;
 }
 
@@ -293,7 +293,7 @@ void encode_instances(std::span<mesh::InstanceTransform const> instances,
             auto const at = 4 * i + static_cast<std::size_t>(k);
             if (format.quantized)
                 short_rotation[at] = static_cast<std::int16_t>(
-                    rounded(kMostShort * std::max(-1.0f, std::min(1.0f, value))));
+                    rounded(kMaxShort * std::max(-1.0f, std::min(1.0f, value))));
             else
                 rotation[at] = value;
         }

@@ -58,11 +58,11 @@ struct SurfaceFormat {
 // Returns the quantisation for positions within a box; also valid for an empty or infinite box.
 SurfaceFormat quantized_format(Bounds const& bounds_mm);
 
-constexpr std::size_t kMostStreams = 10;
+constexpr std::size_t kMaxStreams = 10;
 
 // An encoded part of a file: each stream is appended to a block of its own.
 struct EncodedPiece {
-    std::array<std::span<std::byte const>, kMostStreams> streams {};
+    std::array<std::span<std::byte const>, kMaxStreams> streams {};
     bool is_finite = true;
     // Numbers of vertices and indices; instances count as vertices.
     mesh::MeshExtent extent {};
@@ -71,8 +71,8 @@ struct EncodedPiece {
     Vec3f high = -low;
 
     // Memory of the streams, unless they refer to the mesh itself.
-    std::array<BulkVector<std::byte>, kMostStreams> storage {};
-    std::array<BulkVector<std::byte>, kMostStreams> compressed {};
+    std::array<BulkVector<std::byte>, kMaxStreams> storage {};
+    std::array<BulkVector<std::byte>, kMaxStreams> compressed {};
 };
 
 // Encodes triangles into the streams positions, normals, texture coordinates, indices, tangents.

@@ -31,7 +31,7 @@ using MeshSource = std::variant<mesh::Mesh const*, std::function<mesh::Mesh()>, 
 // A level of detail of a plant.
 struct DetailLevel {
     MeshSource mesh = static_cast<mesh::Mesh const*>(nullptr);
-    double least_coverage = 0; // As PlacedMesh::least_coverage; less than that of the level before.
+    double min_coverage = 0; // As PlacedMesh::min_coverage; less than that of the level before.
 };
 
 // One plant of an exported file: a name, a position, and its triangles.
@@ -42,10 +42,10 @@ struct PlacedMesh {
 
     MeshSource mesh = static_cast<mesh::Mesh const*>(nullptr);
 
-    // Levels of detail that replace the plant if it covers less than `least_coverage` of the
+    // Levels of detail that replace the plant if it covers less than `min_coverage` of the
     // screen's area, 0 to 1; from the finest to the coarsest. In .glb files only.
     std::vector<DetailLevel> details {};
-    double least_coverage = 0;
+    double min_coverage = 0;
 };
 
 // Returns the triangles of `source`. If they have to be made they are stored in `made`, and reused

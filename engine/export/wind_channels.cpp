@@ -14,7 +14,7 @@ constexpr NumberFormat kScalar { ComponentType::Float, 1, false, 4 };
 constexpr NumberFormat kPair { ComponentType::Float, 2, false, 8 };
 constexpr NumberFormat kVector {};
 constexpr NumberFormat kColour { ComponentType::UnsignedByte, 4, true, 4 };
-constexpr float kMostLevels = 8; // Number of branching levels that a colour can represent.
+constexpr float kMaxLevels = 8; // Number of branching levels that a colour can represent.
 
 constexpr std::array<WindStream, 5> kAttributes { { { "_PIVOT", kVector },
                                                     { "_AXIS", kVector },
@@ -77,7 +77,7 @@ void encode_colours(std::span<mesh::WindVertex const> wind, EncodedPiece& piece)
         return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0f, 1.0f)));
     };
     fill_stream(wind, 0, piece, [&](mesh::WindVertex const& v) {
-        return Bytes4(byte(v.phase), byte(v.bend), byte(v.level / kMostLevels), 255);
+        return Bytes4(byte(v.phase), byte(v.bend), byte(v.level / kMaxLevels), 255);
     });
 }
 
@@ -99,7 +99,7 @@ std::span<WindStream const> wind_streams(GlbOptions::Wind channels)
 void encode_wind(std::span<mesh::WindVertex const> wind, GlbOptions::Wind channels,
                  EncodedPiece& piece)
 {
-    for (std::size_t i = kFirstWindStream; i < kMostStreams; ++i)
+    for (std::size_t i = kFirstWindStream; i < kMaxStreams; ++i)
         piece.streams[i] = {};
     if (wind.empty())
         return;

@@ -19,7 +19,7 @@ struct WindStream {
     NumberFormat format {};
 };
 
-// Returns the streams that a value of GlbOptions::Wind requires, in order: at most kMostStreams -
+// Returns the streams that a value of GlbOptions::Wind requires, in order: at most kMaxStreams -
 // kFirstWindStream.
 std::span<WindStream const> wind_streams(GlbOptions::Wind channels);
 

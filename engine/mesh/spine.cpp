@@ -8,7 +8,7 @@ namespace tractus::mesh {
 namespace {
 
 // Minimum radius of a tube, so that its sections keep a direction.
-constexpr double kLeastRadius_mm = 1e-3;
+constexpr double kMinRadius_mm = 1e-3;
 // A tip radius below this share of the axis' radius is meshed as a point.
 constexpr double kPointedShare = 0.02;
 constexpr double kTurnPerPiece_rad = 0.1;  // Maximum turn per piece of a rounded bend.
@@ -30,7 +30,7 @@ void collect_nodes(Plant const& plant, Axis const& axis, std::vector<SpineRoom::
     auto const positions = plant.positions(axis);
     auto const* const radii = plant.node_radius_mm.data() + axis.first_node;
     for (std::uint32_t i = 0; i < positions.size(); ++i) {
-        double const radius = std::max<double>(radii[i], kLeastRadius_mm);
+        double const radius = std::max<double>(radii[i], kMinRadius_mm);
         SegmentId const segment = axis.first_segment + (i == 0 ? 0 : i - 1);
         if (nodes.empty()) {
             nodes.push_back({ positions[i], Vec3::UnitZ(), 0, radius, segment });
@@ -55,7 +55,7 @@ int sides_for(std::vector<SpineRoom::Node> const& nodes, MeshOptions const& opti
     double radius = 0;
     for (auto const& node : nodes)
         radius = std::max(radius, node.radius_mm);
-    double const share = std::sqrt(std::min(1.0, radius / std::max(thickest_mm, kLeastRadius_mm)));
+    double const share = std::sqrt(std::min(1.0, radius / std::max(thickest_mm, kMinRadius_mm)));
     return std::clamp(static_cast<int>(std::lround(share * options.max_sides)),
                       std::min(options.min_sides, options.max_sides), options.max_sides);
 }
@@ -74,7 +74,7 @@ std::optional<Parent> find_parent(Plant const& plant, Axis const& axis)
     auto const& parent_axis = plant.axes[axis.parent_axis];
     auto const segment = axis.parent_segment - parent_axis.first_segment;
     NodeId const end = parent_axis.first_node + segment + 1;
-    double const radius = std::max<double>(plant.node_radius_mm[end], kLeastRadius_mm);
+    double const radius = std::max<double>(plant.node_radius_mm[end], kMinRadius_mm);
     Vec3 const& position = plant.node_position_mm[end];
     if ((plant.node_position_mm[axis.first_node] - position).norm() > radius + kSameNode_mm)
         return std::nullopt;
@@ -263,7 +263,7 @@ void apply_collar(SpineRoom& spine, Collar const& collar)
         double const share = collar.share(station.arc_mm);
         if (share <= 0)
             break;
-        station.radius_mm = std::max(kLeastRadius_mm, station.radius_mm + rise * share);
+        station.radius_mm = std::max(kMinRadius_mm, station.radius_mm + rise * share);
     }
 }
 
@@ -294,7 +294,7 @@ Spine trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& optio
             station.radius_mm *= same_area_radius(spine.sides);
     auto& end = room.stations.back();
     spine.tip = options.ends == MeshOptions::Ends::Closed ? Spine::Tip::Dome : Spine::Tip::Open;
-    if (end.radius_mm <= std::max(kLeastRadius_mm, kPointedShare * room.nodes[0].radius_mm)) {
+    if (end.radius_mm <= std::max(kMinRadius_mm, kPointedShare * room.nodes[0].radius_mm)) {
         spine.tip = Spine::Tip::Point;
         end.radius_mm = 0;
     }

@@ -81,10 +81,10 @@ void write_corners(Circle const& circle, std::size_t count, Vec3f const& center,
 }
 
 // Number of rings of a dome between the end of the tube and its apex; 0 for thin tubes.
-constexpr int kMostDomeRings = 2;
+constexpr int kMaxDomeRings = 2;
 int dome_rings(int sides)
 {
-    return sides <= 6 ? 0 : sides <= 12 ? 1 : kMostDomeRings;
+    return sides <= 6 ? 0 : sides <= 12 ? 1 : kMaxDomeRings;
 }
 
 double slope_at(std::span<SpineStation const> stations, std::size_t i)
@@ -225,8 +225,8 @@ DomeStep dome_step(double share)
 void write_dome(Writer& writer, Section const& end, int rings)
 {
     static auto const steps = [] {
-        std::array<std::vector<DomeStep>, kMostDomeRings + 1> all;
-        for (int n = 0; n <= kMostDomeRings; ++n)
+        std::array<std::vector<DomeStep>, kMaxDomeRings + 1> all;
+        for (int n = 0; n <= kMaxDomeRings; ++n)
             for (int k = 1; k <= n + 1; ++k)
                 all[static_cast<std::size_t>(n)].push_back(
                     dome_step(static_cast<double>(k) / (n + 1)));

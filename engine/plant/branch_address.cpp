@@ -24,9 +24,9 @@ std::uint32_t axis_key(std::string_view name)
 std::size_t segment_count(PathAddress const& path)
 {
     // Numbers from here on mark the key of an axis or the prefix of a part.
-    constexpr std::uint32_t kLeastName = 0xFFFFFFFE;
-    if (path.first.empty() || path.first.front() >= kLeastName || path.last.empty()
-        || path.last.front() >= kLeastName)
+    constexpr std::uint32_t kMinName = 0xFFFFFFFE;
+    if (path.first.empty() || path.first.front() >= kMinName || path.last.empty()
+        || path.last.front() >= kMinName)
         return 0;
     std::size_t count = 0; // Number of segments on complete axes between the two ends.
     for (auto i = path.first.size(); i <= path.last.size(); i += 2)

@@ -123,9 +123,9 @@ private:
 
 double millimetres_per_unit(Bounds const& units)
 {
-    constexpr double kLeastInMillimetres = 100;
-    return !units.empty() && (units.max_mm - units.min_mm).maxCoeff() < kLeastInMillimetres ? 1000
-                                                                                            : 1;
+    constexpr double kMinInMillimetres = 100;
+    return !units.empty() && (units.max_mm - units.min_mm).maxCoeff() < kMinInMillimetres ? 1000
+                                                                                          : 1;
 }
 
 Result<void> check_size(std::string const& name, Bounds const& box_mm)

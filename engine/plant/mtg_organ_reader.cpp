@@ -82,7 +82,7 @@ void MtgOrganReader::place(MeasuredPlant& measured, double scale)
     add_mtg_organs(measured, sound);
 }
 
-std::string MtgOrganReader::said_of_left_out(std::string const& file) const
+std::string MtgOrganReader::describe_left_out(std::string const& file) const
 {
     std::string counts;
     for (auto const& of : classes_)

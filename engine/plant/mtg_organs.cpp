@@ -92,11 +92,11 @@ Quat orientation_of(MtgOrgan const& organ)
     Vec3 const along = organ.direction.normalized();
     auto const across
         = [&](Vec3 const& normal) -> Vec3 { return along.cross(normal.normalized()); };
-    constexpr double kLeastSine = 1e-6;
+    constexpr double kMinSine = 1e-6;
     Vec3 right = across(organ.normal);
-    if (!(right.norm() > kLeastSine)) // The normal is missing or parallel to the organ.
+    if (!(right.norm() > kMinSine)) // The normal is missing or parallel to the organ.
         right = across(Vec3::UnitZ());
-    if (!(right.norm() > kLeastSine))
+    if (!(right.norm() > kMinSine))
         right = along.unitOrthogonal();
     right.normalize();
     Eigen::Matrix3d axes;

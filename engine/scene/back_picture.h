@@ -53,10 +53,10 @@ struct BackPicture {
     PictureGround ground {};
 };
 
-constexpr double kLeastPictureWidth_mm = 1;
+constexpr double kMinPictureWidth_mm = 1;
 constexpr double kGreatestPictureWidth_mm = 10'000;
-constexpr double kLeastPictureStrength = 0.05;
-constexpr std::size_t kMostPictureBytes = std::size_t { 64 } << 20;
+constexpr double kMinPictureStrength = 0.05;
+constexpr std::size_t kMaxPictureBytes = std::size_t { 64 } << 20;
 
 // Sets the background picture, replacing the present one.
 struct LayPicture {

@@ -18,7 +18,7 @@ static double fitting_scale(double shown_mm, double natural_mm)
 // at least 1.
 static std::uint32_t sparse_order(Plant const& plant)
 {
-    constexpr std::size_t kMostAxes = 60;
+    constexpr std::size_t kMaxAxes = 60;
     std::vector<std::size_t> axes_of_order;
     for (auto const& axis : plant.axes) {
         axes_of_order.resize(std::max<std::size_t>(axes_of_order.size(), axis.order + 1));
@@ -28,7 +28,7 @@ static std::uint32_t sparse_order(Plant const& plant)
     std::uint32_t order = 0;
     for (; order < axes_of_order.size(); ++order) {
         shown += axes_of_order[order];
-        if (order > 1 && shown > kMostAxes)
+        if (order > 1 && shown > kMaxAxes)
             break;
     }
     return std::max(order, 2u) - 1;

@@ -311,8 +311,8 @@ struct KeepGrammar {
     std::string text {};
 };
 
-// Replaces the leaves of a plant (dressed_plant.h).
-struct DressPlant {
+// Replaces the leaves of a plant (foliated_plant.h).
+struct SetFoliage {
     static EditKind const kKind;
 
     ItemId plant = 0;

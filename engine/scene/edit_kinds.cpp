@@ -42,7 +42,7 @@ EditKinds core_edit_kinds()
         &RemovePlant::kKind,      &SetScale::kKind,        &GraftPlant::kKind,
         &TakeOffGraft::kKind,     &HideBranch::kKind,      &KeepLeaves::kKind,
         &SetSeason::kKind,        &LayPicture::kKind,      &PlacePicture::kKind,
-        &SetPictureGround::kKind, &RemovePicture::kKind,   &DressPlant::kKind,
+        &SetPictureGround::kKind, &RemovePicture::kKind,   &SetFoliage::kKind,
         &KeepGrammar::kKind,      &WriteRules::kKind,      &DrawLimb::kKind,
         &EraseLimb::kKind,        &DeriveAnew::kKind
     };

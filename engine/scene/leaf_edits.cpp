@@ -9,13 +9,13 @@ namespace tractus::scene {
 
 namespace {
 
-void list(Fields& fields, DressPlant& edit)
+void list(Fields& fields, SetFoliage& edit)
 {
     fields.field("plant", &edit.plant);
     fields.field("leaves", &edit.leaves);
 }
 
-Result<DocumentState> applied(DocumentState state, DressPlant const& edit, SceneBuilder&)
+Result<DocumentState> applied(DocumentState state, SetFoliage const& edit, SceneBuilder&)
 {
     auto const number = TRY(plant_number(state, edit.plant));
     if (!edit.leaves.empty() && !state.leaf_sheets.contains(edit.leaves))
@@ -25,7 +25,7 @@ Result<DocumentState> applied(DocumentState state, DressPlant const& edit, Scene
     return state;
 }
 
-std::string described(DressPlant const& edit)
+std::string described(SetFoliage const& edit)
 {
     auto const order = lsystem::parse_leaf_sheet_name(edit.leaves);
     return order ? fmt::format("gives plant {} leaves of {}", name_of(edit.plant), order->grammar)
@@ -61,8 +61,8 @@ std::string described(KeepGrammar const& edit)
 
 } // namespace
 
-constexpr EditKind DressPlant::kKind
-    = make_edit_kind<DressPlant, list, applied, described>("dress_plant");
+constexpr EditKind SetFoliage::kKind
+    = make_edit_kind<SetFoliage, list, applied, described>("dress_plant");
 
 constexpr EditKind KeepGrammar::kKind
     = make_edit_kind<KeepGrammar, list, applied, described>("keep_grammar");

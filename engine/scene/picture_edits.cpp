@@ -62,16 +62,16 @@ Result<void> check_place(PicturePlace const& place)
         = std::abs(place.x_mm) <= kFarthest_mm && std::abs(place.y_mm) <= kFarthest_mm;
     if (!is_near || !std::isfinite(place.turn_deg))
         return fail(Fault::User, "the picture would lie more than ten metres away");
-    if (!(place.width_mm >= kLeastPictureWidth_mm && place.width_mm <= kGreatestPictureWidth_mm))
+    if (!(place.width_mm >= kMinPictureWidth_mm && place.width_mm <= kGreatestPictureWidth_mm))
         return fail(Fault::User,
                     fmt::format("a picture {:g} mm wide is out of range: {:g} to {:g} mm are "
                                 "possible",
-                                place.width_mm, kLeastPictureWidth_mm, kGreatestPictureWidth_mm));
-    if (!(place.strength >= kLeastPictureStrength && place.strength <= 1))
+                                place.width_mm, kMinPictureWidth_mm, kGreatestPictureWidth_mm));
+    if (!(place.strength >= kMinPictureStrength && place.strength <= 1))
         return fail(Fault::User,
                     fmt::format("a picture's strength of {:g} is out of range: {:g} to 1 are "
                                 "possible",
-                                place.strength, kLeastPictureStrength));
+                                place.strength, kMinPictureStrength));
     return {};
 }
 
@@ -83,11 +83,11 @@ bool is_picture(std::string_view file)
 Result<DocumentState> applied(DocumentState state, LayPicture const& edit, SceneBuilder&)
 {
     TRY(check_place(edit.place));
-    if (edit.file.size() > kMostPictureBytes)
+    if (edit.file.size() > kMaxPictureBytes)
         return fail(Fault::User,
                     fmt::format("{} has {} MB, more than the {} MB that a drawing keeps: make it "
                                 "smaller",
-                                edit.name, edit.file.size() >> 20, kMostPictureBytes >> 20));
+                                edit.name, edit.file.size() >> 20, kMaxPictureBytes >> 20));
     if (!is_picture(edit.file))
         return fail(Fault::User, fmt::format("{} is neither a PNG nor a JPEG picture", edit.name));
     state.picture = std::make_shared<BackPicture const>(

@@ -8,7 +8,7 @@ namespace tractus::scene {
 namespace {
 
 // Minimum distance of a foot below the horizon, as a share of the picture's width.
-constexpr double kLeastDrop = 0.004;
+constexpr double kMinDrop = 0.004;
 
 } // namespace
 
@@ -29,7 +29,7 @@ Result<void> check_ground(PictureGround const& ground)
                     fmt::format("a height of {:g} m is out of range: {:g} to {:g} m "
                                 "are possible",
                                 height_m, kLowest_m, kHighest_m));
-    if (ground.horizon && foot.y() > *ground.horizon - kLeastDrop)
+    if (ground.horizon && foot.y() > *ground.horizon - kMinDrop)
         return fail(Fault::User,
                     "the foot of the known height is not below the horizon: the ground is seen "
                     "only below that");
@@ -56,7 +56,7 @@ Result<std::optional<GroundPlace>> place_on_ground(BackPicture const& picture, V
                              .m_per_mm = m_per_share / width_mm };
     double const horizon = *picture.ground.horizon;
     double const drop = horizon - foot.y();
-    if (drop < kLeastDrop)
+    if (drop < kMinDrop)
         return fail(Fault::User,
                     "the trunk's foot is not below the picture's horizon: draw the trunk from "
                     "where it leaves the ground");

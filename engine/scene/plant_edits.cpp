@@ -180,13 +180,13 @@ void list(Fields& fields, SetScale& edit)
 
 Result<DocumentState> applied(DocumentState state, SetScale const& edit, SceneBuilder&)
 {
-    constexpr double kLeast = 1e-6;
-    constexpr double kMost = 1e6;
-    if (!(edit.scale >= kLeast && edit.scale <= kMost))
+    constexpr double kMin = 1e-6;
+    constexpr double kMax = 1e6;
+    if (!(edit.scale >= kMin && edit.scale <= kMax))
         return fail(Fault::User,
                     fmt::format("plants cannot be shown {} times as large as they are: give {} "
                                 "to {}",
-                                edit.scale, kLeast, kMost));
+                                edit.scale, kMin, kMax));
     state.scale = edit.scale;
     return state;
 }

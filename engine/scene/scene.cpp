@@ -99,8 +99,8 @@ Scene preview_in_season(Scene scene, std::optional<Season> const& season)
 {
     auto const show = [&](BuiltPlant& plant) {
         plant.in_season = season ? std::make_shared<Plant const>(
-                              in_season(*plant.dressed, *season, scene.state.leaf_sheets))
-                                 : plant.dressed;
+                              in_season(*plant.foliated, *season, scene.state.leaf_sheets))
+                                 : plant.foliated;
     };
     for (auto& shared : scene.plants) {
         auto plant = std::make_shared<BuiltPlant>(*shared);

@@ -34,7 +34,7 @@ struct BuiltPlant {
     // `dressed` is `base` with the leaves chosen for the plant; `in_season` is that in the
     // document's season, with different organs on the same segments. `in_season` is the plant that
     // grows.
-    std::shared_ptr<Plant const> dressed = base;
+    std::shared_ptr<Plant const> foliated = base;
     std::shared_ptr<Plant const> in_season = base;
 
     DeskPlacement placement; // Where the plant is shown in the drawing volume.

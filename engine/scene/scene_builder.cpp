@@ -1,7 +1,7 @@
 #include "engine/scene/scene_builder.h"
 
 #include "engine/scene/compose_base.h"
-#include "engine/scene/dressed_plant.h"
+#include "engine/scene/foliated_plant.h"
 #include "engine/scene/limb_edits.h"
 
 #include <algorithm>
@@ -181,17 +181,17 @@ void SceneBuilder::set_season(BuiltPlant& plant, BuiltPlant const* before,
                               DocumentState const& state) const
 {
     if (before && before->base == plant.base && before->drawn->leaves == plant.drawn->leaves) {
-        plant.dressed = before->dressed;
+        plant.foliated = before->foliated;
         plant.in_season = before->in_season;
         return;
     }
     auto const sheet = state.leaf_sheets.find(plant.drawn->leaves);
-    plant.dressed = sheet == state.leaf_sheets.end()
+    plant.foliated = sheet == state.leaf_sheets.end()
         ? plant.base
-        : std::make_shared<Plant const>(dressed(*plant.base, *sheet->second));
-    plant.in_season = state.season
-        ? std::make_shared<Plant const>(in_season(*plant.dressed, *state.season, state.leaf_sheets))
-        : plant.dressed;
+        : std::make_shared<Plant const>(foliated(*plant.base, *sheet->second));
+    plant.in_season = state.season ? std::make_shared<Plant const>(
+                          in_season(*plant.foliated, *state.season, state.leaf_sheets))
+                                   : plant.foliated;
 }
 
 // The limbs of a plant with their axes, without those that are not there at present.

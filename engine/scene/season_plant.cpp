@@ -1,5 +1,5 @@
 #include "engine/base/random.h"
-#include "engine/scene/dressed_plant.h"
+#include "engine/scene/foliated_plant.h"
 #include "engine/scene/season.h"
 
 #include <algorithm>

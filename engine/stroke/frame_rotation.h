@@ -36,7 +36,7 @@ inline Quat renormalised(Quat const& q)
 
 // Parallel transport: rotates the frame by the least rotation from its tangent `from` to the
 // direction `to`. Both are unit vectors.
-inline Quat carried(Quat const& frame, Vec3 const& from, Vec3 const& to)
+inline Quat parallel_transport(Quat const& frame, Vec3 const& from, Vec3 const& to)
 {
     double const w = 1 + from.dot(to);
     if (w < 1e-14) [[unlikely]]

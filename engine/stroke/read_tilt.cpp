@@ -18,7 +18,7 @@ namespace {
 
 using Bytes = std::span<std::byte const>;
 
-constexpr std::size_t kMostSketchBytes = std::size_t { 64 } << 20;
+constexpr std::size_t kMaxSketchBytes = std::size_t { 64 } << 20;
 constexpr char const* kEntry = "data.sketch";
 
 auto fail_reading(std::string const& name, std::string const& reason)
@@ -114,7 +114,7 @@ Result<std::vector<std::byte>> find_sketch(std::string const& name, Bytes zip)
             return fail_reading(name, "its strokes are packed in a damaged or unknown way");
         if (count == 0)
             return bytes;
-        if (bytes.size() + static_cast<std::size_t>(count) > kMostSketchBytes)
+        if (bytes.size() + static_cast<std::size_t>(count) > kMaxSketchBytes)
             return fail_reading(name, "its strokes are more than 64 MB");
         bytes.insert(bytes.end(), piece.begin(), piece.begin() + count);
     }

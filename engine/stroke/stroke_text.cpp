@@ -81,9 +81,9 @@ private:
         if (numbers.size() > 3)
             tip.pressure = std::clamp(numbers[3], 0.0, 1.0);
         auto const count = static_cast<std::int64_t>(stroke_.tips.size());
-        constexpr double kMostMilliseconds = 1e12;
+        constexpr double kMaxMilliseconds = 1e12;
         double const time_ms = numbers.size() > 4
-            ? std::clamp(numbers[4], -kMostMilliseconds, kMostMilliseconds)
+            ? std::clamp(numbers[4], -kMaxMilliseconds, kMaxMilliseconds)
             : 10.0 * static_cast<double>(count);
         tip.time = timestamp_ns(static_cast<std::int64_t>(time_ms * 1e6));
         stroke_.tips.push_back(tip);

@@ -14,7 +14,7 @@ namespace tractus::variation {
 // at once.
 
 // Upper limit on the deviation, in radians: the tip then points almost backwards.
-constexpr double kMostDeviation = 3;
+constexpr double kMaxDeviation = 3;
 
 // cos(a / 2) and sin(a / 2) / a of an angle a. Number is a double or a Four.
 template<typename Number> struct HalfAngle {
@@ -22,7 +22,7 @@ template<typename Number> struct HalfAngle {
     Number sine_share;
 };
 
-// Returns the HalfAngle of an angle from 0 to kMostDeviation, given its square. Both values are
+// Returns the HalfAngle of an angle from 0 to kMaxDeviation, given its square. Both values are
 // polynomials in (a / 2)², without square root, division or branch, and exact for 0: the Taylor
 // series economised by Chebyshev polynomials on 0 to 2.25. Errors are below 2e-18 and 6e-17.
 template<typename Number>
@@ -62,9 +62,9 @@ template<typename Number>
 inline Vec2 held(Vec2 const& deviation)
 {
     double const squared = deviation.squaredNorm();
-    if (squared <= kMostDeviation * kMostDeviation) [[likely]]
+    if (squared <= kMaxDeviation * kMaxDeviation) [[likely]]
         return deviation;
-    return deviation * (kMostDeviation / std::sqrt(squared));
+    return deviation * (kMaxDeviation / std::sqrt(squared));
 }
 
 // The component of an influence orthogonal to the direction with deviation (dx, dy), along the

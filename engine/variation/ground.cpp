@@ -72,20 +72,20 @@ struct Bending {
 void Bending::bend_axis(Axis const& axis, bool is_root)
 {
     auto& position = plant.node_position_mm;
-    Quat carried_by = Quat::Identity();
+    Quat copied_by = Quat::Identity();
     if (axis.parent_segment != kNone) {
-        carried_by = turn[axis.parent_segment];
+        copied_by = turn[axis.parent_segment];
         position[axis.first_node]
             = moved(before_mm[axis.first_node], axis.parent_segment, axis.parent_axis);
     }
     Vec2 heading = Vec2::UnitX(); // Heading of the last segment that had one.
     for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
         auto const node = axis.first_node + i;
-        Vec3 step = carried_by * (before_mm[node + 1] - before_mm[node]);
+        Vec3 step = copied_by * (before_mm[node + 1] - before_mm[node]);
         double const length_mm = step.norm();
         if (double const level = step.head<2>().norm(); level > 1e-9 * length_mm)
             heading = step.head<2>() / level;
-        turn[axis.first_segment + i] = carried_by;
+        turn[axis.first_segment + i] = copied_by;
         // The tip lies on the ground with its underside, unless it was lower before.
         double const lowest_mm
             = std::min<double>(plant.node_radius_mm[node + 1], std::max(position[node].z(), 0.0));
@@ -95,7 +95,7 @@ void Bending::bend_axis(Axis const& axis, bool is_root)
             Vec3 bent;
             bent << std::sqrt(1 - sine * sine) * heading, sine;
             turn[axis.first_segment + i]
-                = renormalised(least_rotation(step / length_mm, bent) * carried_by);
+                = renormalised(least_rotation(step / length_mm, bent) * copied_by);
             step = length_mm * bent;
         }
         position[node + 1] = position[node] + step;

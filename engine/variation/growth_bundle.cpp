@@ -189,7 +189,7 @@ void GrowthBundle::add_noise(StepNoiseLanes const& noise)
     add(deviation_y_, memory_y_, noise.first[1], noise.second[1]);
 }
 
-// Limits deviations to kMostDeviation. Exceeding it is rare, so one check of the maximum comes
+// Limits deviations to kMaxDeviation. Exceeding it is rare, so one check of the maximum comes
 // first.
 void GrowthBundle::hold()
 {
@@ -197,7 +197,7 @@ void GrowthBundle::hold()
     for (std::size_t i = 0; i < kGrowthLanes; ++i)
         most
             = std::max(most, deviation_x_[i] * deviation_x_[i] + deviation_y_[i] * deviation_y_[i]);
-    if (most <= kMostDeviation * kMostDeviation) [[likely]]
+    if (most <= kMaxDeviation * kMaxDeviation) [[likely]]
         return;
     for (std::size_t i = 0; i < kGrowthLanes; ++i) {
         auto const d = held(Vec2(deviation_x_[i], deviation_y_[i]));

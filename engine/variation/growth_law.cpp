@@ -11,7 +11,7 @@ namespace tractus::variation {
 
 // With this many substeps the steady tilt is accurate to one per cent for indicators up to several
 // times the plant's height.
-constexpr double kMostSubsteps = 4;
+constexpr double kMaxSubsteps = 4;
 
 static double largest_gain(GrowthParameters const& parameters)
 {
@@ -56,12 +56,12 @@ Result<void> check_growth_parameters(GrowthParameters const& p)
 
 Result<GrowthParameters> at_variability(GrowthParameters parameters, double variability)
 {
-    constexpr double kMost = 4;
-    if (!(variability >= 0 && variability <= kMost))
+    constexpr double kMax = 4;
+    if (!(variability >= 0 && variability <= kMax))
         return fail(Fault::User,
                     fmt::format("a plant cannot grow {} as it likes: give 0 (as drawn) to {} (as "
                                 "it likes)",
-                                variability, kMost));
+                                variability, kMax));
     parameters.strength *= variability;
     parameters.indicator_gain *= variability;
     parameters.maturation_bending *= variability;
@@ -153,7 +153,7 @@ GrowthStep exact_step(GrowthParameters const& p, double length)
     else
         set_free_noise(step, p, length);
 
-    step.substeps = static_cast<int>(std::clamp(std::round(length), 1.0, kMostSubsteps));
+    step.substeps = static_cast<int>(std::clamp(std::round(length), 1.0, kMaxSubsteps));
     double const part = length / step.substeps;
     step.substep_kept = std::exp(-rate * part);
     step.substep_push = p.indicator_gain * share_of_push(rate, part);

@@ -230,7 +230,7 @@ static double size_range(Plant const& plant, double size)
     Vec3 const extent_mm = box.max_mm - box.min_mm;
     double const width_mm = extent_mm.head<2>().maxCoeff();
     double const narrow = width_mm < extent_mm.z() ? 1 - width_mm / extent_mm.z() : 0;
-    return std::min(kMostSize, size * (1 + (kNarrowSize - 1) * narrow));
+    return std::min(kMaxSize, size * (1 + (kNarrowSize - 1) * narrow));
 }
 
 // `size` is size_range() of the whole plant.

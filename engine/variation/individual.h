@@ -34,7 +34,7 @@ struct Individuality {
 // Factor on Individuality::size for a plant without width, for which turning makes no difference.
 // It falls linearly to 1 for plants as wide as high.
 constexpr double kNarrowSize = 2;
-constexpr double kMostSize = 0.8; // Limit of that change for all plants.
+constexpr double kMaxSize = 0.8; // Limit of that change for all plants.
 
 // The differences between plants of one bed that a collection has if nothing else is said.
 constexpr Individuality kPlantsOfOneBed {

@@ -16,7 +16,7 @@ namespace tractus::variation {
 namespace {
 
 // Share of the length over which the limb's direction is measured: single samples are noisy.
-constexpr double kDirectionReach = 1 / kLeastLimbSegments;
+constexpr double kDirectionReach = 1 / kMinLimbSegments;
 
 constexpr double kThinnerThanBearer = 0.85;
 
@@ -106,7 +106,7 @@ private:
         Quat frame = rotation_of({ before, normal_towards(before, seat_.direction) });
         for (auto const& station : stations_) {
             Vec3 const direction = curve_.direction(station.share, kDirectionReach);
-            frame = carried(frame, before, direction);
+            frame = parallel_transport(frame, before, direction);
             before = direction;
             frames_.push_back(frame);
         }

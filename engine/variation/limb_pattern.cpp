@@ -17,7 +17,7 @@ constexpr double kOrderCost = 0.25;
 // Sine of the angle to the axis below which a twig or organ has no direction around it.
 constexpr double kAlongAxis = 0.1;
 
-constexpr double kMostNodes = 2000; // Of a limb, however short its pattern's internodes are.
+constexpr double kMaxNodes = 2000; // Of a limb, however short its pattern's internodes are.
 
 // A node of the pattern that bears something.
 struct BearingNode {
@@ -107,15 +107,15 @@ AxisId pattern_for_limb(Plant const& plant, RestShape const& rest, std::uint32_t
     auto const own = std::min(order + 1, highest);
     auto const least = std::min(1u, highest);
     AxisId best = 0;
-    double least_cost = std::numeric_limits<double>::infinity();
+    double min_cost = std::numeric_limits<double>::infinity();
     for (AxisId id = 0; id < plant.axes.size(); ++id) {
         auto const& axis = plant.axes[id];
         if (axis.order < least || rest.axis_length_mm[id] <= 0)
             continue;
         double const cost = std::abs(std::log(length_mm / rest.axis_length_mm[id]))
             + kOrderCost * std::abs(static_cast<double>(axis.order) - static_cast<double>(own));
-        if (cost < least_cost) {
-            least_cost = cost;
+        if (cost < min_cost) {
+            min_cost = cost;
             best = id;
         }
     }
@@ -141,7 +141,7 @@ std::vector<LimbNode> limb_nodes(Plant const& plant, RestShape const& rest, Axis
         return {};
     auto const last = static_cast<double>(nodes.size() - 1);
     // Internodes between the first and the last node; both of these are kept.
-    double const wanted = std::round(std::min(last * length_ratio, kMostNodes));
+    double const wanted = std::round(std::min(last * length_ratio, kMaxNodes));
     auto const count = static_cast<std::size_t>(std::max(wanted, last > 0 ? 1.0 : 0.0));
     std::vector<LimbNode> result;
     for (std::size_t k = 0; k <= count; ++k) {
@@ -168,7 +168,7 @@ std::vector<LimbStation> limb_stations(std::vector<LimbNode> const& nodes, doubl
         if (share <= wanted.back().share)
             return wanted.back();
         double const from = wanted.back().share;
-        auto const pieces = std::max(1.0, std::ceil((share - from) * kLeastLimbSegments - 1e-9));
+        auto const pieces = std::max(1.0, std::ceil((share - from) * kMinLimbSegments - 1e-9));
         for (double i = 1; i < pieces; ++i)
             wanted.push_back({ from + (share - from) * i / pieces });
         return wanted.emplace_back(LimbStation { share });

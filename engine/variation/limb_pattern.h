@@ -21,7 +21,7 @@ std::vector<LimbNode> limb_nodes(Plant const& plant, RestShape const& rest, Axis
                                  double length_ratio);
 
 // Segments that a limb has at least, so that it shows what the hand drew.
-constexpr double kLeastLimbSegments = 32;
+constexpr double kMinLimbSegments = 32;
 
 // A node of a limb's own axis.
 struct LimbStation {

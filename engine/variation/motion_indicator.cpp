@@ -56,10 +56,10 @@ std::optional<std::size_t> nearest_indicator(std::span<MotionIndicator const> in
                                              Vec3 const& point_mm, double finger_mm)
 {
     std::optional<std::size_t> nearest;
-    double least_mm = finger_mm;
+    double min_mm = finger_mm;
     for (std::size_t i = 0; i < indicators.size(); ++i)
-        if (double const distance = distance_mm(indicators[i], point_mm); distance <= least_mm) {
-            least_mm = distance;
+        if (double const distance = distance_mm(indicators[i], point_mm); distance <= min_mm) {
+            min_mm = distance;
             nearest = i;
         }
     return nearest;

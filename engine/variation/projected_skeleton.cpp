@@ -14,13 +14,13 @@ namespace tractus::variation {
 namespace {
 
 // Points with a smaller w are too near to the eye to be projected.
-constexpr double kLeastW = 1e-6;
+constexpr double kMinW = 1e-6;
 
 // Grid cells per line: enough that most cells hold few lines, few enough that the counts stay in a
 // core's cache while the grid is built.
 constexpr double kCellsPerLine = 0.25;
 constexpr double kFewestCells = 1024;
-constexpr double kMostCells = 1 << 18;
+constexpr double kMaxCells = 1 << 18;
 
 // With fewer lines the grid is built before other threads have woken up.
 constexpr std::size_t kLinesWorthThreads = 16'384;
@@ -62,7 +62,7 @@ public:
         Projected result;
         result.homogeneous = to_plane_.leftCols<3>() * point + to_plane_.col(3);
         double const w = result.homogeneous.w();
-        if (w > kLeastW) {
+        if (w > kMinW) {
             result.place = w == 1 ? Vec3(result.homogeneous.head<3>())
                                   : Vec3(result.homogeneous.head<3>() / w);
             result.is_inside = result.place.x() >= low_.x() && result.place.x() <= high_.x()
@@ -96,8 +96,8 @@ private:
     {
         Eigen::Matrix<double, 5, 1> inside_from = planes_ * from;
         Eigen::Matrix<double, 5, 1> inside_to = planes_ * to;
-        inside_from[0] -= kLeastW;
-        inside_to[0] -= kLeastW;
+        inside_from[0] -= kMinW;
+        inside_to[0] -= kMinW;
         double begin = 0;
         double end = 1;
         for (int i = 0; i < 5; ++i) {
@@ -248,7 +248,7 @@ void ProjectedSkeleton::lay_grid()
 {
     Vec2f const size = max_ - min_;
     double const cells
-        = std::clamp(static_cast<double>(lines_.size()) * kCellsPerLine, kFewestCells, kMostCells);
+        = std::clamp(static_cast<double>(lines_.size()) * kCellsPerLine, kFewestCells, kMaxCells);
     float const area = std::max(size.x() * size.y(), std::numeric_limits<float>::min());
     cell_size_ = std::max(std::sqrt(area / static_cast<float>(cells)), size.maxCoeff() / 4096);
     if (!(cell_size_ > 0))
@@ -322,15 +322,15 @@ std::optional<SegmentId> ProjectedSkeleton::pick(Vec2 const& point,
     auto const reach = std::max(half_width, static_cast<float>(options.finger));
     std::optional<SegmentId> covering;
     std::optional<SegmentId> beside;
-    float least_depth = std::numeric_limits<float>::infinity();
-    float least_distance = reach;
+    float min_depth = std::numeric_limits<float>::infinity();
+    float min_distance = reach;
     for_each_near(point.cast<float>(), reach, [&](Line const& line, auto const& nearest) {
-        if (nearest.distance <= half_width && nearest.depth < least_depth) {
-            least_depth = nearest.depth;
+        if (nearest.distance <= half_width && nearest.depth < min_depth) {
+            min_depth = nearest.depth;
             covering = line.segment;
         }
-        if (nearest.distance < least_distance || !beside) {
-            least_distance = nearest.distance;
+        if (nearest.distance < min_distance || !beside) {
+            min_distance = nearest.distance;
             beside = line.segment;
         }
     });

@@ -49,7 +49,7 @@ void find_axis_shape(Plant const& plant, AxisId id, RestShape& shape)
         double const length_mm = step.norm();
         if (length_mm > 0) {
             Vec3 const direction = step / length_mm;
-            frame = carried(frame, before, direction);
+            frame = parallel_transport(frame, before, direction);
             before = direction;
         }
         shape.frame[axis.first_segment + i] = frame;

@@ -13,11 +13,11 @@ namespace {
 // Sine of 15 degrees: directions this close to the vertical have no heading of their own.
 double const kUpright = std::sin(radians(15));
 
-constexpr double kLeastStartShare = 0.05;
-constexpr double kMostStartShare = 1.0 / 3;
+constexpr double kMinStartShare = 0.05;
+constexpr double kMaxStartShare = 1.0 / 3;
 
 // A chord shorter than this share of its line gives no reliable direction.
-constexpr double kLeastChordShare = 0.01;
+constexpr double kMinChordShare = 0.01;
 
 double horizontal_share(Vec3 const& direction)
 {
@@ -52,7 +52,7 @@ Vec3 start_of(ArcLength const& curve, double share)
 {
     for (; share < 1; share *= 2) {
         Vec3 const chord = curve.at(share) - curve.at(0);
-        if (chord.norm() > kLeastChordShare * share * curve.length_mm())
+        if (chord.norm() > kMinChordShare * share * curve.length_mm())
             return chord.normalized();
     }
     return unit_or(curve.at(1) - curve.at(0),
@@ -127,7 +127,7 @@ Vec2 farthest_reach(std::span<Vec3 const> points)
 std::optional<double> first_turn_share(ArcLength const& curve)
 {
     constexpr int kParts = 128;
-    constexpr double kLeastTurning_rad = 3 * kPi;
+    constexpr double kMinTurning_rad = 3 * kPi;
     auto const directions = even_directions(curve, kParts);
     Vec3 about = Vec3::Zero();
     for (std::size_t i = 1; i < directions.size(); ++i)
@@ -145,7 +145,7 @@ std::optional<double> first_turn_share(ArcLength const& curve)
     // A flat loop returns to its beginning, so its chord gives no direction.
     bool const advances
         = first && (curve.at(*first) - curve.at(0)).norm() > 0.1 * *first * curve.length_mm();
-    return advances && turned_rad >= kLeastTurning_rad ? first : std::nullopt;
+    return advances && turned_rad >= kMinTurning_rad ? first : std::nullopt;
 }
 
 double start_share(std::span<double const> lengths_mm, std::optional<double> first_turn)
@@ -154,7 +154,7 @@ double start_share(std::span<double const> lengths_mm, std::optional<double> fir
         return *first_turn;
     double const total_mm = std::accumulate(lengths_mm.begin(), lengths_mm.end(), 0.0);
     double const shown = total_mm > 0 ? lengths_mm.front() / total_mm : 0;
-    return std::clamp(shown, kLeastStartShare, kMostStartShare);
+    return std::clamp(shown, kMinStartShare, kMaxStartShare);
 }
 
 ShownStroke shown_stroke(ArcLength const& curve, std::span<double const> lengths_mm, StrokeFit fit,

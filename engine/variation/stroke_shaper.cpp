@@ -241,7 +241,7 @@ void StrokeShaper::lay_by_heading_along(AxisId id, StrokeShape const& stroke, Qu
     Vec3 before = tangent_of(frame);
     for (std::size_t i = 0; i < frames.size(); ++i) {
         Vec3 const to = (laid * shown.directions[i]).normalized();
-        frame = carried(frame, before, to);
+        frame = parallel_transport(frame, before, to);
         before = to;
         frames[i] = frame;
     }
@@ -273,7 +273,7 @@ void StrokeShaper::lay_propagated(AxisId id, StrokeShape const& stroke, Quat con
         // If the stroke turns back on itself the chord has no direction: keep the previous one.
         if (double const length = chord.norm(); length > 0) {
             Vec3 const direction = chord / length;
-            frame = carried(frame, before, direction);
+            frame = parallel_transport(frame, before, direction);
             before = direction;
         }
         frames[i] = frame;

@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kSegments = 50'000;
-constexpr std::size_t kMostSegments = 100'000;
+constexpr std::size_t kMaxSegments = 100'000;
 constexpr std::size_t kSteps = 1000;
 constexpr int kTreeSteps = 16; // Makes 2^16 - 1 segments.
 
@@ -41,7 +41,7 @@ public:
             auto const segments = segment_count(document_.newest()->scene);
             if (segments < kSegments)
                 plant_tree();
-            else if (segments > kMostSegments)
+            else if (segments > kMaxSegments)
                 document_.undo();
             else if (hand_.happens(0.1))
                 add("undo", time_of([&] { document_.undo(); }));
@@ -108,7 +108,7 @@ private:
     void add(std::string const& what, double took)
     {
         auto const now = segment_count(document_.newest()->scene);
-        if (now > kMostSegments)
+        if (now > kMaxSegments)
             return;
         seconds_.push_back(took);
         auto& [count, longest, segments] = kinds_[what];

@@ -51,7 +51,7 @@ GrowingTree oak_of(std::size_t internodes)
 {
     auto tree = plant_seed(Vec3::Zero());
     Surroundings surroundings;
-    while (tree.size() < internodes && tree.step < kMostYears)
+    while (tree.size() < internodes && tree.step < kMaxYears)
         if (!grow_year(tree, surroundings, oak()))
             break;
     return tree;

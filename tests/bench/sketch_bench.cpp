@@ -124,7 +124,7 @@ scene::Scene drawn(sketch::SketchTool const& tool)
 {
     Stroke const stroke { tips_up(length_mm(tool)) };
     return scene::apply_edits(scene::Scene {},
-                              tools::Tool(tool).mean(stroke, scene::Scene {}).value())
+                              tools::Tool(tool).edits_for(stroke, scene::Scene {}).value())
         .value();
 }
 

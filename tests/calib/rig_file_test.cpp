@@ -272,7 +272,7 @@ TEST(RigFile, KeepsHowTheRigWasCalibrated)
                         .tilt = TiltRecord { .date = "2026-11-21",
                                              .coil_height_mm = { 9.25, 9 },
                                              .coil_height_error_mm = { 0.01, 0.02 },
-                                             .least_tilt_deg = { -40, -35.5 },
+                                             .min_tilt_deg = { -40, -35.5 },
                                              .most_tilt_deg = { 41, 36 },
                                              .rms_mm = 0.1,
                                              .touches = 4000 },
@@ -290,7 +290,7 @@ TEST(RigFile, KeepsHowTheRigWasCalibrated)
     EXPECT_EQ(back.calibration.latency->direction_mm, Vec2(0.5, 0.125));
     EXPECT_EQ(back.calibration.tilt->coil_height_mm, Vec2(9.25, 9));
     EXPECT_EQ(back.calibration.tilt->coil_height_error_mm, Vec2(0.01, 0.02));
-    EXPECT_EQ(back.calibration.tilt->least_tilt_deg, Vec2(-40, -35.5));
+    EXPECT_EQ(back.calibration.tilt->min_tilt_deg, Vec2(-40, -35.5));
     EXPECT_EQ(back.calibration.tilt->touches, 4000u);
     EXPECT_EQ(back.calibration.height->shifted_counts, 12.5);
 }

@@ -66,13 +66,13 @@ TEST(Firmware, SendsEachReadingToTheBit)
     EXPECT_EQ(counts.front(), 0);
     EXPECT_EQ(*std::max_element(counts.begin(), counts.end()), 8184);
     // The first readings, before the host was ready, are missing; later ones must be complete.
-    constexpr std::size_t kMostBefore = 10;
+    constexpr std::size_t kMaxBefore = 10;
     std::size_t before = 0;
-    while (before < kMostBefore
+    while (before < kMaxBefore
            && !std::equal(counts.begin(), counts.end(),
                           readings.begin() + static_cast<std::ptrdiff_t>(before)))
         ++before;
-    EXPECT_LT(before, kMostBefore) << "the readings are not those that were fed";
+    EXPECT_LT(before, kMaxBefore) << "the readings are not those that were fed";
 }
 
 TEST(Firmware, SendsThreeHundredReadingsASecond)

@@ -42,8 +42,9 @@ std::string capture_log(Potentiometer const& sensor, int full_scale, Person cons
         if (i > 0)
             direction = height_mm > person.heights_mm[i - 1] ? 1 : -1;
         double const begin_s = 1 + kBetweenCaptures_s * static_cast<double>(i);
-        double const told_mm = person.told_mm[i] + normal(dice, person.ruler_error_mm);
-        append(text, "T: %013.6f calibrate capture %.1f\n", begin_s, std::round(told_mm * 10) / 10);
+        double const stated_mm = person.stated_mm[i] + normal(dice, person.ruler_error_mm);
+        append(text, "T: %013.6f calibrate capture %.1f\n", begin_s,
+               std::round(stated_mm * 10) / 10);
         for (double since_s = kReading_s; since_s < kCaptured_s; since_s += kReading_s) {
             auto const counts
                 = static_cast<unsigned>(sensor.read(height_mm, direction, begin_s + since_s, dice));

@@ -150,7 +150,7 @@ struct Bursts {
     double lost_part = 0;
     bool pens_come_first = false;
     double most_times = 1.5; // Limit of the median error, as a multiple of that without bursts.
-    double least_part = 0.95;
+    double min_part = 0.95;
 };
 
 double median(std::vector<double> values)
@@ -192,7 +192,7 @@ bool check_bursts(Looked const& looked, Bursts const& bursts, double speed_mm_pe
     char name[80];
     std::snprintf(name, sizeof name, "%s, %s, %3.0f mm/s (none %.3f, as arrived %.2f)", looked.name,
                   bursts.name, speed_mm_per_s, median(none), median(as_arrived));
-    bool const is_good = print(name, row, 0.5, bursts.least_part, run);
+    bool const is_good = print(name, row, 0.5, bursts.min_part, run);
     double const times = median(row.values) / median(none);
     if (times > bursts.most_times)
         std::printf("  MISSES ITS GOAL: %.2f times the error without bursts, not %.1f\n", times,
@@ -216,7 +216,7 @@ bool check_bursts(Run const& run)
                     .burst_s = 0.016,
                     .lost_part = 0.001,
                     .most_times = 5,
-                    .least_part = 0.85 } })
+                    .min_part = 0.85 } })
         for (double const speed : { 50.0, 200.0, 400.0 })
             all_good &= check_bursts(kSettled, bursts, speed, run);
     for (Bursts const& bursts : { Bursts { .name = "bursts of 8 ms", .burst_s = 0.008 },
@@ -230,12 +230,12 @@ bool check_bursts(Run const& run)
                                            .burst_s = 0.016,
                                            .pens_come_first = true,
                                            .most_times = 6,
-                                           .least_part = 0.8 },
+                                           .min_part = 0.8 },
                                   Bursts { .name = "32 ms, pens first",
                                            .burst_s = 0.032,
                                            .pens_come_first = true,
                                            .most_times = 12,
-                                           .least_part = 0 } })
+                                           .min_part = 0 } })
         for (double const speed : { 50.0, 400.0 })
             all_good &= check_bursts(kLive, bursts, speed, run);
     return all_good;

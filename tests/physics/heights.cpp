@@ -40,10 +40,10 @@ struct Scenario {
     Mistake mistake = Mistake::None;
     double linearity_percent = 0; // Linearity from the data sheet.
     // Required share of the rigs that are within kGoal_mm or refused; 0: only measured.
-    double least_part = 0;
+    double min_part = 0;
     bool is_covered = false; // True: errors must be as large as the standard errors say.
     double ruler_error_mm = 0.3;
-    double told_ruler_error_mm = 0.3;
+    double stated_ruler_error_mm = 0.3;
 };
 
 constexpr double kGoal_mm = 0.5;
@@ -56,58 +56,58 @@ Heights const kTen { 0, 60, 200, 400, 300, 120, 20, 250, 350, 160 };
 std::vector<Scenario> honest_scenarios()
 {
     return {
-        { .name = "five captures", .heights_mm = kFive, .least_part = 0.95, .is_covered = true },
-        { .name = "seven captures", .heights_mm = kSeven, .least_part = 0.95, .is_covered = true },
+        { .name = "five captures", .heights_mm = kFive, .min_part = 0.95, .is_covered = true },
+        { .name = "seven captures", .heights_mm = kSeven, .min_part = 0.95, .is_covered = true },
         { .name = "pulley of 6 mm",
           .heights_mm = kSeven,
           .faults = { .pulley_radius_mm = 6 },
-          .least_part = 0.95,
+          .min_part = 0.95,
           .is_covered = true },
         { .name = "noise, hum and drift",
           .heights_mm = kSeven,
           .faults = { .noise_counts = 2, .hum_counts = 3, .drift_counts_per_s = 0.05 },
-          .least_part = 0.9,
+          .min_part = 0.9,
           .is_covered = true },
         { .name = "hysteresis 0.8 mm",
           .heights_mm = kSeven,
           .faults = { .hysteresis_mm = 0.8 },
-          .least_part = 0.9,
+          .min_part = 0.9,
           .is_covered = true },
         { .name = "ruler read to 0.6 mm", .heights_mm = kSeven, .ruler_error_mm = 0.6 },
         { .name = "nonlinear by 0.25 %",
           .heights_mm = kSeven,
           .faults = { .nonlinearity = 0.0025 },
-          .least_part = 0.95,
+          .min_part = 0.95,
           .is_covered = true },
         { .name = "nonlinear by 1 %", .heights_mm = kSeven, .faults = { .nonlinearity = 0.01 } },
         { .name = "loading 1.5 %",
           .heights_mm = kSeven,
           .faults = { .loading = 0.015 },
-          .least_part = 0.95,
+          .min_part = 0.95,
           .is_covered = true },
     };
 }
 
 // Returns rigs for which the track's linearity, or the ruler's error, is given.
-std::vector<Scenario> told_scenarios()
+std::vector<Scenario> stated_scenarios()
 {
     return {
         { .name = "straight, told 0.25 %",
           .heights_mm = kSeven,
           .linearity_percent = 0.25,
-          .least_part = 0.95,
+          .min_part = 0.95,
           .is_covered = true },
         { .name = "0.25 %, told",
           .heights_mm = kSeven,
           .faults = { .nonlinearity = 0.0025 },
           .linearity_percent = 0.25,
-          .least_part = 0.95,
+          .min_part = 0.95,
           .is_covered = true },
         { .name = "1 %, told",
           .heights_mm = kSeven,
           .faults = { .nonlinearity = 0.01 },
           .linearity_percent = 1,
-          .least_part = 0.95,
+          .min_part = 0.95,
           .is_covered = true },
         { .name = "one false of seven, told",
           .heights_mm = kSeven,
@@ -117,12 +117,12 @@ std::vector<Scenario> told_scenarios()
           .heights_mm = kSeven,
           .is_covered = true,
           .ruler_error_mm = 0.6,
-          .told_ruler_error_mm = 0.6 },
+          .stated_ruler_error_mm = 0.6 },
         { .name = "loading 1.5 %, told",
           .heights_mm = kSeven,
           .faults = { .loading = 0.015 },
           .linearity_percent = 0.25,
-          .least_part = 0.95,
+          .min_part = 0.95,
           .is_covered = true },
     };
 }
@@ -136,37 +136,37 @@ std::vector<Scenario> drawn_scenarios()
         { .name = "any desk, five",
           .heights_mm = kFive,
           .desk = Desk::Any,
-          .least_part = 0.95,
+          .min_part = 0.95,
           .is_covered = true },
         { .name = "any desk, seven",
           .heights_mm = kSeven,
           .desk = Desk::Any,
-          .least_part = 0.95,
+          .min_part = 0.95,
           .is_covered = true },
         { .name = "plumb, five, 0.25 %",
           .heights_mm = kFive,
           .desk = Desk::Plumb,
           .follows_advice = true,
           .faults = { .nonlinearity = 0.0025 },
-          .least_part = 0.95 },
+          .min_part = 0.95 },
         { .name = "plumb, seven, 0.25 %",
           .heights_mm = kSeven,
           .desk = Desk::Plumb,
           .follows_advice = true,
           .faults = { .nonlinearity = 0.0025 },
-          .least_part = 0.95 },
+          .min_part = 0.95 },
         { .name = "440 mm, 10k into 100k",
           .heights_mm = kSeven,
           .track_mm = 440,
           .follows_advice = true,
           .faults = { .loading = 0.1 },
-          .least_part = 0.95 },
+          .min_part = 0.95 },
         { .name = "any desk, recommended",
           .heights_mm = kSeven,
           .desk = Desk::Any,
           .follows_advice = true,
           .faults = recommended,
-          .least_part = 0.95 },
+          .min_part = 0.95 },
         { .name = "any desk, 1 %, advised",
           .heights_mm = kSeven,
           .desk = Desk::Any,
@@ -181,27 +181,27 @@ std::vector<Scenario> mistaken_scenarios()
         { .name = "two swapped of ten",
           .heights_mm = kTen,
           .mistake = Mistake::TwoSwapped,
-          .least_part = 0.99 },
+          .min_part = 0.99 },
         { .name = "three false of ten",
           .heights_mm = kTen,
           .mistake = Mistake::ThreeFalse,
-          .least_part = 0.99 },
+          .min_part = 0.99 },
         { .name = "one false of five", .heights_mm = kFive, .mistake = Mistake::OneFalse },
         { .name = "one false of seven",
           .heights_mm = kSeven,
           .mistake = Mistake::OneFalse,
-          .least_part = 0.9 },
+          .min_part = 0.9 },
         { .name = "centimetres",
           .heights_mm = kSeven,
           .mistake = Mistake::Centimetres,
-          .least_part = 1 },
+          .min_part = 1 },
     };
 }
 
 std::vector<Scenario> scenarios()
 {
     auto all = honest_scenarios();
-    for (auto const& more : { told_scenarios(), drawn_scenarios(), mistaken_scenarios() })
+    for (auto const& more : { stated_scenarios(), drawn_scenarios(), mistaken_scenarios() })
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }
@@ -286,7 +286,7 @@ Result<calibration::CalibrationOutcome> calibrate(Scenario const& scenario, driv
 {
     calibration::CalibrationController::Options options;
     options.height.linearity_percent = scenario.linearity_percent;
-    options.height.ruler_error_mm = scenario.told_ruler_error_mm;
+    options.height.ruler_error_mm = scenario.stated_ruler_error_mm;
     auto outcome = calibration::calibrate_from_log(log, options, "2026-11-24");
     if (outcome || !scenario.follows_advice)
         return outcome;
@@ -327,7 +327,7 @@ Trial try_rig(Scenario const& scenario, unsigned seed)
     auto const geometry = draw_desk(scenario, dice);
     Potentiometer const sensor(geometry, scenario.faults, dice);
     Person person { .heights_mm = scenario.heights_mm,
-                    .told_mm = told(scenario, dice),
+                    .stated_mm = told(scenario, dice),
                     .ruler_error_mm = scenario.ruler_error_mm };
     if (scenario.mistake == Mistake::Centimetres)
         person.ruler_error_mm /= 10;
@@ -417,13 +417,13 @@ bool run_row(Scenario const& scenario, Run const& run)
         std::printf("  seeds that missed:%s\n", missed.c_str());
     if (broken > 0)
         std::printf("  MISSES ITS GOAL: %u rigs cannot be read or lack heights\n", broken);
-    bool const is_good = is_enough(part, scenario.least_part, run);
+    bool const is_good = is_enough(part, scenario.min_part, run);
     if (!is_good)
-        std::printf("  MISSES ITS GOAL of %.0f %%\n", 100 * scenario.least_part);
-    bool const errs_as_said = !scenario.is_covered || is_covered(deviations, run);
-    if (!errs_as_said)
+        std::printf("  MISSES ITS GOAL of %.0f %%\n", 100 * scenario.min_part);
+    bool const is_within_stated_error = !scenario.is_covered || is_covered(deviations, run);
+    if (!is_within_stated_error)
         std::printf("  MISSES ITS GOAL of 65 to 75, 93 to 98, 99 %% within 1, 2, 3 SE\n");
-    return is_good && errs_as_said && broken == 0;
+    return is_good && is_within_stated_error && broken == 0;
 }
 
 } // namespace

@@ -18,17 +18,17 @@ struct Scenario {
     double drag_mm = 0;       // Play within which the pen's tip lags.
     double hysteresis_mm = 0; // Play within which the string's end lags.
     double most_ms = 0.5;
-    double least_part = 0.99;
+    double min_part = 0.99;
 };
 
 std::vector<Scenario> scenarios()
 {
     return {
-        { .name = "neither", .most_ms = 0.2, .least_part = 0.9 },
+        { .name = "neither", .most_ms = 0.2, .min_part = 0.9 },
         { .name = "drag of 0.5 mm", .drag_mm = 0.5 },
-        { .name = "drag of 1 mm", .drag_mm = 1, .least_part = 0.9 },
+        { .name = "drag of 1 mm", .drag_mm = 1, .min_part = 0.9 },
         { .name = "hysteresis of 0.8 mm", .hysteresis_mm = 0.8 },
-        { .name = "both", .drag_mm = 0.5, .hysteresis_mm = 0.8, .least_part = 0.95 },
+        { .name = "both", .drag_mm = 0.5, .hysteresis_mm = 0.8, .min_part = 0.95 },
     };
 }
 
@@ -136,9 +136,9 @@ bool run_row(Scenario const& scenario, Run const& run)
                 errors.back(), scenario.most_ms, 100 * part, 100.0 * within / run.rigs);
     if (!missed.empty())
         std::printf("  seeds that missed:%s\n", missed.c_str());
-    bool const is_good = is_enough(part, scenario.least_part, run);
+    bool const is_good = is_enough(part, scenario.min_part, run);
     if (!is_good)
-        std::printf("  MISSES ITS GOAL of %.0f %%\n", 100 * scenario.least_part);
+        std::printf("  MISSES ITS GOAL of %.0f %%\n", 100 * scenario.min_part);
     return is_good;
 }
 

@@ -57,8 +57,8 @@ private:
         if (!rests)
             to_mm_ = std::clamp(to_mm_ + uniform(dice_, -150, 150), kLowest_mm, 350.0);
         // The maximum speed is 400 mm/s.
-        double const least_s = 1.875 * std::abs(to_mm_ - from_mm_) / 400;
-        ends_s_ = begins_s_ + std::max(0.25, least_s) + uniform(dice_, 0, 1);
+        double const min_s = 1.875 * std::abs(to_mm_ - from_mm_) / 400;
+        ends_s_ = begins_s_ + std::max(0.25, min_s) + uniform(dice_, 0, 1);
     }
 
     Dice& dice_;

@@ -22,7 +22,7 @@ struct Scenario {
     double move_mm = 0; // Movement of the table's zero.
     std::vector<double> zeroed_at_mm { 0 };
     // Required share of the rigs that are at most kLoss_mm worse than before.
-    double least_part = 0;
+    double min_part = 0;
 };
 
 constexpr double kLoss_mm = 0.5;
@@ -30,16 +30,10 @@ constexpr double kLoss_mm = 0.5;
 std::vector<Scenario> scenarios()
 {
     return {
-        { .name = "slip of 5 mm", .slip_mm = 5, .least_part = 0.9 },
+        { .name = "slip of 5 mm", .slip_mm = 5, .min_part = 0.9 },
         { .name = "move of 5 mm", .move_mm = 5 },
-        { .name = "slip, two heights",
-          .slip_mm = 5,
-          .zeroed_at_mm = { 0, 350 },
-          .least_part = 0.95 },
-        { .name = "move, two heights",
-          .move_mm = 5,
-          .zeroed_at_mm = { 0, 350 },
-          .least_part = 0.85 },
+        { .name = "slip, two heights", .slip_mm = 5, .zeroed_at_mm = { 0, 350 }, .min_part = 0.95 },
+        { .name = "move, two heights", .move_mm = 5, .zeroed_at_mm = { 0, 350 }, .min_part = 0.85 },
     };
 }
 
@@ -48,7 +42,7 @@ calibration::CalibrationOutcome calibrate(Potentiometer const& sensor,
                                           calibration::CalibrationController::Options options,
                                           Dice& dice)
 {
-    Person const person { .heights_mm = heights_mm, .told_mm = heights_mm };
+    Person const person { .heights_mm = heights_mm, .stated_mm = heights_mm };
     auto const log = drivers::parse_log(capture_log(sensor, 4095, person, dice), "physics");
     auto outcome = log ? calibration::calibrate_from_log(*log, std::move(options), "2026-11-24")
                        : Result<calibration::CalibrationOutcome>(tl::unexpected(log.error()));
@@ -96,9 +90,9 @@ bool run_row(Scenario const& scenario, Run const& run)
                 losses.back(), 100 * part);
     if (!missed.empty())
         std::printf("  seeds that missed:%s\n", missed.c_str());
-    bool const is_good = is_enough(part, scenario.least_part, run);
+    bool const is_good = is_enough(part, scenario.min_part, run);
     if (!is_good)
-        std::printf("  MISSES ITS GOAL of %.0f %%\n", 100 * scenario.least_part);
+        std::printf("  MISSES ITS GOAL of %.0f %%\n", 100 * scenario.min_part);
     return is_good;
 }
 

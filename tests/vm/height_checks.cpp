@@ -90,7 +90,7 @@ Result<void> compare_heights(std::string const& sent_name, std::string const& go
 Result<void> compare_encoder(std::string const& sent_name, std::string const& got_name,
                              unsigned counts)
 {
-    constexpr double kMostBehind = 2;
+    constexpr double kMaxBehind = 2;
     auto const sent = TRY(drivers::read_log(sent_name));
     auto const curve = TRY(sim::HeightCurve::read(sent));
     auto heights = TRY(decode_heights(got_name));
@@ -110,7 +110,7 @@ Result<void> compare_encoder(std::string const& sent_name, std::string const& go
     auto const last = heights.samples.back().counts;
     fmt::print("{} samples, from count {} to {}\n", heights.samples.size(), first, last);
     print_figure("encoder behind by", farthest_counts, "counts");
-    if (farthest_counts > 1 + kMostBehind) // A count is one unit high.
+    if (farthest_counts > 1 + kMaxBehind) // A count is one unit high.
         return fail(Fault::Device, "these are not the heights that were sent");
     if (last != count_at(curve.end()))
         return fail(Fault::Device, fmt::format("expected to end at {}", count_at(curve.end())));

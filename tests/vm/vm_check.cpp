@@ -21,7 +21,7 @@ struct Arguments {
     unsigned encoder_counts = 0;
     HeightExpectation height;
     StreamExpectation stream;
-    std::size_t least_strokes = 1;
+    std::size_t min_strokes = 1;
     std::string node;
     WatchedWindow window;
     std::string other;
@@ -71,10 +71,10 @@ void add_checks(CLI::App& root, Arguments& arguments, Check& check)
         = root.add_subcommand("interrupted-strokes", "Was what was drawn kept, piece by piece?");
     interrupted->add_option("GOT", truth.got)->required();
     interrupted->add_option("MODEL", truth.model)->required();
-    interrupted->add_option("--least", arguments.least_strokes);
+    interrupted->add_option("--least", arguments.min_strokes);
     interrupted->callback([&] {
         check = [&] {
-            return check_interrupted_strokes(truth.got, truth.model, arguments.least_strokes);
+            return check_interrupted_strokes(truth.got, truth.model, arguments.min_strokes);
         };
     });
 

@@ -90,7 +90,7 @@ constexpr tools::ToolKind EraseLineTool::kKind {
     .surface = tools::Surface::Paper,
     .ink = { tools::InkStyle::Look::Eraser, 2 * EraseLineTool::kRadius_mm },
     .options = tools::options_type<EraseLineTool>(),
-    .mean = erase,
+    .edits_for = erase,
     .other_end = { &EraseLineTool::kKind },
 };
 

@@ -21,7 +21,7 @@ constexpr std::array<tools::OptionWord, 3> kWords { {
 void visit(tools::OptionVisitor& visitor, LayerNodesTool& tool)
 {
     visitor.choice({ kWords, tools::WordOption::Offered::InHand }, tool.what);
-    visitor.number({ "count", "", 0, lines::kMostNodesInLayer, 1, "Nodes" }, tool.nodes);
+    visitor.number({ "count", "", 0, lines::kMaxNodesInLayer, 1, "Nodes" }, tool.nodes);
 }
 
 Result<std::vector<scene::Edit>> set_nodes(tools::Tool const& tool, Stroke const& stroke,
@@ -36,7 +36,7 @@ Result<std::vector<scene::Edit>> set_nodes(tools::Tool const& tool, Stroke const
     }
     auto const topmost = TRY(lines::layers_of(active.sketch)).back();
     int const nodes = topmost.nodes + (options.what == LayerNodesTool::What::More ? 1 : -1);
-    if (nodes < 0 || nodes > lines::kMostNodesInLayer)
+    if (nodes < 0 || nodes > lines::kMaxNodesInLayer)
         return fail(Fault::User,
                     fmt::format("the topmost layer has {} nodes, and cannot have {}", topmost.nodes,
                                 nodes < 0 ? "fewer" : "more"));
@@ -58,7 +58,7 @@ constexpr tools::ToolKind LayerNodesTool::kKind {
     .begins_group_of_buttons = true,
     .surface = tools::Surface::Paper,
     .options = tools::options_type<LayerNodesTool, visit>(),
-    .mean = set_nodes,
+    .edits_for = set_nodes,
     .other_end = { &EraseLineTool::kKind },
 };
 

@@ -144,7 +144,7 @@ constexpr tools::ToolKind LayerOrgansTool::kKind {
     .begins_group_of_buttons = true,
     .surface = tools::Surface::Paper,
     .options = tools::options_type<LayerOrgansTool, visit>(),
-    .mean = change_layer,
+    .edits_for = change_layer,
     .other_end = { &EraseLineTool::kKind },
 };
 

@@ -17,7 +17,7 @@ using lines::StemSide;
 constexpr double kLow = -0.9; // Height of the stem's base in the gizmo's frame.
 constexpr double kHigh = 0.9; // Height of the stem's tip in the gizmo's frame.
 constexpr int kSamples = 60;
-constexpr double kLeastRange = 0.6; // Smallest range that a column of sizes spans.
+constexpr double kMinRange = 0.6; // Smallest range that a column of sizes spans.
 
 // A column of the gizmo's frame on its right side; the left side mirrors it. Values increase
 // outwards.
@@ -100,7 +100,7 @@ struct Shown {
 // drags a size.
 double range_for(double largest)
 {
-    double range = kLeastRange;
+    double range = kMinRange;
     while (range < 1.2 * largest)
         range *= 2;
     return range;
@@ -122,15 +122,15 @@ Result<Shown> shown_of(scene::Scene const& scene)
                    .sizes = { kSizesFrom, kSizesTo, range_for(largest) } };
 }
 
-tools::Glyph::Line axis_at(double place)
+tools::Gizmo::Line axis_at(double place)
 {
     return { .points = { { place, kLow }, { place, kHigh } }, .width = 0.006 };
 }
 
 template<typename Value>
-tools::Glyph::Line curve_of(Value const& value, tools::LayerStyle::Color color)
+tools::Gizmo::Line curve_of(Value const& value, tools::LayerStyle::Color color)
 {
-    tools::Glyph::Line curve { .points = {}, .width = 0.016, .color = color };
+    tools::Gizmo::Line curve { .points = {}, .width = 0.016, .color = color };
     for (int i = 0; i <= kSamples; ++i) {
         double const x = static_cast<double>(i) / kSamples;
         curve.points.emplace_back(value(x), height_of(x));
@@ -149,35 +149,35 @@ double place_of_heading(double heading_deg)
     return std::clamp(-kHeadingHalf * heading_deg / kHeadingRange_deg, -kHeadingHalf, kHeadingHalf);
 }
 
-void add_stem(tools::Glyph& glyph, Shown const& shown)
+void add_stem(tools::Gizmo& gizmo, Shown const& shown)
 {
-    glyph.lines.push_back(axis_at(0));
-    glyph.lines.push_back(curve_of([&](double x) { return place_of_heading(heading_at(shown, x)); },
+    gizmo.lines.push_back(axis_at(0));
+    gizmo.lines.push_back(curve_of([&](double x) { return place_of_heading(heading_at(shown, x)); },
                                    tools::LayerStyle::Color::Green));
     for (std::size_t i = 0; i < lines::kHeadingPlaces.size(); ++i) {
         double const x = lines::kHeadingPlaces[i];
         double const heading_deg = heading_at(shown, x);
-        glyph.handles.push_back({ .id = HandleName { What::Heading, StemSide::Left, i }.id(),
+        gizmo.handles.push_back({ .id = HandleName { What::Heading, StemSide::Left, i }.id(),
                                   .place = { place_of_heading(heading_deg), height_of(x) },
                                   .says = fmt::format("Stem: {:.0f}\u00b0", heading_deg),
                                   .is_small = true });
     }
     constexpr double kTick = 0.03;
     for (auto const& node : shown.construction.nodes)
-        glyph.lines.push_back(
+        gizmo.lines.push_back(
             { .points = { { -kTick, height_of(node.x) }, { kTick, height_of(node.x) } },
               .width = 0.006 });
 }
 
-void add_curves(tools::Glyph& glyph, Shown const& shown, StemSide side)
+void add_curves(tools::Gizmo& gizmo, Shown const& shown, StemSide side)
 {
     double const sign = sign_of(side);
-    glyph.lines.push_back(axis_at(sign * kSizesFrom));
-    glyph.lines.push_back(axis_at(sign * kAngles.from));
-    glyph.lines.push_back(
+    gizmo.lines.push_back(axis_at(sign * kSizesFrom));
+    gizmo.lines.push_back(axis_at(sign * kAngles.from));
+    gizmo.lines.push_back(
         curve_of([&](double x) { return sign * shown.sizes.place(shown.size_seen(x, side)); },
                  tools::LayerStyle::Color::Orange));
-    glyph.lines.push_back(curve_of(
+    gizmo.lines.push_back(curve_of(
         [&](double x) {
             auto const values = lines::values_at(shown.construction, x);
             return sign * std::min(kAngles.place(angle_of(values, side)), kAngles.to);
@@ -190,14 +190,14 @@ char const* name_of(StemSide side)
     return side == StemSide::Left ? "left" : "right";
 }
 
-void add_handles(tools::Glyph& glyph, Shown const& shown, StemSide side)
+void add_handles(tools::Gizmo& gizmo, Shown const& shown, StemSide side)
 {
     double const sign = sign_of(side);
     auto const& of = shown.construction;
     for (std::size_t i = 0; shown.has_angles && i < of.inclinations.size(); ++i) {
         auto const& line = of.inclinations[i];
         double const angle_deg = side == StemSide::Left ? line.left_deg : line.right_deg;
-        glyph.handles.push_back(
+        gizmo.handles.push_back(
             { .id = HandleName { What::Angle, side, i }.id(),
               .place = { sign * std::min(kAngles.place(angle_deg), kAngles.to), height_of(line.x) },
               .says = fmt::format("Line {}, {}: {:.0f}\u00b0", i + 1, name_of(side), angle_deg),
@@ -206,7 +206,7 @@ void add_handles(tools::Glyph& glyph, Shown const& shown, StemSide side)
     auto const places = lines::size_places(of);
     for (std::size_t i = 0; i < places.size(); ++i) {
         double const size = shown.size_seen(places[i], side);
-        glyph.handles.push_back(
+        gizmo.handles.push_back(
             { .id = HandleName { What::Size, side, i }.id(),
               .place = { sign * shown.sizes.place(size), height_of(places[i]) },
               .says = fmt::format("Size {}: {:.0f} % of the stem", name_of(side), 100 * size),
@@ -215,11 +215,11 @@ void add_handles(tools::Glyph& glyph, Shown const& shown, StemSide side)
 }
 
 // Adds a layer's two buttons: fewer nodes on the left, more nodes on the right.
-void add_layer(tools::Glyph& glyph, lines::Layer const& layer, std::size_t number)
+void add_layer(tools::Gizmo& gizmo, lines::Layer const& layer, std::size_t number)
 {
     constexpr double kBeside = 0.09;
     for (auto const side : { StemSide::Left, StemSide::Right })
-        glyph.handles.push_back(
+        gizmo.handles.push_back(
             { .id
               = HandleName { side == StemSide::Left ? What::Fewer : What::More, side, number }.id(),
               .place = { sign_of(side) * kBeside, height_of((layer.from_x + layer.to_x) / 2) },
@@ -230,54 +230,54 @@ void add_layer(tools::Glyph& glyph, lines::Layer const& layer, std::size_t numbe
 }
 
 // Adds the handle that sets a layer's internode length. It sits at the layer's second node.
-void add_internode(tools::Glyph& glyph, lines::Layer const& layer, std::size_t number)
+void add_internode(tools::Gizmo& gizmo, lines::Layer const& layer, std::size_t number)
 {
     constexpr double kBeside = 0.15;
     if (layer.nodes == 0)
         return;
     double const internode = (layer.to_x - layer.from_x) / layer.nodes;
     double const height = height_of(layer.from_x + internode);
-    glyph.lines.push_back({ .points = { { 0, height }, { kBeside, height } }, .width = 0.006 });
-    glyph.handles.push_back({ .id = HandleName { What::Internode, StemSide::Right, number }.id(),
+    gizmo.lines.push_back({ .points = { { 0, height }, { kBeside, height } }, .width = 0.006 });
+    gizmo.handles.push_back({ .id = HandleName { What::Internode, StemSide::Right, number }.id(),
                               .place = { kBeside, height },
                               .says = fmt::format("Layer {}: a node every {:.1f} % of the stem",
                                                   number + 1, 100 * internode),
                               .is_small = true });
 }
 
-void add_labels(tools::Glyph& glyph)
+void add_labels(tools::Gizmo& gizmo)
 {
     constexpr double kBelow = kLow - 0.03;
     constexpr double kSizes = (kSizesFrom + kSizesTo) / 2;
     constexpr double kInclinations = (kAngles.from + kAngles.to) / 2;
-    glyph.labels = { { { -kInclinations, kBelow }, "Angle" },
+    gizmo.labels = { { { -kInclinations, kBelow }, "Angle" },
                      { { -kSizes, kBelow }, "Size" },
                      { { 0, kBelow }, "Stem" },
                      { { kSizes, kBelow }, "Size" },
                      { { kInclinations, kBelow }, "Angle" } };
 }
 
-std::optional<tools::Glyph> show(scene::Scene const& scene)
+std::optional<tools::Gizmo> show(scene::Scene const& scene)
 {
     auto const shown = shown_of(scene);
     if (!shown)
         return std::nullopt;
-    tools::Glyph glyph;
-    glyph.hint = "Drag a curve";
-    add_labels(glyph);
-    add_stem(glyph, *shown);
+    tools::Gizmo gizmo;
+    gizmo.hint = "Drag a curve";
+    add_labels(gizmo);
+    add_stem(gizmo, *shown);
     if (!shown->has_sizes)
-        return glyph;
+        return gizmo;
     for (auto const side : { StemSide::Left, StemSide::Right }) {
-        add_curves(glyph, *shown, side);
-        add_handles(glyph, *shown, side);
+        add_curves(gizmo, *shown, side);
+        add_handles(gizmo, *shown, side);
     }
     if (auto const layers = lines::layers_of(shown->active.sketch))
         for (std::size_t i = 0; i < layers->size(); ++i) {
-            add_layer(glyph, (*layers)[i], i);
-            add_internode(glyph, (*layers)[i], i);
+            add_layer(gizmo, (*layers)[i], i);
+            add_internode(gizmo, (*layers)[i], i);
         }
-    return glyph;
+    return gizmo;
 }
 
 Result<std::vector<scene::Edit>> with_other_count(ActiveSketch const& active, std::size_t number,
@@ -287,7 +287,7 @@ Result<std::vector<scene::Edit>> with_other_count(ActiveSketch const& active, st
     if (number >= layers.size())
         return fail(Fault::User, "the sketch has no such layer any more");
     auto const& layer = layers[number];
-    int const nodes = std::clamp(layer.nodes + by, 0, lines::kMostNodesInLayer);
+    int const nodes = std::clamp(layer.nodes + by, 0, lines::kMaxNodesInLayer);
     return std::vector<scene::Edit> { lines::SetLayerNodes { active.plant, layer.line, nodes } };
 }
 
@@ -300,8 +300,7 @@ Result<std::vector<scene::Edit>> with_internode(ActiveSketch const& active, std:
         return fail(Fault::User, "the sketch has no such layer any more");
     auto const& layer = layers[number];
     double const length = layer.to_x - layer.from_x;
-    double const internode
-        = std::clamp(x - layer.from_x, length / lines::kMostNodesInLayer, length);
+    double const internode = std::clamp(x - layer.from_x, length / lines::kMaxNodesInLayer, length);
     return std::vector<scene::Edit> { lines::SetLayerNodes {
         active.plant, layer.line, static_cast<int>(std::lround(length / internode)) } };
 }
@@ -336,16 +335,16 @@ Result<std::vector<scene::Edit>> drag(scene::Scene const& scene, std::size_t han
         = TRY(what == What::Angle
                   ? lines::with_angle(sketch, number, side,
                                       std::clamp(std::round(kAngles.value(outwards)),
-                                                 lines::kLeastAngle_deg, lines::kGreatestAngle_deg))
+                                                 lines::kMinAngle_deg, lines::kGreatestAngle_deg))
                   : lines::with_size(sketch, number, side,
                                      std::clamp(std::round(100 * shown.sizes.value(outwards)) / 100,
-                                                lines::kLeastSize, lines::kGreatestSize)));
+                                                lines::kMinSize, lines::kGreatestSize)));
     return std::vector<scene::Edit> { lines::RedrawLine { shown.active.plant, bent.line,
                                                           bent.stroke } };
 }
 
 } // namespace
 
-constexpr tools::DrawnGlyphKind kLineCurves { .title = "Curves", .show = show, .drag = drag };
+constexpr tools::DrawnGizmoKind kLineCurves { .title = "Curves", .show = show, .drag = drag };
 
 } // namespace tractus::lines

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/tools/glyph.h"
+#include "app/tools/gizmo.h"
 
 namespace tractus::lines {
 
@@ -10,6 +10,6 @@ namespace tractus::lines {
 // The nodes are in the middle. Inclinations have a handle at each inclination line; sizes have one
 // there and half-way between. The lines follow the handles (bend_lines.h). The minus and plus
 // beside a layer change its number of nodes.
-extern tools::DrawnGlyphKind const kLineCurves;
+extern tools::DrawnGizmoKind const kLineCurves;
 
 } // namespace tractus::lines

@@ -136,7 +136,7 @@ private:
                                      .is_by_hand = smoothing_ == Smoothing::Hand };
             if (known.line.role == Role::Around
                 || (is_one_of_several && known.line.role == Role::Stem))
-                stroke.said = known.line.role;
+                stroke.assigned = known.line.role;
             strokes.push_back(std::move(stroke));
             numbers.push_back(number);
         }

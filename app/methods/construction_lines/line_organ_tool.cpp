@@ -111,7 +111,7 @@ Result<std::vector<scene::Edit>> draw_organ(tools::Tool const& tool, Stroke cons
     return edits;
 }
 
-std::string said_of_leaf(tools::Tool const& tool, scene::Scene const& after)
+std::string describe_leaf(tools::Tool const& tool, scene::Scene const& after)
 {
     auto const* const sketch = lines::active_pen_sketch(after.state);
     if (!sketch)
@@ -148,10 +148,10 @@ constexpr tools::ToolKind LineOrganTool::kKind {
     .method = "From lines",
     .begins_group_of_buttons = true,
     .surface = tools::Surface::Paper,
-    .least_extent_mm = 2,
+    .min_extent_mm = 2,
     .options = tools::options_type<LineOrganTool, visit>(),
-    .mean = draw_organ,
-    .said = said_of_leaf,
+    .edits_for = draw_organ,
+    .describe = describe_leaf,
     .previewer = line_previewer,
     .other_end = { &EraseLineTool::kKind },
 };

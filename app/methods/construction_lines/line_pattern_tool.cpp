@@ -52,7 +52,7 @@ Result<std::vector<scene::Edit>> set_next(tools::Tool const& tool, Stroke const&
     return std::vector<scene::Edit> { lines::SetLinePattern { active.plant, pattern } };
 }
 
-std::string said(tools::Tool const& tool, scene::Scene const& scene)
+std::string describe_change(tools::Tool const& tool, scene::Scene const& scene)
 {
     auto const* const sketch = lines::active_pen_sketch(scene.state);
     if (!sketch)
@@ -61,7 +61,7 @@ std::string said(tools::Tool const& tool, scene::Scene const& scene)
     if (what == LinePatternTool::What::Next)
         return fmt::format("The organs are {} now", lines::name_of(sketch->pattern.kind));
     if (what == LinePatternTool::What::Face)
-        return fmt::format("The organs {} now", said_of_face(sketch->pattern));
+        return fmt::format("The organs {} now", describe_face(sketch->pattern));
     if (what == LinePatternTool::What::Rules)
         return "The rules are the pattern's again";
     return sketch->pattern.sizes == lines::Pattern::Sizes::Linear
@@ -105,7 +105,7 @@ lines::Pattern next_face(lines::Pattern pattern)
     return pattern;
 }
 
-std::string said_of_face(lines::Pattern const& pattern)
+std::string describe_face(lines::Pattern const& pattern)
 {
     double const roll_deg = lines::roll_deg(pattern);
     if (roll_deg == 0)
@@ -128,8 +128,8 @@ constexpr tools::ToolKind LinePatternTool::kKind {
     .begins_group_of_buttons = true,
     .at_once = true,
     .options = tools::options_type<LinePatternTool, visit>(),
-    .mean = set_next,
-    .said = said,
+    .edits_for = set_next,
+    .describe = describe_change,
     .other_end = { &EraseLineTool::kKind },
 };
 

@@ -26,6 +26,6 @@ Pattern next_pattern(Pattern pattern);
 Pattern next_face(Pattern pattern);
 
 // Describes the orientation of organs for the user: "lie flat", "turn their upper side up".
-std::string said_of_face(Pattern const& pattern);
+std::string describe_face(Pattern const& pattern);
 
 } // namespace tractus::lines

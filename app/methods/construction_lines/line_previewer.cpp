@@ -12,7 +12,7 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr int kMostNodesShown = 60; // Most nodes of a layer that the preview shows.
+constexpr int kMaxNodesShown = 60; // Most nodes of a layer that the preview shows.
 
 tools::SkeletonLine line_through(std::vector<Vec3> const& points_mm, double width_mm,
                                  scene::DeskPlacement const& from, scene::DeskPlacement const& to)
@@ -86,9 +86,10 @@ class LinePreviewer final : public tools::StrokePreviewer {
 public:
     std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
     {
-        auto const edits = without_picture(stroke.tool)
-                               .mean(Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) },
-                                     *stroke.scene);
+        auto const edits
+            = without_picture(stroke.tool)
+                  .edits_for(Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) },
+                             *stroke.scene);
         if (!edits)
             return {};
         auto const state = scene::apply_edits(stroke.scene->state, *edits, builder_);
@@ -97,7 +98,7 @@ public:
         auto const& plant = *scene::active_plant(*state);
         auto sketch = *lines::pen_sketch(plant);
         for (auto& line : sketch.lines)
-            line.nodes = std::min(line.nodes, kMostNodesShown);
+            line.nodes = std::min(line.nodes, kMaxNodesShown);
         auto const built = lines::build_pen_sketch(sketch, {});
         if (!built)
             return {};

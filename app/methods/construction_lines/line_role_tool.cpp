@@ -65,7 +65,7 @@ constexpr tools::ToolKind LineRoleTool::kKind {
     .begins_group_of_buttons = true,
     .surface = tools::Surface::Paper,
     .options = tools::options_type<LineRoleTool, visit>(),
-    .mean = set_role,
+    .edits_for = set_role,
     .other_end = { &EraseLineTool::kKind },
 };
 

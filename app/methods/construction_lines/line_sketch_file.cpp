@@ -24,7 +24,7 @@ constexpr std::array kStemKeys { "stem",       "left",         "right",
                                  "boundaries", "inclinations", "nodes_per_layer" };
 constexpr std::array kOtherKeys { "pattern", "divergence", "face",    "sizes",
                                   "organs",  "organ",      "strokes", "stems" };
-constexpr std::size_t kMostStrokes = 100; // Limit for the strokes, and for the stems, of a file.
+constexpr std::size_t kMaxStrokes = 100; // Limit for the strokes, and for the stems, of a file.
 
 // Reads a boundary; the stem has to be read before. A boundary whose depth differs from the stem's
 // counts as a line in space.
@@ -44,11 +44,11 @@ Result<void> read_boundaries(json const& file, LineSketch& sketch)
     if (!has_value(file, "boundaries"))
         return {};
     auto const& lines = file["boundaries"];
-    if (!lines.is_array() || lines.size() > kMostStrokes)
+    if (!lines.is_array() || lines.size() > kMaxStrokes)
         return fail(Fault::User,
                     fmt::format("boundaries is no list of at most {} lines: write [[[u, v, w], [u, "
                                 "v, w]]]",
-                                kMostStrokes));
+                                kMaxStrokes));
     int number = 0;
     for (auto const& line : lines)
         sketch.around.push_back(TRY(read_line(line, fmt::format("boundary {}", ++number))));
@@ -88,7 +88,7 @@ Result<std::vector<int>> read_nodes(json const& numbers, std::string const& name
                 fmt::format(
                     "{} has {}: give whole numbers from 0 to {}", name,
                     number.dump(-1, ' ', true, json::error_handler_t::replace).substr(0, 40),
-                    kMostNodesInLayer));
+                    kMaxNodesInLayer));
         nodes.push_back(static_cast<int>(count));
     }
     return nodes;
@@ -117,11 +117,11 @@ Result<void> read_strokes(json const& file, LineSketchFile& result)
     if (!has_value(file, "strokes"))
         return {};
     auto const& strokes = file["strokes"];
-    if (!strokes.is_array() || strokes.size() > kMostStrokes)
+    if (!strokes.is_array() || strokes.size() > kMaxStrokes)
         return fail(Fault::User,
                     fmt::format("strokes is no list of at most {} lines: write [[[u, v], [u, v]], "
                                 "[[u, v], [u, v]]], the stem first",
-                                kMostStrokes));
+                                kMaxStrokes));
     for (auto const* const key : { "stem", "left", "right", "boundaries", "inclinations", "stems" })
         if (has_value(file, key))
             return fail(
@@ -146,11 +146,11 @@ Result<void> read_stems(json const& file, LineSketchFile& result)
     if (!has_value(file, "stems"))
         return {};
     auto const& stems = file["stems"];
-    if (!stems.is_array() || stems.size() >= kMostStrokes)
+    if (!stems.is_array() || stems.size() >= kMaxStrokes)
         return fail(Fault::User,
                     fmt::format("stems is no list of fewer than {} stems: write [{{\"stem\": [[u, "
                                 "v], [u, v]]}}]",
-                                kMostStrokes));
+                                kMaxStrokes));
     for (auto const& stem : stems) {
         auto const name = fmt::format("stem {}", result.more_stems.size() + 2);
         if (!stem.is_object() || !has_value(stem, "stem"))
@@ -264,7 +264,7 @@ Result<LineSketchFile> read_file_sketch(Result<json> file, std::string const& na
 {
     auto const pictures = [&](std::string const& picture) {
         return read_file(std::filesystem::path(name).parent_path() / picture,
-                         lsystem::kMostTextureBytes);
+                         lsystem::kMaxTextureBytes);
     };
     if (file && file->is_object()) {
         if (!given.pattern.empty())

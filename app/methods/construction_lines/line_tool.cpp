@@ -52,7 +52,7 @@ void visit(tools::OptionVisitor& visitor, LineTool& tool)
     visitor.choice(
         { .words = kReadingWords, .offered = tools::WordOption::Offered::InTurn, .label = "Read" },
         tool.reading);
-    visitor.number({ "nodes", "", 0, lines::kMostNodesInLayer, 1, "Nodes" }, tool.nodes);
+    visitor.number({ "nodes", "", 0, lines::kMaxNodesInLayer, 1, "Nodes" }, tool.nodes);
     visitor.number({ "divergence", "degrees", -360, 360, 0.5, "Divergence" }, tool.divergence_deg);
     visitor.number({ "organs", "", 2, 24, 1, "Organs" }, tool.organs);
 }
@@ -98,10 +98,10 @@ lines::AddLine line_drawn(LineTool const& tool, Stroke const& stroke, scene::Sce
     return edit;
 }
 
-std::string said_of_sketch(tools::Tool const&, scene::Scene const& after)
+std::string describe_sketch(tools::Tool const&, scene::Scene const& after)
 {
     auto const* const sketch = lines::active_pen_sketch(after.state);
-    return sketch ? lines::said_of(*sketch) : "";
+    return sketch ? lines::describe_result(*sketch) : "";
 }
 
 constexpr tools::ToolKind LineTool::kKind {
@@ -123,12 +123,12 @@ constexpr tools::ToolKind LineTool::kKind {
     .icon = "5951 292351 898351 245684",
     .key = 'I',
     .surface = tools::Surface::Paper,
-    .least_extent_mm = 3,
+    .min_extent_mm = 3,
     .makes = &kPenSketch,
     .options = tools::options_type<LineTool, visit>(),
-    .drawn_glyph = &kLineCurves,
-    .mean = add_line,
-    .said = said_of_sketch,
+    .drawn_gizmo = &kLineCurves,
+    .edits_for = add_line,
+    .describe = describe_sketch,
     .previewer = line_previewer,
     .other_end = { &EraseLineTool::kKind },
 };

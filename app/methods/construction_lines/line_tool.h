@@ -31,6 +31,6 @@ struct LineTool {
 lines::AddLine line_drawn(LineTool const& tool, Stroke const& stroke, scene::Scene const& scene);
 
 // Message for the user after a stroke of the tool; empty if the active plant is not a sketch.
-std::string said_of_sketch(tools::Tool const& tool, scene::Scene const& after);
+std::string describe_sketch(tools::Tool const& tool, scene::Scene const& after);
 
 } // namespace tractus::lines

@@ -140,9 +140,9 @@ private:
 // Samples per pixel of the leaf, along each side, needed to skip little of the image.
 int samples_a_side(LeafOnTablet const& leaf, LaidImage const& image)
 {
-    constexpr double kMost = 4; // Limit; a finer image is assumed to be even between the samples.
+    constexpr double kMax = 4; // Limit; a finer image is assumed to be even between the samples.
     Vec2 const way = image.pixel_of(leaf.at(1, 0.5)) - image.pixel_of(leaf.at(0, 0.5));
-    return static_cast<int>(std::clamp(std::ceil(way.norm() / kLeafPictureLength), 1.0, kMost));
+    return static_cast<int>(std::clamp(std::ceil(way.norm() / kLeafPictureLength), 1.0, kMax));
 }
 
 } // namespace

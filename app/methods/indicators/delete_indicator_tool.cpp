@@ -21,7 +21,7 @@ constexpr tools::ToolKind DeleteIndicatorTool::kKind {
     .help = "takes the motion indicator away where the stroke begins",
     .group = "Lean",
     .options = tools::options_type<DeleteIndicatorTool>(),
-    .mean = delete_indicator,
+    .edits_for = delete_indicator,
     .other_end = { &tools::EraseTool::kKind },
 };
 

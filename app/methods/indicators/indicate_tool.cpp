@@ -29,11 +29,11 @@ void visit(tools::OptionVisitor& visitor, IndicateTool& tool)
     visitor.choice({ kIndicatorWords }, tool.indicator);
 }
 
-// Reach of an indicator whose effect falls off: its length, but at least kLeast_mm.
+// Reach of an indicator whose effect falls off: its length, but at least kMin_mm.
 double reach_of_mm(variation::MotionIndicator const& indicator)
 {
-    constexpr double kLeast_mm = 20;
-    return std::max(kLeast_mm, (indicator.end_mm - indicator.start_mm).norm());
+    constexpr double kMin_mm = 20;
+    return std::max(kMin_mm, (indicator.end_mm - indicator.start_mm).norm());
 }
 
 Result<std::vector<scene::Edit>> indicate(tools::Tool const& tool, Stroke const& stroke,
@@ -68,10 +68,10 @@ constexpr tools::ToolKind IndicateTool::kKind {
     .group = "Lean",
     .icon = "1585 8563 8567",
     .key = 'L',
-    .least_extent_mm = 5,
+    .min_extent_mm = 5,
     .ink = { tools::InkStyle::Look::Arrow },
     .options = tools::options_type<IndicateTool, visit>(),
-    .mean = indicate,
+    .edits_for = indicate,
     .other_end = { &tools::EraseTool::kKind },
 };
 

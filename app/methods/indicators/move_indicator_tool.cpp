@@ -26,9 +26,9 @@ constexpr tools::ToolKind MoveIndicatorTool::kKind {
     .help = "moves the motion indicator where the stroke begins along with it",
     .group = "Lean",
     .begins_group_of_buttons = true,
-    .least_extent_mm = 2,
+    .min_extent_mm = 2,
     .options = tools::options_type<MoveIndicatorTool>(),
-    .mean = move_indicator,
+    .edits_for = move_indicator,
     .other_end = { &tools::EraseTool::kKind },
 };
 

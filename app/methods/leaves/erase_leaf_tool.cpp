@@ -58,7 +58,7 @@ constexpr tools::ToolKind EraseLeafTool::kKind {
     .surface = tools::Surface::Paper,
     .ink = { tools::InkStyle::Look::Eraser, 2 * EraseLeafTool::kRadius_mm },
     .options = tools::options_type<EraseLeafTool>(),
-    .mean = erase,
+    .edits_for = erase,
     .other_end = { &EraseLeafTool::kKind },
 };
 

@@ -229,13 +229,13 @@ private:
     std::vector<std::string> pack_map(leaf::CellPage page, leaf::PageKind kind) const
     {
         // Least side of a cell in pixels; in smaller mipmap levels no leaf is visible.
-        constexpr int kLeastCell = 4;
+        constexpr int kMinCell = 4;
         bool const has_alpha = kind == leaf::PageKind::Color && page.channels == 4;
         std::vector<double> wanted;
         if (has_alpha && options_.mips == AtlasOptions::Mips::Files)
             wanted = leaf::alpha_coverage(page);
         std::vector<std::string> files { png_of(page) };
-        while (options_.mips == AtlasOptions::Mips::Files && page.cell > kLeastCell) {
+        while (options_.mips == AtlasOptions::Mips::Files && page.cell > kMinCell) {
             page = leaf::half_page(page, kind);
             auto shown = page;
             if (has_alpha)

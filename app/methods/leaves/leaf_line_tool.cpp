@@ -118,10 +118,10 @@ Result<std::vector<scene::Edit>> add_line(tools::Tool const& tool, Stroke const&
     return std::vector<scene::Edit> { std::move(edit) };
 }
 
-std::string said_of_leaf(tools::Tool const&, scene::Scene const& after)
+std::string describe_leaf(tools::Tool const&, scene::Scene const& after)
 {
     auto const* const sketch = leaf::active_leaf_sketch(after.state);
-    return sketch ? leaf::said_of(*sketch) : "";
+    return sketch ? leaf::describe_result(*sketch) : "";
 }
 
 } // namespace
@@ -139,12 +139,12 @@ constexpr tools::ToolKind LeafLineTool::kKind {
     .method = "A leaf",
     .icon = "5951 57757351 57353351",
     .surface = tools::Surface::Paper,
-    .least_extent_mm = 2,
+    .min_extent_mm = 2,
     .options = tools::options_type<LeafLineTool, visit>(),
-    .mean = add_line,
+    .edits_for = add_line,
     .follow = follow,
     .like_drawn = like_drawn,
-    .said = said_of_leaf,
+    .describe = describe_leaf,
     .previewer = leaf_previewer,
     .other_end = { &EraseLeafTool::kKind },
 };

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kCell = 256; // Side of a cell in pixels.
 constexpr int kGutter = 8; // Empty border of a cell in pixels.
-constexpr int kMostBends = 3;
+constexpr int kMaxBends = 3;
 
 // Columns of a page for that many leaves. It is a power of two, as game engines prefer pages of
 // such sizes.
@@ -79,10 +79,10 @@ CutLeaf cut_leaf(leaf::LeafPicture const& picture, Vec2 const& stem, double blad
     for (int bays = 6; bays >= 0; --bays) {
         auto const cutout = leaf::cut_out(
             picture.alpha, picture.side,
-            { .least_alpha = 0.3f, .most_corners = bays == 0 ? 12 : 16, .most_bays = bays });
-        for (int bends = kMostBends; bends >= 1; --bends) {
+            { .min_alpha = 0.3f, .most_corners = bays == 0 ? 12 : 16, .most_bays = bays });
+        for (int bends = kMaxBends; bends >= 1; --bends) {
             auto leaf = cut_along_midrib(cutout, stem, blade_px, bends);
-            if (!leaf.triangles.empty() && leaf.triangles.size() <= kMostLeafTriangles)
+            if (!leaf.triangles.empty() && leaf.triangles.size() <= kMaxLeafTriangles)
                 return leaf;
         }
     }
@@ -148,12 +148,12 @@ public:
     {
         std::lock_guard const lock(mutex_);
         sheets_.push_front({ key, text });
-        if (sheets_.size() > kMost)
+        if (sheets_.size() > kMax)
             sheets_.pop_back();
     }
 
 private:
-    static constexpr std::size_t kMost = 8; // Most sheets in the cache, about 2 MB each.
+    static constexpr std::size_t kMax = 8; // Most sheets in the cache, about 2 MB each.
 
     struct Sheet {
         std::string key;

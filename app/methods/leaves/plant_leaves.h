@@ -12,7 +12,7 @@
 namespace tractus::leaf {
 
 // Most triangles of a leaf that a plant wears.
-constexpr std::size_t kMostLeafTriangles = 24;
+constexpr std::size_t kMaxLeafTriangles = 24;
 
 // Grows the leaves of an order, no two alike, and paints them on one page of square cells of 256
 // pixels. The petiole's end is at the bottom centre of each cell. The output does not depend on the

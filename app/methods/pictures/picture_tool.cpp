@@ -31,7 +31,7 @@ void visit(tools::OptionVisitor& visitor, PictureTool& tool)
     visitor.choice({ kDoesWords }, tool.does);
     visitor.number({ .name = "strength",
                      .unit = "%",
-                     .least = 100 * scene::kLeastPictureStrength,
+                     .least = 100 * scene::kMinPictureStrength,
                      .greatest = 100,
                      .step = 5,
                      .label = "Strength" },
@@ -56,7 +56,7 @@ Result<scene::PicturePlace> place_of(scene::Scene const& scene)
 Result<scene::PicturePlace> dragged(scene::PicturePlace place, Does does, Vec2 const& from_mm,
                                     Vec2 const& to_mm)
 {
-    constexpr double kLeastLever_mm = 3;
+    constexpr double kMinLever_mm = 3;
     Vec2 const middle_mm(place.x_mm, place.y_mm);
     Vec2 const from = from_mm - middle_mm;
     Vec2 const to = to_mm - middle_mm;
@@ -65,13 +65,13 @@ Result<scene::PicturePlace> dragged(scene::PicturePlace place, Does does, Vec2 c
         place.y_mm += to_mm.y() - from_mm.y();
         return place;
     }
-    if (std::min(from.norm(), to.norm()) < kLeastLever_mm)
+    if (std::min(from.norm(), to.norm()) < kMinLever_mm)
         return fail(Fault::User,
                     "the stroke begins or ends at the picture's middle, about which it is sized "
                     "and turned: draw it farther out");
     if (does == Does::Size) {
         place.width_mm = std::clamp(place.width_mm * to.norm() / from.norm(),
-                                    scene::kLeastPictureWidth_mm, scene::kGreatestPictureWidth_mm);
+                                    scene::kMinPictureWidth_mm, scene::kGreatestPictureWidth_mm);
         return place;
     }
     double const by_rad = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
@@ -104,8 +104,8 @@ Result<scene::PictureGround> ground_drawn(scene::BackPicture const& picture, Str
     return ground;
 }
 
-Result<std::vector<scene::Edit>> mean(tools::Tool const& tool, Stroke const& stroke,
-                                      scene::Scene const& scene)
+Result<std::vector<scene::Edit>> edits_for(tools::Tool const& tool, Stroke const& stroke,
+                                           scene::Scene const& scene)
 {
     auto const does = tool.get<PictureTool>()->does;
     auto place = TRY(place_of(scene));
@@ -125,7 +125,7 @@ Result<std::vector<scene::Edit>> mean(tools::Tool const& tool, Stroke const& str
                     stroke.tips.back().position_mm.head<2>())) } };
 }
 
-std::string said_of_ground(scene::PictureGround const& ground)
+std::string describe_ground(scene::PictureGround const& ground)
 {
     if (!ground.measured)
         return "The horizon is there: now draw along something of known height, from its foot up";
@@ -135,13 +135,13 @@ std::string said_of_ground(scene::PictureGround const& ground)
     return "A tree's foot says where it stands now, and its outline how tall it is";
 }
 
-std::string said(tools::Tool const& tool, scene::Scene const& after)
+std::string describe_change(tools::Tool const& tool, scene::Scene const& after)
 {
     auto const does = tool.get<PictureTool>()->does;
     if (does == Does::Remove)
         return "The picture is gone";
     if (does == Does::Ground && after.state.picture)
-        return said_of_ground(after.state.picture->ground);
+        return describe_ground(after.state.picture->ground);
     if (does != Does::Lock)
         return {};
     return after.state.picture && after.state.picture->place.is_locked
@@ -176,14 +176,14 @@ constexpr tools::ToolKind PictureTool::kKind {
     .group = "Picture",
     .icon = "1282871712 174467 567486",
     .surface = tools::Surface::Paper,
-    .least_extent_mm = 2,
+    .min_extent_mm = 2,
     .ink = { tools::InkStyle::Look::Arrow },
     .shows_outcome = true,
     .lays_pictures = true,
     .options = tools::options_type<PictureTool, visit>(),
-    .mean = mean,
+    .edits_for = edits_for,
     .follow = follow,
-    .said = said,
+    .describe = describe_change,
     .other_end = { &tools::EraseTool::kKind },
 };
 

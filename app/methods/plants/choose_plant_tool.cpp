@@ -23,7 +23,7 @@ constexpr tools::ToolKind ChoosePlantTool::kKind {
     .icon = "2090 2045 2060 3550 6090 6025 6045 8030 6055 4045",
     .key = 'P',
     .options = tools::options_type<ChoosePlantTool>(),
-    .mean = choose,
+    .edits_for = choose,
     .other_end = { &tools::EraseTool::kKind },
 };
 

@@ -43,7 +43,7 @@ constexpr tools::ToolKind CopyPlantTool::kKind {
     .begins_group_of_buttons = true,
     .at_once = true,
     .options = tools::options_type<CopyPlantTool>(),
-    .mean = copy,
+    .edits_for = copy,
     .other_end = { &tools::EraseTool::kKind },
 };
 

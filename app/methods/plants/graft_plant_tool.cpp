@@ -41,10 +41,10 @@ constexpr tools::ToolKind GraftPlantTool::kKind {
             "the place of that branch: it is a part of that plant from then on",
     .group = "Plants",
     .begins_group_of_buttons = true,
-    .least_extent_mm = 5,
+    .min_extent_mm = 5,
     .ink = { tools::InkStyle::Look::Arrow },
     .options = tools::options_type<GraftPlantTool, visit>(),
-    .mean = graft,
+    .edits_for = graft,
     .other_end = { &tools::EraseTool::kKind },
 };
 

@@ -69,7 +69,7 @@ constexpr tools::ToolKind HideBranchTool::kKind {
     .group = "Plants",
     .at_once = true,
     .options = tools::options_type<HideBranchTool, visit>(),
-    .mean = hide_branches,
+    .edits_for = hide_branches,
     .other_end = { &tools::EraseTool::kKind },
 };
 

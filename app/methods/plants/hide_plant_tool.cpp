@@ -46,7 +46,7 @@ constexpr tools::ToolKind HidePlantTool::kKind {
     .group = "Plants",
     .at_once = true,
     .options = tools::options_type<HidePlantTool, visit>(),
-    .mean = hide,
+    .edits_for = hide,
     .other_end = { &tools::EraseTool::kKind },
 };
 

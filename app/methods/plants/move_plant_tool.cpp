@@ -23,10 +23,10 @@ constexpr tools::ToolKind MovePlantTool::kKind {
     .done = "The plant stands there now",
     .help = "moves the plant where the stroke begins along with it, over the ground",
     .group = "Plants",
-    .least_extent_mm = 2,
+    .min_extent_mm = 2,
     .ink = { tools::InkStyle::Look::Arrow },
     .options = tools::options_type<MovePlantTool>(),
-    .mean = move,
+    .edits_for = move,
     .other_end = { &tools::EraseTool::kKind },
 };
 

@@ -21,7 +21,7 @@ constexpr tools::ToolKind RemovePlantTool::kKind {
     .group = "Plants",
     .at_once = true,
     .options = tools::options_type<RemovePlantTool>(),
-    .mean = remove,
+    .edits_for = remove,
     .other_end = { &tools::EraseTool::kKind },
 };
 

@@ -31,7 +31,7 @@ constexpr tools::ToolKind TakeOffTool::kKind {
             "ground then",
     .group = "Plants",
     .options = tools::options_type<TakeOffTool>(),
-    .mean = take_off,
+    .edits_for = take_off,
     .other_end = { &tools::EraseTool::kKind },
 };
 

@@ -16,8 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostBytes = std::size_t { 1 } << 28;
-constexpr double kMostSteps = 1000;
+constexpr std::size_t kMaxBytes = std::size_t { 1 } << 28;
+constexpr double kMaxSteps = 1000;
 
 // Reads the values of one JSON object, and names them in errors.
 class ObjectReader {
@@ -184,10 +184,10 @@ Result<Case> parse_case(std::string_view text, std::string const& name)
     for (auto const* const key : { "parameters", "name", "expected" })
         reader.also_known(key);
     TRY(reader.refuse_unknown_keys());
-    if (example.steps < 0 || example.steps > kMostSteps)
+    if (example.steps < 0 || example.steps > kMaxSteps)
         return fail(Fault::User,
                     fmt::format("{}: steps is {}: give a number from 0 to {}", name, example.steps,
-                                kMostSteps));
+                                kMaxSteps));
     if (file.contains("parameters")) {
         if (!file["parameters"].is_object())
             return fail(
@@ -200,7 +200,7 @@ Result<Case> parse_case(std::string_view text, std::string const& name)
 
 Result<Case> load_case(std::filesystem::path const& path)
 {
-    return parse_case(TRY(read_text_file(path, kMostBytes)), path.string());
+    return parse_case(TRY(read_text_file(path, kMaxBytes)), path.string());
 }
 
 Result<GrownCase> grow_case(Case example)

@@ -57,7 +57,7 @@ void visit(tools::OptionVisitor& visitor, GrowthBrushTool& tool)
 {
     visit_species(visitor, tool.species);
     visitor.number({ "years_per_s", "", 0.5, 20, 0.5, "Years a second" }, tool.years_per_s);
-    visitor.number({ "least_radius", "mm", 1, 100, 1, "Light" }, tool.least_radius_mm);
+    visitor.number({ "least_radius", "mm", 1, 100, 1, "Light" }, tool.min_radius_mm);
     visitor.number({ "radius", "mm", 2, 200, 2, "Pressed" }, tool.most_radius_mm);
     visitor.choice({ kWhatWords }, tool.what);
 }
@@ -107,8 +107,8 @@ Result<std::vector<scene::Edit>> change_habit(GrowthBrushTool const& tool,
         tree->seed + (is_other_chance ? 1 : 0) } };
 }
 
-Result<std::vector<scene::Edit>> mean(tools::Tool const& tool, Stroke const& stroke,
-                                      scene::Scene const& scene)
+Result<std::vector<scene::Edit>> edits_for(tools::Tool const& tool, Stroke const& stroke,
+                                           scene::Scene const& scene)
 {
     auto const& options = *tool.get<GrowthBrushTool>();
     if (options.what == What::Year || options.what == What::TenYears)
@@ -197,7 +197,7 @@ Result<BrushedLife> brushed_life(GrowthBrushTool const& tool, Stroke const& stro
     BrushedLife life { .part = { .years = static_cast<int>(std::clamp(
                                      std::floor(seconds * tool.years_per_s), 1.0, 100.0)),
                                  .stroke = stroke,
-                                 .least_radius_mm = tool.least_radius_mm,
+                                 .min_radius_mm = tool.min_radius_mm,
                                  .most_radius_mm = tool.most_radius_mm,
                                  .waits_outside = true,
                                  .seconds_per_year = 1 / tool.years_per_s } };
@@ -223,8 +223,8 @@ constexpr tools::ToolKind GrowthBrushTool::kKind {
     .method = "Growth brush",
     .icon = "5953 5735 5673 162441618486",
     .options = tools::options_type<GrowthBrushTool, visit>(),
-    .mean = mean,
-    .said = describe_grown,
+    .edits_for = edits_for,
+    .describe = describe_grown,
     .previewer = growth_brush_previewer,
     .other_end = { &PruneTool::kKind },
 };

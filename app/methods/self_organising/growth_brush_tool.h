@@ -33,7 +33,7 @@ struct GrowthBrushTool {
     } species
         = Species::Oak;
     double years_per_s = 4;     // Years of growth per second of pen movement.
-    double least_radius_mm = 6; // Radius of the brush on the desk at no pressure.
+    double min_radius_mm = 6;   // Radius of the brush on the desk at no pressure.
     double most_radius_mm = 30; // Radius of the brush on the desk at full pressure.
     enum class What {
         GoOn, // Continues the active tree if the stroke begins on it, otherwise begins a new tree.

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostHabitBytes = std::size_t { 1 } << 16;
+constexpr std::size_t kMaxHabitBytes = std::size_t { 1 } << 16;
 constexpr char const* kEnding = ".habit";
 
 std::string lower_case(std::string text)
@@ -26,7 +26,7 @@ std::string lower_case(std::string text)
 
 Result<Habit> load_file(fs::path const& path)
 {
-    return parse_habit(TRY(read_text_file(path, kMostHabitBytes)), path.string());
+    return parse_habit(TRY(read_text_file(path, kMaxHabitBytes)), path.string());
 }
 
 } // namespace

@@ -25,7 +25,7 @@ constexpr std::array<tools::OptionWord, 2> kPruneWords { {
 void visit(tools::OptionVisitor& visitor, PruneTool& tool)
 {
     visitor.choice({ kPruneWords }, tool.what);
-    visitor.number({ "least_radius", "mm", 0.5, 100, 0.5, "Light" }, tool.least_radius_mm);
+    visitor.number({ "least_radius", "mm", 0.5, 100, 0.5, "Light" }, tool.min_radius_mm);
     visitor.number({ "radius", "mm", 1, 200, 1, "Pressed" }, tool.most_radius_mm);
 }
 
@@ -61,8 +61,8 @@ bool has_brushed(GrownTree const& tree)
     });
 }
 
-Result<std::vector<scene::Edit>> mean_to_prune(tools::Tool const& tool, Stroke const& stroke,
-                                               scene::Scene const& scene)
+Result<std::vector<scene::Edit>> prune_edits(tools::Tool const& tool, Stroke const& stroke,
+                                             scene::Scene const& scene)
 {
     auto const& options = *tool.get<PruneTool>();
     bool const clears = options.what == PruneTool::What::Clear;
@@ -78,7 +78,7 @@ Result<std::vector<scene::Edit>> mean_to_prune(tools::Tool const& tool, Stroke c
                     "prune it instead");
     LifePart part { .kind = clears ? LifePart::Kind::Clear : LifePart::Kind::Prune,
                     .stroke = stroke,
-                    .least_radius_mm = options.least_radius_mm,
+                    .min_radius_mm = options.min_radius_mm,
                     .most_radius_mm = options.most_radius_mm,
                     .stands_at_mm = scene.drawn->stands_at_mm,
                     .scale = scene.placement.scale };
@@ -106,7 +106,7 @@ constexpr tools::ToolKind PruneTool::kKind {
     .method = "Growth brush",
     .ink = { tools::InkStyle::Look::Eraser, 8 },
     .options = tools::options_type<PruneTool, visit>(),
-    .mean = mean_to_prune,
+    .edits_for = prune_edits,
     .other_end = { &PruneTool::kKind },
 };
 

@@ -10,8 +10,8 @@ struct PruneTool {
     static tools::ToolKind const kKind;
 
     enum class What { Prune, Clear } what = What::Prune;
-    double least_radius_mm = 2; // Radius of the brush on the desk at no pressure.
-    double most_radius_mm = 8;  // Radius of the brush on the desk at full pressure.
+    double min_radius_mm = 2;  // Radius of the brush on the desk at no pressure.
+    double most_radius_mm = 8; // Radius of the brush on the desk at full pressure.
 };
 
 } // namespace tractus::self_organising

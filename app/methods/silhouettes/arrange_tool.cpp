@@ -32,7 +32,7 @@ void visit(tools::OptionVisitor& visitor, ArrangeTool& tool)
 {
     visitor.choice({ kAround }, tool.around);
     visitor.choice({ kTo, tools::WordOption::Offered::InHand }, tool.to);
-    visitor.number({ "whorl", "", kLeastWhorl, kMostWhorl, 1, "In a whorl" }, tool.whorl);
+    visitor.number({ "whorl", "", kMinWhorl, kMaxWhorl, 1, "In a whorl" }, tool.whorl);
 }
 
 Result<std::vector<scene::Edit>> arrange(tools::Tool const& tool, Stroke const&,
@@ -73,7 +73,7 @@ constexpr tools::ToolKind ArrangeTool::kKind {
     .begins_group_of_buttons = true,
     .at_once = true,
     .options = tools::options_type<ArrangeTool, visit>(),
-    .mean = arrange,
+    .edits_for = arrange,
     .other_end = { &EraseOutlineTool::kKind },
 };
 

@@ -66,7 +66,7 @@ std::string counted_lines(std::size_t count, char const* one, char const* many)
 }
 
 // Tells the user which lines define the crown's surface now.
-std::string said_of_crown(tools::Tool const&, scene::Scene const& after)
+std::string describe_crown(tools::Tool const&, scene::Scene const& after)
 {
     auto const* const tree = silhouette::outlined_tree(*after.drawn);
     if (!tree)
@@ -150,10 +150,10 @@ constexpr tools::ToolKind CrownTool::kKind {
             "spacing, as an outline's tree",
     .group = "Sketch",
     .method = "From an outline",
-    .least_extent_mm = 5,
+    .min_extent_mm = 5,
     .options = tools::options_type<CrownTool, visit_crown>(),
-    .mean = mean_crown,
-    .said = said_of_crown,
+    .edits_for = mean_crown,
+    .describe = describe_crown,
     .previewer = crown_previewer,
     .other_end = { &EraseCrownTool::kKind },
 };

@@ -48,7 +48,7 @@ constexpr tools::ToolKind EraseCrownTool::kKind {
     .method = "From an outline",
     .ink = { tools::InkStyle::Look::Eraser, 2 * EraseCrownTool::kRadius_mm },
     .options = tools::options_type<EraseCrownTool>(),
-    .mean = erase_lines,
+    .edits_for = erase_lines,
     .other_end = { &EraseCrownTool::kKind },
 };
 

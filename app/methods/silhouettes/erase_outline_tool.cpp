@@ -88,7 +88,7 @@ constexpr tools::ToolKind EraseOutlineTool::kKind {
     .surface = tools::Surface::Paper,
     .ink = { tools::InkStyle::Look::Eraser, 2 * EraseOutlineTool::kRadius_mm },
     .options = tools::options_type<EraseOutlineTool>(),
-    .mean = erase,
+    .edits_for = erase,
     .other_end = { &EraseOutlineTool::kKind },
 };
 

@@ -14,7 +14,7 @@ void visit_nodes(tools::OptionVisitor& visitor, NodesOption& nodes)
     // This place hides the option: none of these tools has a gizmo beside which a button would
     // appear.
     visitor.choice(
-        { .words = kWords, .offered = tools::WordOption::Offered::BesideGlyph, .label = "Nodes" },
+        { .words = kWords, .offered = tools::WordOption::Offered::BesideGizmo, .label = "Nodes" },
         nodes);
 }
 
@@ -26,7 +26,7 @@ void visit_fills(tools::OptionVisitor& visitor, FillsOption& fills)
         { "fills_by_spacing", "by spacing" },
     } };
     visitor.choice(
-        { .words = kWords, .offered = tools::WordOption::Offered::BesideGlyph, .label = "Fills" },
+        { .words = kWords, .offered = tools::WordOption::Offered::BesideGizmo, .label = "Fills" },
         fills);
 }
 

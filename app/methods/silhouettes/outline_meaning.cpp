@@ -284,10 +284,10 @@ Result<std::optional<scene::Edit>> declared_leaf(OutlineTool const& tool, Stroke
     return DeclareLeaf { scene.drawn->id, *id, !(tree->is_leaf && *id == 0) };
 }
 
-Result<ChooseStyles> carried_styles(Stroke const& stroke, scene::Scene const& scene)
+Result<ChooseStyles> copied_styles(Stroke const& stroke, scene::Scene const& scene)
 {
     auto const* const tree = TRY(active_tree(scene));
-    return ChooseStyles { scene.drawn->id, TRY(styles_carried_by(*tree, stroke)) };
+    return ChooseStyles { scene.drawn->id, TRY(styles_copied_by(*tree, stroke)) };
 }
 
 Result<OutlinedTree> tree_with(DrawTree const& edit, scene::Scene const& scene)

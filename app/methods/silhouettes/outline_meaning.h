@@ -25,9 +25,9 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
 Result<std::optional<scene::Edit>> declared_leaf(OutlineTool const& tool, Stroke const& stroke,
                                                  scene::Scene const& scene);
 
-// The styles that a stroke of the tool copies between branches of the active tree (carried_by() in
-// chosen_style.h). Fails with a user error if there is no such tree, and like carried_by().
-Result<ChooseStyles> carried_styles(Stroke const& stroke, scene::Scene const& scene);
+// The styles that a stroke of the tool copies between branches of the active tree (copied_by() in
+// chosen_style.h). Fails with a user error if there is no such tree, and like copied_by().
+Result<ChooseStyles> copied_styles(Stroke const& stroke, scene::Scene const& scene);
 
 // The tree after the edit, with all its lines.
 Result<OutlinedTree> tree_with(DrawTree const& edit, scene::Scene const& scene);

@@ -33,7 +33,7 @@ public:
             return {};
         auto const what = stroke.tool.get<OutlineTool>()->what;
         if (what == OutlineTool::What::Carry)
-            return carried(stroke.ink, scene);
+            return copied(stroke.ink, scene);
         // An open line declares a leaf only when it ends, so there is nothing to preview.
         if (what == OutlineTool::What::Leaf && !tools::is_coming_back(stroke.ink))
             return {};
@@ -78,8 +78,8 @@ private:
     }
 
     // Branches whose style the line copies, and those that receive it.
-    static std::vector<tools::SkeletonLine> carried(std::span<TipSample const> ink,
-                                                    scene::Scene const& scene)
+    static std::vector<tools::SkeletonLine> copied(std::span<TipSample const> ink,
+                                                   scene::Scene const& scene)
     {
         auto const* const tree = silhouette::outlined_tree(*scene.drawn);
         if (!tree)
@@ -90,7 +90,7 @@ private:
         auto const skeleton = silhouette::skeleton_of(*tree);
         if (!skeleton)
             return {};
-        auto const styles = silhouette::carried_by(*skeleton, points);
+        auto const styles = silhouette::copied_by(*skeleton, points);
         if (!styles)
             return {};
         std::vector<tools::SkeletonLine> lines;

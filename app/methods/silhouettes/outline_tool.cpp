@@ -1,9 +1,9 @@
 #include "app/methods/silhouettes/outline_tool.h"
 
+#include "app/methods/silhouettes/describe_tree.h"
 #include "app/methods/silhouettes/erase_outline_tool.h"
 #include "app/methods/silhouettes/outline_meaning.h"
 #include "app/methods/silhouettes/outline_previewer.h"
-#include "app/methods/silhouettes/said_of_tree.h"
 #include "engine/methods/silhouettes/outlined_tree.h"
 #include "engine/methods/silhouettes/ready_form.h"
 
@@ -103,7 +103,7 @@ void visit(tools::OptionVisitor& visitor, OutlineTool& tool)
         tool.style);
     // This option is for logs only: the tool has no gizmo beside which its button would appear.
     visitor.choice({ .words = kReadsWords,
-                     .offered = tools::WordOption::Offered::BesideGlyph,
+                     .offered = tools::WordOption::Offered::BesideGizmo,
                      .label = "Reads" },
                    tool.reads);
     visitor.choice({ .words = kSeenWords,
@@ -133,7 +133,7 @@ Result<std::vector<scene::Edit>> draw(tools::Tool const& tool, Stroke const& str
     if (options.what == What::Form || options.what == What::Reseed)
         return form_active(options, scene);
     if (options.what == What::Carry)
-        return std::vector<scene::Edit> { TRY(carried_styles(stroke, scene)) };
+        return std::vector<scene::Edit> { TRY(copied_styles(stroke, scene)) };
     if (options.what == What::Leaf)
         if (auto const declared = TRY(declared_leaf(options, stroke, scene)))
             return std::vector<scene::Edit> { *declared };
@@ -192,8 +192,8 @@ constexpr tools::ToolKind OutlineTool::kKind {
     .surface = tools::Surface::Paper,
     .makes = &OutlinedTree::kKind,
     .options = tools::options_type<OutlineTool, visit>(),
-    .mean = draw,
-    .said = said_of_tree,
+    .edits_for = draw,
+    .describe = describe_tree,
     .previewer = outline_previewer,
     .other_end = { &EraseOutlineTool::kKind },
 };

@@ -69,7 +69,7 @@ bool holds_strokes(json const& list)
         && list[0][0].is_array();
 }
 
-constexpr std::size_t kMostStrokes = 100;
+constexpr std::size_t kMaxStrokes = 100;
 
 // Reads the list of strokes under a key; empty if the key is missing.
 Result<std::vector<std::vector<Vec2>>> read_strokes(json const& file, char const* key,
@@ -79,9 +79,9 @@ Result<std::vector<std::vector<Vec2>>> read_strokes(json const& file, char const
     if (!file.contains(key))
         return strokes;
     for (auto const& stroke : file[key]) {
-        if (strokes.size() == kMostStrokes)
+        if (strokes.size() == kMaxStrokes)
             return fail(Fault::User,
-                        fmt::format("there are more than {} {}: give fewer", kMostStrokes, key));
+                        fmt::format("there are more than {} {}: give fewer", kMaxStrokes, key));
         strokes.push_back(TRY(read_stroke(stroke, fmt::format("{} {}", one, strokes.size() + 1))));
     }
     return strokes;
@@ -94,9 +94,9 @@ Result<void> read_touches(json const& file, char const* key, BumpTouch::Kind kin
     if (!file.contains(key))
         return {};
     auto const places = TRY(read_stroke(file[key], key));
-    if (places.size() > kMostStrokes)
+    if (places.size() > kMaxStrokes)
         return fail(Fault::User,
-                    fmt::format("there are more than {} {}: give fewer", kMostStrokes, key));
+                    fmt::format("there are more than {} {}: give fewer", kMaxStrokes, key));
     for (auto const& place : places)
         result.touches.push_back({ kind, place });
     return {};
@@ -115,9 +115,9 @@ Result<std::vector<NumberedLine>> read_numbered(json const& file, char const* ke
         return result;
     for (auto const& entry : file[key]) {
         auto const name = fmt::format("{} {}", line, result.size() + 1);
-        if (result.size() == kMostStrokes)
+        if (result.size() == kMaxStrokes)
             return fail(Fault::User,
-                        fmt::format("there are more than {} {}: give fewer", kMostStrokes, key));
+                        fmt::format("there are more than {} {}: give fewer", kMaxStrokes, key));
         if (!entry.is_object() || !entry.contains(number) || !entry[number].is_number()
             || !entry.contains(line))
             return fail(Fault::User,
@@ -152,9 +152,9 @@ Result<void> read_crown_lines(json const& file, SilhouetteFile& result)
             line.emplace_back(foot + out * std::cos(angle), point.y(), out * std::sin(angle));
         }
     }
-    if (result.crown_lines.size() > kMostStrokes)
+    if (result.crown_lines.size() > kMaxStrokes)
         return fail(Fault::User,
-                    fmt::format("there are more than {} lines in space: give fewer", kMostStrokes));
+                    fmt::format("there are more than {} lines in space: give fewer", kMaxStrokes));
     return {};
 }
 
@@ -171,10 +171,10 @@ void settle_crown(SilhouetteFile& file)
 Result<void> read_outline(json const& outline, SilhouetteFile& result)
 {
     if (holds_strokes(outline)) {
-        if (outline.size() > kMostStrokes)
+        if (outline.size() > kMaxStrokes)
             return fail(Fault::User,
                         fmt::format("outline has {} strokes: give at most {}", outline.size(),
-                                    kMostStrokes));
+                                    kMaxStrokes));
         for (auto const& stroke : outline)
             result.drawing.outline.push_back(TRY(read_stroke(
                 stroke, fmt::format("stroke {} of outline", result.drawing.outline.size() + 1))));
@@ -289,8 +289,8 @@ Result<SilhouetteFile> parse_silhouette(std::string_view text, std::string const
 
 Result<SilhouetteFile> load_silhouette(std::filesystem::path const& path)
 {
-    constexpr std::size_t kMostBytes = std::size_t { 2 } << 20;
-    auto const text = TRY(read_text_file(path, kMostBytes));
+    constexpr std::size_t kMaxBytes = std::size_t { 2 } << 20;
+    auto const text = TRY(read_text_file(path, kMaxBytes));
     if (path.extension() == ".svg")
         return named(read_svg(text), path.string());
     return parse_silhouette(text, path.string());

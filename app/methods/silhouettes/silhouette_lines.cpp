@@ -57,7 +57,7 @@ Result<void> carry_style(SilhouetteFile& file, std::vector<Vec2> const& line,
                          SkeletonOptions const& options)
 {
     auto const skeleton = TRY(infer_skeleton(file.drawing, options));
-    auto const carried = TRY(carried_by(skeleton, line));
+    auto const carried = TRY(copied_by(skeleton, line));
     return choose_styles(file.drawing.styles, carried, skeleton);
 }
 
@@ -256,7 +256,7 @@ Result<std::vector<scene::Edit>> edits_of_lines(SilhouetteFile const& file, Draw
     drawer.touch(touches_of(file, TouchesOn::Parts));
     for (auto const& line : file.styles) {
         auto const scene = TRY(scene::apply_edits({}, drawer.edits()));
-        drawer.edits().push_back(TRY(carried_styles(stroke_along(line), scene)));
+        drawer.edits().push_back(TRY(copied_styles(stroke_along(line), scene)));
     }
     return std::move(drawer.edits());
 }

@@ -62,7 +62,7 @@ std::optional<std::size_t> untouched(Stroke const& eraser, std::vector<SegmentId
 Result<std::vector<scene::Edit>> shorten(tools::Tool const&, Stroke const& stroke,
                                          scene::Scene const& scene)
 {
-    if (auto erased = tools::Tool(tools::EraseTool {}).mean(stroke, scene))
+    if (auto erased = tools::Tool(tools::EraseTool {}).edits_for(stroke, scene))
         return erased;
     auto const grown = sketch::newest_grown(*scene.drawn);
     if (!grown)
@@ -93,10 +93,10 @@ constexpr tools::ToolKind ShortenSketchTool::kKind {
             "runs over the plant's axis; but first strokes and indicators that it runs over",
     .group = "Sketch",
     .method = "Along a stroke",
-    .least_extent_mm = 2,
+    .min_extent_mm = 2,
     .ink = { tools::InkStyle::Look::Eraser, 2 * ShortenSketchTool::kRadius_mm },
     .options = tools::options_type<ShortenSketchTool>(),
-    .mean = shorten,
+    .edits_for = shorten,
     .other_end = { &ShortenSketchTool::kKind },
 };
 

@@ -172,7 +172,7 @@ std::vector<sketch::LateralRule> lateral_rules_of(SketchTool const& tool, sketch
 }
 
 // The option that gives the rule's lateral rules, or no value if none does.
-std::optional<SketchTool::Laterals> said_laterals(SketchTool tool, sketch::Rule const& rule)
+std::optional<SketchTool::Laterals> stated_laterals(SketchTool tool, sketch::Rule const& rule)
 {
     for (std::size_t i = 0; i < kLateralsWords.size(); ++i) {
         tool.go_on_by = static_cast<SketchTool::Laterals>(i);
@@ -192,11 +192,11 @@ void visit_sketch_options(tools::OptionVisitor& visitor, SketchTool& tool)
                      .label = "Rule" },
                    tool.card);
     using enum tools::NumberOption::Offered;
-    visitor.number({ "laterals", "", 0, 8, 1, "Laterals", WithoutGlyph }, tool.laterals);
-    visitor.number({ "angle", "degrees", 0, 150, 5, "Angle", WithoutGlyph }, tool.angle_deg);
+    visitor.number({ "laterals", "", 0, 8, 1, "Laterals", WithoutGizmo }, tool.laterals);
+    visitor.number({ "angle", "degrees", 0, 150, 5, "Angle", WithoutGizmo }, tool.angle_deg);
     visitor.number({ "first", "mm", 5, 100, 5, "Internode" }, tool.first_length_mm);
-    visitor.number({ "ratio", "", 0.5, 1.2, 0.05, "Lengthening", WithoutGlyph }, tool.length_ratio);
-    visitor.number({ "lateral", "", 0.2, 1, 0.02, "Lateral", WithoutGlyph }, tool.lateral_length);
+    visitor.number({ "ratio", "", 0.5, 1.2, 0.05, "Lengthening", WithoutGizmo }, tool.length_ratio);
+    visitor.number({ "lateral", "", 0.2, 1, 0.02, "Lateral", WithoutGizmo }, tool.lateral_length);
     visitor.choice({ .words = kLateralsWords,
                      .offered = tools::WordOption::Offered::InTurn,
                      .label = "Laterals" },
@@ -216,20 +216,20 @@ void visit_sketch_options(tools::OptionVisitor& visitor, SketchTool& tool)
                                 : StrokeSurface::Paper;
     visitor.choice({ kPlaceWords }, tool.place);
     visitor.choice({ .words = kDrawnWords,
-                     .offered = tools::WordOption::Offered::BesideGlyph,
+                     .offered = tools::WordOption::Offered::BesideGizmo,
                      .label = "Drawn" },
                    tool.drawn);
-    visitor.number({ "width", "", 0.3, 1, 0.05, "Thinning", OnGlyph }, tool.width_ratio);
-    visitor.number({ "lateral_width", "", 0.2, 1, 0.05, "Lateral's thickness", OnGlyph },
+    visitor.number({ "width", "", 0.3, 1, 0.05, "Thinning", OnGizmo }, tool.width_ratio);
+    visitor.number({ "lateral_width", "", 0.2, 1, 0.05, "Lateral's thickness", OnGizmo },
                    tool.lateral_width);
-    visitor.number({ "twist", "degrees", -180, 180, 5, "Twist beyond the rule's", OnGlyph },
+    visitor.number({ "twist", "degrees", -180, 180, 5, "Twist beyond the rule's", OnGizmo },
                    tool.axis_twist_deg);
     visitor.number(
-        { "lateral_twist", "degrees", -180, 180, 5, "Laterals' twist beyond the rule's", OnGlyph },
+        { "lateral_twist", "degrees", -180, 180, 5, "Laterals' twist beyond the rule's", OnGizmo },
         tool.lateral_twist_deg);
-    visitor.number({ "shortest", "mm", 0, 100, 1, "Shortest internode, 0: the rule's", OnGlyph },
+    visitor.number({ "shortest", "mm", 0, 100, 1, "Shortest internode, 0: the rule's", OnGizmo },
                    tool.shortest_mm);
-    visitor.number({ "room", "mm", 0, 50, 1, "Gives way within, 0: not", OnGlyph }, tool.room_mm);
+    visitor.number({ "room", "mm", 0, 50, 1, "Gives way within, 0: not", OnGizmo }, tool.room_mm);
     visitor.choice(
         { .words = kStandsWords, .offered = tools::WordOption::Offered::InTurn, .label = "Stands" },
         tool.stands);
@@ -271,7 +271,7 @@ sketch::Rule with_options(sketch::Rule const& rule, SketchTool const& tool)
     if (slender < kSlender)
         wanted.first_width_mm = slender * wanted.first_length_mm;
     // Lateral rules from a file that no option can express stay until an option replaces them.
-    if (wanted.lateral_rules.empty() && !said_laterals(tool, rule))
+    if (wanted.lateral_rules.empty() && !stated_laterals(tool, rule))
         wanted.lateral_rules = rule.lateral_rules;
     wanted.most_segments = rule.most_segments;
     wanted.most_internodes = rule.most_internodes;
@@ -293,7 +293,7 @@ bool says_rule(SketchTool const& tool, sketch::Rule const& rule)
         && is_same(as_twist_deg(said.lateral_twist_deg - rule.lateral_twist_deg), 0)
         && is_same(said.shortest_mm, rule.shortest_mm)
         && is_same(said.gives_way_mm, rule.gives_way_mm)
-        && (said.lateral_rules == rule.lateral_rules || !said_laterals(tool, rule));
+        && (said.lateral_rules == rule.lateral_rules || !stated_laterals(tool, rule));
 }
 
 bool says_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
@@ -330,7 +330,7 @@ SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)
     tool.width_ratio = rule.width_ratio;
     tool.lateral_length = rule.lateral_length;
     tool.lateral_width = rule.lateral_width;
-    tool.go_on_by = said_laterals(tool, rule).value_or(SketchTool::Laterals::Fork);
+    tool.go_on_by = stated_laterals(tool, rule).value_or(SketchTool::Laterals::Fork);
     double const twist_deg = twist_of_card(tool);
     tool.axis_twist_deg = as_twist_deg(rule.axis_twist_deg - twist_deg);
     tool.lateral_twist_deg = as_twist_deg(rule.lateral_twist_deg - twist_deg);

@@ -10,8 +10,8 @@ namespace tractus::sketch {
 
 namespace {
 
-constexpr double kMostInternodes = 4000;
-constexpr std::size_t kMostModules = 200'000; // Limit for a model that is regrown for each frame.
+constexpr double kMaxInternodes = 4000;
+constexpr std::size_t kMaxModules = 200'000; // Limit for a model that is regrown for each frame.
 
 tools::SkeletonLine line_of(Plant const& plant, Axis const& axis, scene::DeskPlacement const& from,
                             scene::DeskPlacement const& to)
@@ -99,9 +99,9 @@ private:
         edit.leaves = sketch::Leaves::Bare;
         scene::LoadOptions options;
         if (edit.model.is_set())
-            options.limits.max_modules = kMostModules;
+            options.limits.max_modules = kMaxModules;
         else
-            edit.rule.most_internodes = std::max<double>(edit.rule.most_segments, kMostInternodes);
+            edit.rule.most_internodes = std::max<double>(edit.rule.most_segments, kMaxInternodes);
         auto const& place = find_place(tool, edit, stroke.scene);
         if (place && *place)
             fit_to_branch(edit, **place);

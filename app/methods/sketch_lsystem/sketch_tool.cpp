@@ -1,6 +1,6 @@
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 
-#include "app/methods/sketch_lsystem/rule_glyph.h"
+#include "app/methods/sketch_lsystem/rule_gizmo.h"
 #include "app/methods/sketch_lsystem/shorten_sketch_tool.h"
 #include "app/methods/sketch_lsystem/sketch_options.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
@@ -282,13 +282,13 @@ constexpr tools::ToolKind SketchTool::kKind {
     .method = "Along a stroke",
     .icon = "5950 5674 5422 5362",
     .key = 'K',
-    .least_extent_mm = 8,
+    .min_extent_mm = 8,
     .options = tools::options_type<SketchTool, visit_sketch_options>(),
-    .glyph = &kRuleGlyph,
-    .mean = grow,
+    .gizmo = &kRuleGizmo,
+    .edits_for = grow,
     .follow = follow,
     .like_drawn = like_drawn,
-    .said = say_turned,
+    .describe = say_turned,
     .previewer = sketch_previewer,
     .steps = applications,
     .other_end = { &ShortenSketchTool::kKind },

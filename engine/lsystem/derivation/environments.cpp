@@ -25,11 +25,11 @@ constexpr std::size_t kMaxCells = std::size_t { 1 } << 24;
 // Returns the voxel at a position; no value if its coordinates are too large.
 std::optional<Cell> cell_at(Vec3 const& position, double size)
 {
-    constexpr double kMost = 1e9;
+    constexpr double kMax = 1e9;
     Cell cell {};
     for (int i = 0; i < 3; ++i) {
         double const coordinate = std::floor(position[i] / size);
-        if (!(std::fabs(coordinate) < kMost))
+        if (!(std::fabs(coordinate) < kMax))
             return std::nullopt;
         cell[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(coordinate);
     }

@@ -11,7 +11,7 @@ namespace tractus::lsystem {
 // Branch-free: processors could not predict which modules change.
 void BlockScan::find(Kinds const& kinds, std::span<KindId const> modules)
 {
-    CHECK(modules.size() <= kMost);
+    CHECK(modules.size() <= kMax);
     std::uint32_t parameter = 0;
     std::size_t count = 0;
     for (std::uint32_t i = 0; i < modules.size(); ++i) {

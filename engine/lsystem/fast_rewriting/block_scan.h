@@ -13,7 +13,7 @@ namespace tractus::lsystem {
 class BlockScan {
 public:
     // Largest number of modules in a part.
-    static constexpr std::size_t kMost = 2048;
+    static constexpr std::size_t kMax = 2048;
 
     // Facts about a kind of module.
     struct Kind {
@@ -46,10 +46,10 @@ private:
     std::size_t count_ = 0;
     std::uint32_t parameter_count_ = 0;
     std::size_t drawing_count_ = 0;
-    std::array<Change, kMost + 1> changes_ {};
-    std::array<double, kMost> numbers_ {};
+    std::array<Change, kMax + 1> changes_ {};
+    std::array<double, kMax> numbers_ {};
     // Indices of the changes that draw random numbers.
-    std::array<std::uint32_t, kMost + 1> drawing_ {};
+    std::array<std::uint32_t, kMax + 1> drawing_ {};
 };
 
 } // namespace tractus::lsystem

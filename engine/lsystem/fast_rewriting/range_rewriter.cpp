@@ -197,8 +197,8 @@ std::size_t RangeRewriter::rewrite_module(Task const& task, std::size_t at, std:
 void RangeRewriter::rewrite_bounded(Range const& range)
 {
     auto parameter = range.parameter;
-    for (auto begin = range.begin; begin < range.end && !is_over(); begin += BlockScan::kMost) {
-        auto const end = std::min(begin + BlockScan::kMost, range.end);
+    for (auto begin = range.begin; begin < range.end && !is_over(); begin += BlockScan::kMax) {
+        auto const end = std::min(begin + BlockScan::kMax, range.end);
         machine_.spend(end - begin);
         out_->kinds.reserve_more((end - begin) * plan_.longest() + FixedSuccessor::kShort);
         out_->parameters.reserve_more((end - begin) * plan_.most_parameters() + kWideRun);
@@ -208,7 +208,7 @@ void RangeRewriter::rewrite_bounded(Range const& range)
     }
 }
 
-// Rewrites a range of at most BlockScan::kMost modules. Returns the index of the first parameter
+// Rewrites a range of at most BlockScan::kMax modules. Returns the index of the first parameter
 // after it.
 std::size_t RangeRewriter::write_block(Range const& range, Room room, ModuleWriter& to)
 {
@@ -260,8 +260,8 @@ std::size_t RangeRewriter::write_blocks(Range const& range, Room room, ModuleWri
 {
     auto parameter = range.parameter;
     for (auto begin = range.begin; begin < range.end && !machine_.has_stopped();
-         begin += BlockScan::kMost) {
-        auto const end = std::min(begin + BlockScan::kMost, range.end);
+         begin += BlockScan::kMax) {
+        auto const end = std::min(begin + BlockScan::kMax, range.end);
         machine_.spend(end - begin);
         parameter = write_block({ begin, end, parameter }, room, to);
     }

@@ -419,8 +419,8 @@ Model Parser::finish()
     // What changes the plant most comes first.
     auto& warnings = model_.warnings;
     warnings = std::move(names_.warnings);
-    for (auto const& more :
-         { names_.uses.warnings(cursor_.source()), model_.view.warnings, names_.told_undefined() })
+    for (auto const& more : { names_.uses.warnings(cursor_.source()), model_.view.warnings,
+                              names_.undefined_warnings() })
         warnings.insert(warnings.end(), more.begin(), more.end());
     return std::move(model_);
 }

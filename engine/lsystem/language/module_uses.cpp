@@ -60,10 +60,10 @@ std::string describe_letter(std::string_view character)
                        printable(character));
 }
 
-// Appends at most kMaxTold of these texts, then how many more there are.
-void append_told(std::vector<std::string>& to, std::vector<std::string> texts, char const* what)
+// Appends at most kMaxListed of these texts, then how many more there are.
+void append_listed(std::vector<std::string>& to, std::vector<std::string> texts, char const* what)
 {
-    auto const told = std::min(texts.size(), ModuleUses::kMaxTold);
+    auto const told = std::min(texts.size(), ModuleUses::kMaxListed);
     to.insert(to.end(), texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(told));
     if (texts.size() > told)
         to.push_back(fmt::format("{} more {}", texts.size() - told, what));
@@ -230,8 +230,8 @@ std::vector<std::string> ModuleUses::warnings(SourceText const& source) const
             fmt::format("{}: {}", source.place(position), describe_letter(first_character(rest))));
     }
     std::vector<std::string> result;
-    append_told(result, std::move(names), "names have several letters");
-    append_told(result, std::move(letters), "letters have no effect");
+    append_listed(result, std::move(names), "names have several letters");
+    append_listed(result, std::move(letters), "letters have no effect");
     return result;
 }
 

@@ -34,10 +34,10 @@ public:
     void add_predecessor(std::string_view written, std::size_t module_count, std::size_t position);
 
     // Describes, each with its place, what has no effect: names of several letters, then single
-    // letters in the order of the text. Lists that are longer than kMaxTold end in a count.
+    // letters in the order of the text. Lists that are longer than kMaxListed end in a count.
     std::vector<std::string> warnings(SourceText const& source) const;
 
-    static constexpr std::size_t kMaxTold = 4;
+    static constexpr std::size_t kMaxListed = 4;
 
 private:
     struct Use {

@@ -39,10 +39,10 @@ void Names::warn_undefined(std::string const& name, std::string const& place)
         undefined.push_back(fmt::format("{}: {} is not defined; its value is 0", place, name));
 }
 
-std::vector<std::string> Names::told_undefined() const
+std::vector<std::string> Names::undefined_warnings() const
 {
-    constexpr std::size_t kMaxTold = 3;
-    auto const told = std::min(undefined.size(), kMaxTold);
+    constexpr std::size_t kMaxListed = 3;
+    auto const told = std::min(undefined.size(), kMaxListed);
     std::vector<std::string> result(undefined.begin(),
                                     undefined.begin() + static_cast<std::ptrdiff_t>(told));
     if (undefined.size() > told)

@@ -49,7 +49,7 @@ struct Names {
     // Adds a warning that a name read at `place` has no definition, for its first place only.
     void warn_undefined(std::string const& name, std::string const& place);
     // The warnings of undefined names: the first three, and how many more there are.
-    std::vector<std::string> told_undefined() const;
+    std::vector<std::string> undefined_warnings() const;
 };
 
 } // namespace tractus::lsystem

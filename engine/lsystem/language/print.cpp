@@ -62,9 +62,9 @@ KindCounts count_kinds(std::span<KindId const> modules)
 {
     KindCounts result {};
     // Largest count that fits into 32 bits, with a margin.
-    constexpr std::size_t kMost = std::size_t { 1 } << 31;
-    for (std::size_t begin = 0; begin < modules.size(); begin += kMost) {
-        auto const part = modules.subspan(begin, std::min(kMost, modules.size() - begin));
+    constexpr std::size_t kMax = std::size_t { 1 } << 31;
+    for (std::size_t begin = 0; begin < modules.size(); begin += kMax) {
+        auto const part = modules.subspan(begin, std::min(kMax, modules.size() - begin));
         // Four separate counters: neighbouring modules are often of the same kind, and each
         // increment would wait for the one before it.
         std::array<std::array<std::uint32_t, 256>, 4> counts {};

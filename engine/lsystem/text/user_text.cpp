@@ -12,9 +12,9 @@ namespace tractus::lsystem {
 
 std::string shown(std::string_view text)
 {
-    constexpr std::size_t kMost = 60;
+    constexpr std::size_t kMax = 60;
     std::string result;
-    while (!text.empty() && result.size() < kMost) {
+    while (!text.empty() && result.size() < kMax) {
         auto const character = first_character(text);
         result += printable(character);
         text.remove_prefix(character.size());

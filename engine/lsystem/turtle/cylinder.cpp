@@ -8,7 +8,7 @@ namespace tractus::lsystem {
 
 namespace {
 
-constexpr double kLeastLength_mm = 1e-5;
+constexpr double kMinLength_mm = 1e-5;
 constexpr int kMaxRings = 1000;
 
 // Coefficients of a cubic polynomial, in ascending powers of t.
@@ -41,7 +41,7 @@ Vec3 unit_or(Vec3 const& v, Vec3 const& otherwise)
 }
 
 // Parallel transport of a normal from the direction `from` to the direction `to`.
-Vec3 carried(Vec3 const& normal, Vec3 const& from, Vec3 const& to)
+Vec3 parallel_transport(Vec3 const& normal, Vec3 const& from, Vec3 const& to)
 {
     Vec3 const turned = rotation_between(from, to) * normal;
     return unit_or(turned - turned.dot(to) * to, to.unitOrthogonal());
@@ -84,7 +84,7 @@ Cylinder::Piece Cylinder::make_piece(CylinderPoint const& to, CylinderCourse con
     auto const& from = current_;
     Piece piece { from, to, {} };
     double const length = (to.position_mm - from.position_mm).norm();
-    if (length < kLeastLength_mm)
+    if (length < kMinLength_mm)
         return piece;
     auto const radii
         = radius_curve(from, to, to.style.scales_radius_tangents ? length : options_.unit_mm);
@@ -97,7 +97,7 @@ Cylinder::Piece Cylinder::make_piece(CylinderPoint const& to, CylinderCourse con
         section.position_mm = value(course.path, t);
         Vec3 const heading = unit_or(slope(course.path, t), from.heading);
         section.normal = Eigen::AngleAxisd(course.twist_rad * section.share, heading)
-            * carried(from.normal, from.heading, heading);
+            * parallel_transport(from.normal, from.heading, heading);
         section.radius_mm = std::clamp(at.y(), 0.0, 1e6);
         piece.sections.push_back(section);
     }
@@ -121,7 +121,7 @@ Cylinder::Piece Cylinder::add_to_hermite(CylinderPoint point, int rings)
     }
     CylinderCourse course;
     course.rings = rings;
-    Vec3 const level = carried(current_.normal, current_.heading, point.heading);
+    Vec3 const level = parallel_transport(current_.normal, current_.heading, point.heading);
     if (options_.twists)
         course.twist_rad = angle_about(point.heading, level, point.normal);
     else
@@ -151,14 +151,14 @@ Cylinder::Piece Cylinder::add_to_bspline(CylinderPoint const& point, int rings)
         current_ = last_[1];
         current_.position_mm = value(course.path, 0);
         current_.heading = unit_or(slope(course.path, 0), last_[1].heading);
-        current_.normal = carried(last_[1].normal, last_[1].heading, current_.heading);
+        current_.normal = parallel_transport(last_[1].normal, last_[1].heading, current_.heading);
     }
     auto end = last_[2];
     end.position_mm = value(course.path, 1);
     end.heading = unit_or(slope(course.path, 1), last_[2].heading);
-    end.normal = carried(current_.normal, current_.heading, end.heading);
+    end.normal = parallel_transport(current_.normal, current_.heading, end.heading);
     if (options_.twists) {
-        Vec3 const own = carried(last_[2].normal, last_[2].heading, end.heading);
+        Vec3 const own = parallel_transport(last_[2].normal, last_[2].heading, end.heading);
         course.twist_rad = angle_about(end.heading, end.normal, own);
         end.normal = own;
     }

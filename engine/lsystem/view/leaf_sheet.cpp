@@ -16,8 +16,8 @@ namespace tractus::lsystem {
 namespace {
 
 constexpr std::string_view kEnding = ".leaf-sheet";
-constexpr std::size_t kMostLeaves = 64;
-constexpr std::size_t kMostCorners = 64;
+constexpr std::size_t kMaxLeaves = 64;
+constexpr std::size_t kMaxCorners = 64;
 
 // Reads lines of numbers that follow a keyword; the first number is a leaf's number of corners.
 class SheetReader {
@@ -36,7 +36,7 @@ public:
         sheet.color = leaf_page(TRY(picture("color")));
         sheet.normal = leaf_page(TRY(picture("normal")));
         auto const count = TRY(numbers("leaves", 1))[0];
-        if (!(count >= 1 && count <= double(kMostLeaves)))
+        if (!(count >= 1 && count <= double(kMaxLeaves)))
             return error("expected 1 to 64 leaves");
         for (int i = 0; i < static_cast<int>(count); ++i)
             sheet.leaves.push_back(std::make_shared<CutLeaf const>(TRY(leaf(i))));
@@ -76,8 +76,8 @@ private:
     Result<CutLeaf> leaf(int place)
     {
         auto const head = TRY(numbers("leaf", 5));
-        if (!(head[0] >= 3 && head[0] <= double(kMostCorners) && head[1] >= 1
-              && head[1] <= double(kMostCorners)))
+        if (!(head[0] >= 3 && head[0] <= double(kMaxCorners) && head[1] >= 1
+              && head[1] <= double(kMaxCorners)))
             return error("expected 3 to 64 corners and 1 to 64 triangles");
         CutLeaf leaf;
         leaf.sheet = name_;
@@ -179,7 +179,7 @@ std::optional<LeafOrder> parse_leaf_sheet_name(std::string_view name)
     auto const spread = parts.size() == 4 ? number(parts[3]) : 0;
     auto const is_share = [](std::optional<double> value) { return value >= 0.0 && value <= 1.0; };
     if (!variants || !is_share(age) || !is_share(spread)
-        || !(*variants >= 1 && *variants <= double(kMostLeaves)))
+        || !(*variants >= 1 && *variants <= double(kMaxLeaves)))
         return std::nullopt;
     return LeafOrder { std::string(parts[0]), static_cast<int>(*variants), *age, *spread };
 }

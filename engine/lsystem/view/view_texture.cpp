@@ -65,12 +65,12 @@ Result<void> put_texture(Material& material, std::string_view png)
 {
     if (!png.starts_with("\x89PNG\r\n\x1a\n"))
         return fail(Fault::User, "it is no PNG picture: save it as one");
-    if (png.size() > kMostTextureBytes)
+    if (png.size() > kMaxTextureBytes)
         return fail(
             Fault::User,
-            fmt::format("it has more than {} MiB: make it smaller", kMostTextureBytes >> 20));
+            fmt::format("it has more than {} MiB: make it smaller", kMaxTextureBytes >> 20));
     PixelRows rows;
-    TRY(read_png_pixels(png, kMostTexturePixels, [&](int width, int height) {
+    TRY(read_png_pixels(png, kMaxTexturePixels, [&](int width, int height) {
         rows.width = width;
         rows.height = height;
         rows.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));

@@ -11,8 +11,8 @@
 namespace tractus::lsystem {
 
 // Textures of materials: the texture= field of a material: statement (view.h).
-constexpr std::size_t kMostTextureBytes = std::size_t { 16 } << 20;
-constexpr std::int64_t kMostTexturePixels = 16'000'000;
+constexpr std::size_t kMaxTextureBytes = std::size_t { 16 } << 20;
+constexpr std::int64_t kMaxTexturePixels = 16'000'000;
 
 // Gives a material a picture. Its colour becomes the mean, in linear light, of the pixels with an
 // alpha of at least one half, for renderers that show no pictures. The rows of the material's

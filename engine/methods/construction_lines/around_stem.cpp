@@ -95,7 +95,7 @@ std::optional<double> azimuth_of(std::span<Vec3 const> line, DrawnStem const& st
 {
     // Minimum resultant of the offsets, as a share of their sum: below it, the azimuth is
     // undefined.
-    constexpr double kLeast = 0.01;
+    constexpr double kMin = 0.01;
     // Minimum mean distance from the stem, as a share of its length: below it, the line is the stem
     // itself.
     constexpr double kOnStem = 1e-3;
@@ -113,7 +113,7 @@ std::optional<double> azimuth_of(std::span<Vec3 const> line, DrawnStem const& st
         away_mm += way.norm();
     }
     double const apart_mm = kOnStem * stem.length_mm() * static_cast<double>(kSamples);
-    if (sum.norm() <= kLeast * away || away_mm < apart_mm)
+    if (sum.norm() <= kMin * away || away_mm < apart_mm)
         return std::nullopt;
     double const azimuth = degrees(std::atan2(sum.y(), sum.x()));
     return azimuth < 0 ? azimuth + 360 : azimuth;

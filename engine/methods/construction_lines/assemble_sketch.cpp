@@ -104,7 +104,7 @@ public:
         for (std::size_t i = 0; i < parts_.size(); ++i)
             name(i);
         for (std::size_t i = 0; i < parts_.size(); ++i)
-            if (strokes_[i].said == Role::Around)
+            if (strokes_[i].assigned == Role::Around)
                 result_.sketch.around.push_back(lines_[i]);
         check_lines();
         return std::move(result_);
@@ -368,7 +368,7 @@ private:
         double const side = half.reach == Across::Reach::Left ? 1 : -1;
         Vec2 const tangent = axis_.tangent(half.at);
         Vec2 const left(-tangent.y(), tangent.x());
-        Vec2 const over = axis_.point(half.at) - side * (kLeastHalf / 2) * axis_.length_mm() * left;
+        Vec2 const over = axis_.point(half.at) - side * (kMinHalf / 2) * axis_.length_mm() * left;
         Polyline line { Vec3(over.x(), over.y(), 0) };
         line.insert(line.end(), half.made.line.begin(), half.made.line.end());
         return line;
@@ -398,10 +398,10 @@ private:
         for (auto const& [piece, role] : pieces_)
             if (piece == i)
                 stroke.role = role;
-        if (strokes_[i].said == Role::Around)
+        if (strokes_[i].assigned == Role::Around)
             stroke.role = Role::Around;
         if (stroke.role == Role::Unsure)
-            stroke.reason = strokes_[i].said == Role::Unsure
+            stroke.reason = strokes_[i].assigned == Role::Unsure
                 ? "somebody has said that it is no line of the sketch"
                 : reason_for(lie_of(DrawnLine(on_paper(lines_[i])),
                                     DrawnLine(on_paper(result_.sketch.stem))));

@@ -15,7 +15,7 @@ namespace tractus::lines {
 namespace {
 
 // Number of iterations; each one brings the value closer to its target.
-constexpr int kMostRounds = 6;
+constexpr int kMaxRounds = 6;
 // Largest distance between an inclination line and its crossing, as a share of the stem's length.
 constexpr double kNearStem = 0.03;
 
@@ -181,7 +181,7 @@ Bump bump_at(std::vector<std::optional<double>> const& places, std::size_t numbe
              DrawnLine const& boundary)
 {
     // Smallest reach of a bump, as a share of the line's length.
-    constexpr double kLeastReach = 0.05;
+    constexpr double kMinReach = 0.05;
     double const at = *places[number];
     double before = at;
     double behind = boundary.length_mm() - at;
@@ -191,7 +191,7 @@ Bump bump_at(std::vector<std::optional<double>> const& places, std::size_t numbe
         double const off = *places[i] - at;
         (off < 0 ? before : behind) = std::min(off < 0 ? before : behind, std::fabs(off));
     }
-    double const least = kLeastReach * boundary.length_mm();
+    double const least = kMinReach * boundary.length_mm();
     return { at, std::max(before, least), std::max(behind, least) };
 }
 
@@ -253,7 +253,7 @@ private:
 
 // The stem with which a line moves when `stem` is bent: `stem` itself, or a stem attached to it
 // that bears the line's stem. No value: the line does not move.
-std::optional<std::size_t> carried_by(PenSketch const& sketch, std::size_t of, std::size_t stem)
+std::optional<std::size_t> copied_by(PenSketch const& sketch, std::size_t of, std::size_t stem)
 {
     for (std::size_t steps = 0; steps <= sketch.lines.size(); ++steps) {
         if (of == stem)
@@ -294,7 +294,7 @@ Result<PenSketch> bent_with(PenSketch sketch, std::size_t stem, BentStem const& 
             feet_mm[line.stem] = bent.before().nearest_mm(TRY(flat_line(line)).points().front());
     auto const before = sketch;
     for (auto& line : sketch.lines) {
-        auto const by = carried_by(before, line.stem, stem);
+        auto const by = copied_by(before, line.stem, stem);
         if (!by)
             continue;
         std::optional<double> at_mm;
@@ -325,7 +325,7 @@ static Result<PenSketch> drawing_in_hand(PenSketch const& whole)
 Result<BentLine> with_angle(PenSketch const& whole, std::size_t number, StemSide side,
                             double angle_deg)
 {
-    TRY(refuse("an angle", angle_deg, kLeastAngle_deg, kGreatestAngle_deg));
+    TRY(refuse("an angle", angle_deg, kMinAngle_deg, kGreatestAngle_deg));
     auto const sketch = TRY(drawing_in_hand(whole));
     auto const before = TRY(construction_of(sketch));
     auto const missing = [] {
@@ -346,8 +346,7 @@ Result<BentLine> with_angle(PenSketch const& whole, std::size_t number, StemSide
     double by_deg = 0;
     double measured_deg = angle_of(inclination, side);
     BentLine bent { line->id, line->stroke };
-    for (int round = 0; round < kMostRounds && std::fabs(angle_deg - measured_deg) > 0.01;
-         ++round) {
+    for (int round = 0; round < kMaxRounds && std::fabs(angle_deg - measured_deg) > 0.01; ++round) {
         by_deg += angle_deg - measured_deg;
         bent.stroke = TRY(moved(*line, [&](Vec2 const& place) {
             return crossing.is_beside(side, place)
@@ -375,7 +374,7 @@ std::vector<double> size_places(Construction const& construction)
 
 Result<BentLine> with_size(PenSketch const& whole, std::size_t place, StemSide side, double size)
 {
-    TRY(refuse("a size", size, kLeastSize, kGreatestSize));
+    TRY(refuse("a size", size, kMinSize, kGreatestSize));
     auto const sketch = TRY(drawing_in_hand(whole));
     auto const before = TRY(construction_of(sketch));
     auto const* boundary = boundary_of(sketch, side);
@@ -400,7 +399,7 @@ Result<BentLine> with_size(PenSketch const& whole, std::size_t place, StemSide s
     double factor = 1;
     double measured = size_at(before, x, side);
     BentLine bent { boundary->id, boundary->stroke };
-    for (int round = 0; round < kMostRounds && std::fabs(size - measured) > 1e-4 && measured > 0;
+    for (int round = 0; round < kMaxRounds && std::fabs(size - measured) > 1e-4 && measured > 0;
          ++round) {
         factor *= size / measured;
         bent.stroke = TRY(moved(*boundary, [&](Vec2 const& tip) -> Vec2 {
@@ -427,7 +426,7 @@ Result<PenSketch> with_heading(PenSketch sketch, scene::ItemId stem, std::size_t
     auto const before = sketch;
     double by_deg = 0;
     double measured_deg = heading(drawn);
-    for (int round = 0; round < kMostRounds && std::fabs(heading_deg - measured_deg) > 0.01;
+    for (int round = 0; round < kMaxRounds && std::fabs(heading_deg - measured_deg) > 0.01;
          ++round) {
         by_deg += heading_deg - measured_deg;
         sketch = TRY(bent_with(before, number, BentStem(drawn, place, by_deg)));

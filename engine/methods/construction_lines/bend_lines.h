@@ -14,9 +14,9 @@ namespace tractus::lines {
 
 enum class StemSide { Left, Right };
 
-constexpr double kLeastAngle_deg = 2;
+constexpr double kMinAngle_deg = 2;
 constexpr double kGreatestAngle_deg = 175;
-constexpr double kLeastSize = 0.01; // Minimum size of organs, as a share of the stem's length.
+constexpr double kMinSize = 0.01; // Minimum size of organs, as a share of the stem's length.
 constexpr double kGreatestSize = 2;
 
 // A line of a sketch with its new tips.

@@ -158,7 +158,7 @@ Vec3 place_beside(PenSketch const& sketch, SheetPlacement const& sheet, OrganFil
     auto const own = laid_out(organ).box;
     // Default if there is no room on the tablet: beside all lines.
     Vec2 best_mm(all.max().x() + kGap_mm - own.min().x(), all.min().y() - own.min().y());
-    double least_mm = std::numeric_limits<double>::infinity();
+    double min_mm = std::numeric_limits<double>::infinity();
     for (double y = tablet.min().y(); y + own.sizes().y() <= tablet.max().y(); y += kStep_mm)
         for (double x = tablet.min().x(); x + own.sizes().x() <= tablet.max().x(); x += kStep_mm) {
             Vec2 const corner_mm(x, y);
@@ -167,8 +167,8 @@ Vec3 place_beside(PenSketch const& sketch, SheetPlacement const& sheet, OrganFil
             bool const is_free = std::none_of(
                 boxes.begin(), boxes.end(), [&](Box const& box) { return box.intersects(place); });
             double const away_mm = (place.center() - all.center()).norm();
-            if (is_free && away_mm < least_mm) {
-                least_mm = away_mm;
+            if (is_free && away_mm < min_mm) {
+                min_mm = away_mm;
                 best_mm = corner_mm - own.min();
             }
         }

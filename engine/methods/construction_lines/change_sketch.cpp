@@ -89,14 +89,14 @@ void list(scene::Fields& fields, Pattern& pattern)
 
 Result<void> check_pattern(Pattern const& pattern)
 {
-    constexpr int kLeastWhorl = 2;
-    constexpr int kMostWhorl = 24;
+    constexpr int kMinWhorl = 2;
+    constexpr int kMaxWhorl = 24;
     if (!(std::fabs(pattern.divergence_deg) <= 360))
         return fail(Fault::User, "the divergence is no angle: give degrees from -360 to 360");
-    if (pattern.whorl < kLeastWhorl || pattern.whorl > kMostWhorl)
+    if (pattern.whorl < kMinWhorl || pattern.whorl > kMaxWhorl)
         return fail(Fault::User,
                     fmt::format("{} organs cannot stand around a node: give {} to {}",
-                                pattern.whorl, kLeastWhorl, kMostWhorl));
+                                pattern.whorl, kMinWhorl, kMaxWhorl));
     return {};
 }
 

@@ -96,10 +96,10 @@ Result<void> add_called(std::vector<SubModel>& models, std::size_t number)
 // Adds a sketch, and the sketches that it uses as organs, to the model. Returns its index, from 0.
 Result<std::size_t> add_sub_model(std::vector<SubModel>& models, ComposedSketch const& sketch)
 {
-    if (models.size() >= kMostSketches)
+    if (models.size() >= kMaxSketches)
         return fail(Fault::User,
                     fmt::format("the plant is composed of more than {} sketches: leave some out",
-                                kMostSketches));
+                                kMaxSketches));
     if (sketch.stems.size() > 1)
         return fail(Fault::User, "a sketch that is an organ has one stem: leave the others out");
     auto const number = models.size();
@@ -150,7 +150,7 @@ std::string with_own_names(std::string_view text, std::size_t number)
 char letter_of(std::size_t number)
 {
     constexpr std::string_view kLetters = "lmnopqrstuvw";
-    static_assert(kLetters.size() == kMostSketches);
+    static_assert(kLetters.size() == kMaxSketches);
     return kLetters[number];
 }
 
@@ -273,11 +273,11 @@ static Result<LineModel> write_single(ComposedSketch const& sketch, std::string 
 {
     std::vector<SubModel> models;
     TRY(add_sub_model(models, sketch));
-    if (models.front().leaves > static_cast<double>(kMostComposedLeaves))
+    if (models.front().leaves > static_cast<double>(kMaxComposedLeaves))
         return fail(Fault::User,
                     fmt::format("the plant would have {:.0f} leaves, more than {}: give its layers "
                                 "fewer nodes",
-                                models.front().leaves, kMostComposedLeaves));
+                                models.front().leaves, kMaxComposedLeaves));
     std::vector<std::pair<std::string, std::string>> functions;
     std::string definitions;
     std::string leaves;

@@ -31,10 +31,10 @@ struct ComposedSketch {
     OrganSurface leaf {}; // Surface of the plant's leaves; without patches: plain blades.
 };
 
-constexpr std::size_t kMostSketches = 12; // Maximum number of sketches in a composed sketch.
+constexpr std::size_t kMaxSketches = 12; // Maximum number of sketches in a composed sketch.
 // Maximum number of surfaces used as organs, in all sketches together.
-constexpr std::size_t kMostSurfaces = 11;
-constexpr std::size_t kMostComposedLeaves = 100'000; // Maximum number of leaves of the plant.
+constexpr std::size_t kMaxSurfaces = 11;
+constexpr std::size_t kMaxComposedLeaves = 100'000; // Maximum number of leaves of the plant.
 
 // Writes the plant as a model in cpfg's language. If all layers have leaves in the plant's pattern,
 // the result is that of write_model() for the sketch alone. Each sketch is an L-system that is

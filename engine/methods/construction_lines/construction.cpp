@@ -215,7 +215,7 @@ Result<std::vector<Inclination>> measure_inclinations(LineSketch const& sketch,
         auto const line = TRY(inclination_line(sketch, i));
         double const at_mm = TRY(stem_crossing_mm(stem, line, name));
         CrossingLine const of { line, name, stem.seen().point(at_mm),
-                                stem.seen().heading_deg(at_mm), kLeastHalf * stem.length_mm() };
+                                stem.seen().heading_deg(at_mm), kMinHalf * stem.length_mm() };
         result.push_back(TRY(measure_inclination(stem, boundaries, of, at_mm, notes)));
         result.back().drawn = i;
     }
@@ -281,14 +281,14 @@ Result<void> check_nodes(std::vector<int> const& nodes, std::size_t layers)
                                 "numbers of nodes for {}: give one number for each layer",
                                 layers, layers == 1 ? "" : "s", nodes.size()));
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (nodes[i] < 0 || nodes[i] > kMostNodesInLayer)
+        if (nodes[i] < 0 || nodes[i] > kMaxNodesInLayer)
             return fail(Fault::User,
                         fmt::format("layer {} is to have {} nodes: give 0 to {}", i + 1, nodes[i],
-                                    kMostNodesInLayer));
-    if (auto const count = std::accumulate(nodes.begin(), nodes.end(), 1); count > kMostNodes)
+                                    kMaxNodesInLayer));
+    if (auto const count = std::accumulate(nodes.begin(), nodes.end(), 1); count > kMaxNodes)
         return fail(
             Fault::User,
-            fmt::format("the layers have {} nodes together: give at most {}", count, kMostNodes));
+            fmt::format("the layers have {} nodes together: give at most {}", count, kMaxNodes));
     return {};
 }
 
@@ -296,11 +296,11 @@ Result<void> check_nodes(std::vector<int> const& nodes, std::size_t layers)
 
 Result<void> check_point_count(std::size_t points)
 {
-    if (points > kMostPoints)
+    if (points > kMaxPoints)
         return fail(Fault::User,
                     fmt::format("the sketch's lines have {} points together, more than {}: leave "
                                 "out points that lie close together",
-                                points, kMostPoints));
+                                points, kMaxPoints));
     return {};
 }
 
@@ -308,8 +308,8 @@ Result<void> check_point_count(std::size_t points)
 // the viewer shows no length.
 static double foreshortening(double pitch_deg)
 {
-    constexpr double kLeast = 0.17;
-    return std::max(std::cos(radians(pitch_deg)), kLeast);
+    constexpr double kMin = 0.17;
+    return std::max(std::cos(radians(pitch_deg)), kMin);
 }
 
 static Reach stretched(Reach const& reach, double along)

@@ -45,14 +45,14 @@ struct LineSketch {
 
 constexpr double kSameAzimuth_deg = 5;
 
-constexpr std::size_t kMostPoints = 20'000; // Maximum number of points in all lines of a sketch.
-// Fails with a user error if the number of points exceeds kMostPoints.
+constexpr std::size_t kMaxPoints = 20'000; // Maximum number of points in all lines of a sketch.
+// Fails with a user error if the number of points exceeds kMaxPoints.
 Result<void> check_point_count(std::size_t points);
 
 // A half of an inclination line shorter than this share of the stem's length counts as missing.
-constexpr double kLeastHalf = 1e-3;
-constexpr int kMostNodesInLayer = 500;
-constexpr int kMostNodes = 10'000;
+constexpr double kMinHalf = 1e-3;
+constexpr int kMaxNodesInLayer = 500;
+constexpr int kMaxNodes = 10'000;
 
 // Position at which an inclination line crosses the stem, and the angles of its two halves to the
 // stem's direction, 0 to 180 degrees, as seen on the sheet.

@@ -173,7 +173,7 @@ std::vector<Crossing> crossings(DrawnLine const& first, DrawnLine const& second)
             if (!is_on_piece(a_share, i + 1 == a.size())
                 || !is_on_piece(b_share, j + 1 == b.size()))
                 continue;
-            if (found.size() == kMostCrossings)
+            if (found.size() == kMaxCrossings)
                 return found;
             found.push_back({ first.at_mm()[i - 1] + a_share * a_piece.norm(),
                               second.at_mm()[j - 1] + b_share * b_piece.norm() });

@@ -94,10 +94,10 @@ struct Crossing {
     double second_mm = 0;
 };
 
-// Returns the intersections in the order of `first`, at most kMostCrossings (only a scribble has
+// Returns the intersections in the order of `first`, at most kMaxCrossings (only a scribble has
 // more). Collinear segments do not intersect. Takes time proportional to the product of the numbers
 // of points.
-constexpr std::size_t kMostCrossings = 1'000;
+constexpr std::size_t kMaxCrossings = 1'000;
 std::vector<Crossing> crossings(DrawnLine const& first, DrawnLine const& second);
 
 } // namespace tractus::lines

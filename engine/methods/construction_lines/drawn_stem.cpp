@@ -26,11 +26,11 @@ static double sharpest_turn(std::vector<double> const& piece_deg)
 // smooth, but less at sharp corners. A corner of d radians is cut by d / 4 times this value.
 static double half_window(double longest_piece, double sharpest_deg)
 {
-    constexpr double kLeast = 0.0025;
+    constexpr double kMin = 0.0025;
     constexpr double kEnough = 0.004;
-    constexpr double kMostCut = 0.0015;
-    double const most = 4 * kMostCut / std::max(radians(sharpest_deg), 1e-3);
-    return std::max(kLeast, std::min(std::max(longest_piece / 2, kEnough), most));
+    constexpr double kMaxCut = 0.0015;
+    double const most = 4 * kMaxCut / std::max(radians(sharpest_deg), 1e-3);
+    return std::max(kMin, std::min(std::max(longest_piece / 2, kEnough), most));
 }
 
 DrawnStem::DrawnStem(std::span<Vec3 const> points)
@@ -111,9 +111,9 @@ DrawnStem::Frame DrawnStem::frame(double x) const
 
 DrawnStem::Course DrawnStem::course(double x) const
 {
-    constexpr double kLeastAtEnds = 1e-4;
+    constexpr double kMinAtEnds = 1e-4;
     // The window is symmetric; otherwise the ends would lean inwards.
-    double const half = std::max(kLeastAtEnds, std::min({ half_window_, x, 1 - x }));
+    double const half = std::max(kMinAtEnds, std::min({ half_window_, x, 1 - x }));
     double const low = std::max(0.0, x - half);
     double const high = std::min(1.0, x + half);
     auto const from = place_in(at_mm_, low * length_mm());

@@ -78,10 +78,10 @@ public:
     // Improves one stroke after another until the cost does not fall any more.
     void settle()
     {
-        constexpr int kMostPasses = 6;
+        constexpr int kMaxPasses = 6;
         for (std::size_t i = 0; i < parts_.size(); ++i)
             parts_[i] = cheapest(i, false);
-        for (int round = 0; round < kMostPasses; ++round) {
+        for (int round = 0; round < kMaxPasses; ++round) {
             auto const before = parts_;
             for (std::size_t i = 0; i < parts_.size(); ++i)
                 parts_[i] = cheapest(i, true);
@@ -107,7 +107,7 @@ public:
         std::optional<std::pair<std::size_t, Part>> best;
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < parts_.size(); ++i) {
-            if (is_stem(i) || strokes_[i].said)
+            if (is_stem(i) || strokes_[i].assigned)
                 continue;
             for (std::size_t part = 0; part < kPartCount; ++part) {
                 if (static_cast<Part>(part) == parts_[i])
@@ -139,8 +139,8 @@ private:
         };
         if (is_stem(i))
             only(Part::Stem);
-        else if (strokes_[i].said)
-            only(part_of(*strokes_[i].said));
+        else if (strokes_[i].assigned)
+            only(part_of(*strokes_[i].assigned));
     }
 
     double junction(std::size_t i, std::size_t k) const
@@ -213,10 +213,11 @@ private:
 
     double cost_of(std::size_t i, Part part, bool with_others) const
     {
-        if (strokes_[i].said && alone_[i][static_cast<std::size_t>(part)] == 0)
+        if (strokes_[i].assigned && alone_[i][static_cast<std::size_t>(part)] == 0)
             return 0;
         if (part == Part::Piece)
-            return with_others && !is_stem(i) && !strokes_[i].said ? piece_cost(i) : kImpossible;
+            return with_others && !is_stem(i) && !strokes_[i].assigned ? piece_cost(i)
+                                                                       : kImpossible;
         double cost = alone_[i][static_cast<std::size_t>(part)];
         if (!with_others)
             return cost;

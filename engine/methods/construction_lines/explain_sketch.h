@@ -16,7 +16,7 @@ namespace tractus::lines {
 struct StrokeToExplain {
     std::vector<Vec3> points; // Points in the format of LineRecogniser::add().
     // The role that the user has assigned. Without a value the role is to be found.
-    std::optional<Role> said {};
+    std::optional<Role> assigned {};
     // True for a stroke drawn by hand even if its points are far apart: its tremor is removed.
     bool is_by_hand = false;
     bool is_clean = false;   // True if hooks and tremor have already been removed.

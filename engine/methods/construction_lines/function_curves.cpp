@@ -49,15 +49,15 @@ DrawnStem::Course heading_at_node(Construction const& construction, std::size_t 
 // four points.
 std::vector<Vec2> tidy_points(std::vector<Vec2> const& points)
 {
-    constexpr double kLeastStep = 2e-6;
+    constexpr double kMinStep = 2e-6;
     std::vector<Vec2> result;
     for (auto const& point : points) {
         double const x = std::clamp(point.x(), 0.0, 1.0);
-        if (result.empty() || x >= result.back().x() + kLeastStep)
+        if (result.empty() || x >= result.back().x() + kMinStep)
             result.emplace_back(x, point.y());
     }
     result.front().x() = 0;
-    if (result.back().x() < 1 - kLeastStep)
+    if (result.back().x() < 1 - kMinStep)
         result.emplace_back(1, points.back().y());
     result.back().x() = 1;
     while (result.size() < 4)

@@ -16,8 +16,8 @@ constexpr double kHandSpacing_mm = 0.5;
 
 std::vector<Vec3> evenly(std::span<Vec3 const> points, double spacing_mm)
 {
-    constexpr double kMostPoints = 2'000;
-    double const count = std::clamp(polyline_length_mm(points) / spacing_mm, 8.0, kMostPoints);
+    constexpr double kMaxPoints = 2'000;
+    double const count = std::clamp(polyline_length_mm(points) / spacing_mm, 8.0, kMaxPoints);
     return resample(points, static_cast<std::size_t>(std::lround(count)) + 1);
 }
 
@@ -65,10 +65,10 @@ std::size_t hook_at_front(std::span<Vec3 const> points, double spacing_mm)
 {
     constexpr double kLongestHook_mm = 4.5;
     constexpr double kLongestShare = 0.2;
-    constexpr double kLeastOff_mm = 0.3;
+    constexpr double kMinOff_mm = 0.3;
     // Largest deviation of a line that still follows its course, relative to the distance from the
     // fitted part.
-    constexpr double kMostOff = 0.12;
+    constexpr double kMaxOff = 0.12;
     double const length_mm = spacing_mm * static_cast<double>(points.size() - 1);
     auto const steps = [&](double mm) {
         return static_cast<std::size_t>(std::lround(std::max(1.0, mm / spacing_mm)));
@@ -79,12 +79,12 @@ std::size_t hook_at_front(std::span<Vec3 const> points, double spacing_mm)
     if (to < from + 3)
         return 0;
     auto const course = fit_course(points, from, to);
-    double const tremor_mm = std::max(kLeastOff_mm, 3 * course.rms_mm);
+    double const tremor_mm = std::max(kMinOff_mm, 3 * course.rms_mm);
     double farthest_mm = 0;
     auto const leaves = [&](Vec3 const& point) {
         double const at_mm = course.along_mm(point);
         return at_mm < farthest_mm - tremor_mm
-            || std::fabs(course.off_mm(point)) > std::max(tremor_mm, kMostOff * std::fabs(at_mm));
+            || std::fabs(course.off_mm(point)) > std::max(tremor_mm, kMaxOff * std::fabs(at_mm));
     };
     std::size_t hook = 0;
     for (std::size_t i = from; i-- > 0;) {
@@ -93,17 +93,17 @@ std::size_t hook_at_front(std::span<Vec3 const> points, double spacing_mm)
             farthest_mm = std::max(farthest_mm, course.along_mm(points[i]));
         } else if (hook == 0) {
             // Include the points where the turn begins.
-            hook = std::min(from, i + steps(kLeastOff_mm));
+            hook = std::min(from, i + steps(kMinOff_mm));
         }
     }
     if (hook == 0)
         return 0;
     // Smallest turn of a hook; a smaller turn belongs to the line.
-    constexpr double kLeastTurn_deg = 30;
+    constexpr double kMinTurn_deg = 30;
     Vec2 const out = (points[0] - points[hook]).head<2>();
     double const turn_deg
         = degrees(std::fabs(std::atan2(cross(course.along, out), course.along.dot(out))));
-    return turn_deg < kLeastTurn_deg ? 0 : hook;
+    return turn_deg < kMinTurn_deg ? 0 : hook;
 }
 
 // Smoothing spline on evenly spaced points: minimises sum |x - y|^2 + lambda |second differences of
@@ -195,12 +195,12 @@ double cutoff_for(Tremor const& tremor, double length_mm)
 {
     constexpr double kClean_mm = 0.02;
     constexpr double kLeft_deg = 0.6;
-    constexpr double kMost_mm = 40;
+    constexpr double kMax_mm = 40;
     if (tremor.rms_mm < kClean_mm)
         return 0;
     double const turns_deg = degrees(2 * kPi * tremor.rms_mm / tremor.wavelength_mm);
     double const times = std::pow(std::max(1.0, turns_deg / kLeft_deg), 0.25);
-    return std::min({ times * tremor.wavelength_mm, kMost_mm, 0.5 * length_mm });
+    return std::min({ times * tremor.wavelength_mm, kMax_mm, 0.5 * length_mm });
 }
 
 // Indices of corners in ascending order: places where the directions a few millimetres before and
@@ -244,10 +244,10 @@ std::vector<std::size_t> corners(std::span<Vec3 const> points, double spacing_mm
 
 bool is_drawn_by_hand(std::span<Vec3 const> points)
 {
-    constexpr std::size_t kLeastPoints = 12;
-    constexpr double kMostSpacing_mm = 3;
-    return points.size() >= kLeastPoints
-        && polyline_length_mm(points) <= kMostSpacing_mm * static_cast<double>(points.size() - 1);
+    constexpr std::size_t kMinPoints = 12;
+    constexpr double kMaxSpacing_mm = 3;
+    return points.size() >= kMinPoints
+        && polyline_length_mm(points) <= kMaxSpacing_mm * static_cast<double>(points.size() - 1);
 }
 
 std::vector<Vec3> trim_hooks(std::span<Vec3 const> points)
@@ -282,7 +282,7 @@ Vec2 start_direction(std::span<Vec3 const> points)
 std::vector<Vec3> remove_tremor(std::span<Vec3 const> points)
 {
     // Minimum number of points between two corners for measuring tremor.
-    constexpr std::size_t kLeastPoints = 6;
+    constexpr std::size_t kMinPoints = 6;
     auto const line = evenly(points, kHandSpacing_mm);
     double const spacing_mm = polyline_length_mm(points) / static_cast<double>(line.size() - 1);
     auto ends = corners(line, spacing_mm);
@@ -294,7 +294,7 @@ std::vector<Vec3> remove_tremor(std::span<Vec3 const> points)
                              line.begin() + static_cast<std::ptrdiff_t>(ends[i]) + 1);
         std::vector<Vec3> piece(part.begin(), part.end());
         double const length_mm = spacing_mm * static_cast<double>(part.size() - 1);
-        if (part.size() >= kLeastPoints)
+        if (part.size() >= kMinPoints)
             if (double const cutoff_mm = cutoff_for(measure_tremor(part, spacing_mm), length_mm);
                 cutoff_mm > 0)
                 piece = smoothed(part, spacing_mm, cutoff_mm);

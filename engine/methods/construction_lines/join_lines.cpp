@@ -59,7 +59,7 @@ Range range_of(Polyline const& line, StemAxis const& axis)
 
 Junction junction_of(Polyline const& first, Polyline const& second, double most_gap_mm)
 {
-    constexpr double kMostTurn_deg = 45;
+    constexpr double kMaxTurn_deg = 45;
     Junction best;
     for (bool const end_of_first : { true, false })
         for (bool const end_of_second : { true, false }) {
@@ -72,8 +72,7 @@ Junction junction_of(Polyline const& first, Polyline const& second, double most_
             double const turn_deg = degrees(std::acos(std::clamp(way.dot(on), -1.0, 1.0)));
             // Pieces overlap as often as they leave a gap; a sideways offset means separate lines.
             double const aside_mm = std::fabs(cross(way, gap));
-            double const quality = 1
-                - std::hypot(gap.norm() / most_gap_mm, turn_deg / kMostTurn_deg)
+            double const quality = 1 - std::hypot(gap.norm() / most_gap_mm, turn_deg / kMaxTurn_deg)
                 - 0.5 * aside_mm / most_gap_mm;
             if (quality > best.quality)
                 best = { quality, end_of_first, end_of_second };

@@ -61,7 +61,7 @@ Lie lie_of(DrawnLine const& stroke, DrawnLine const& stem)
     lie.last_mm = stem.distance_mm(stroke.points().back());
     lie.along = std::max(0.0, farthest - nearest) / stem.length_mm();
     lie.left_share = left / static_cast<double>(stroke.points().size());
-    lie.least_side_mm = lie.left_share > 0.5 ? reach_right_mm : reach_left_mm;
+    lie.min_side_mm = lie.left_share > 0.5 ? reach_right_mm : reach_left_mm;
     lie.lean_deg = lean_between(stroke, stem);
     return lie;
 }
@@ -76,7 +76,7 @@ bool is_inclination(Lie const& lie)
 // inclination line that does so leans more.
 bool is_boundary(Lie const& lie)
 {
-    bool const grazes = lie.crossings <= 2 && lie.least_side_mm < kGraze_mm
+    bool const grazes = lie.crossings <= 2 && lie.min_side_mm < kGraze_mm
         && (lie.lean_deg < kLeaning_deg || lie.along > kWholeStem);
     return lie.along > kBoundary && (lie.crossings == 0 || grazes);
 }

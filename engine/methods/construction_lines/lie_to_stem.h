@@ -15,7 +15,7 @@ struct Lie {
     double along = 0;      // Share of the stem beside which the stroke runs.
     double left_share = 0; // Share of the stroke's points on the left.
     // Greatest distance from the stem on the side that has fewer of the stroke's points.
-    double least_side_mm = 0;
+    double min_side_mm = 0;
     double lean_deg = 0; // Angle between the chords of stroke and stem, 0 to 90.
 };
 

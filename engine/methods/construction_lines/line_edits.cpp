@@ -24,10 +24,10 @@ constexpr std::array kRoles {
 
 Result<void> check_nodes(int nodes)
 {
-    if (nodes < 0 || nodes > kMostNodesInLayer)
+    if (nodes < 0 || nodes > kMaxNodesInLayer)
         return fail(
             Fault::User,
-            fmt::format("a layer cannot have {} nodes: give 0 to {}", nodes, kMostNodesInLayer));
+            fmt::format("a layer cannot have {} nodes: give 0 to {}", nodes, kMaxNodesInLayer));
     return {};
 }
 

@@ -102,6 +102,6 @@ SheetPlacement sheet_of(scene::PlantState const& plant, std::optional<double> sc
 
 // Returns a message about a sketch's newest line: how it was interpreted, and what is still
 // missing.
-std::string said_of(PenSketch const& sketch);
+std::string describe_result(PenSketch const& sketch);
 
 } // namespace tractus::lines

@@ -124,11 +124,11 @@ std::optional<DrawnLine> seen_on_side(Boundaries const& boundaries, Side side)
     if (boundaries.of(side))
         return boundaries.of(side);
     AroundLine const* nearest = nullptr;
-    double least_deg = kStillSeen_deg;
+    double min_deg = kStillSeen_deg;
     for (auto const& line : boundaries.around) {
         double const off_deg = degrees_between(line.azimuth_deg, azimuth_of_side(side));
-        if (off_deg <= least_deg) {
-            least_deg = off_deg;
+        if (off_deg <= min_deg) {
+            min_deg = off_deg;
             nearest = &line;
         }
     }

@@ -16,7 +16,7 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr std::size_t kMostOrgans = kMostSurfaces;
+constexpr std::size_t kMaxOrgans = kMaxSurfaces;
 
 // Names in the order of the enumerations' values.
 constexpr std::array kViews { "side", "midrib", "section" };
@@ -25,11 +25,11 @@ constexpr std::array kColors { "leaf",   "white", "yellow", "pink",
 
 Result<void> check_count(PenSketch const& sketch)
 {
-    if (sketch.organs.size() < kMostOrgans)
+    if (sketch.organs.size() < kMaxOrgans)
         return {};
     return fail(Fault::User,
                 fmt::format("the sketch has {} kinds of organs already: draw one of them again",
-                            kMostOrgans));
+                            kMaxOrgans));
 }
 
 void list(scene::Fields& fields, DrawOrgan& edit)

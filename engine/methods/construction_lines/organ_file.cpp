@@ -19,7 +19,7 @@ namespace tractus::lines {
 namespace {
 
 constexpr std::string_view kFirstLine = "tractus-organ 1";
-constexpr std::size_t kMostPoints = 2000; // Maximum number of points of a line.
+constexpr std::size_t kMaxPoints = 2000; // Maximum number of points of a line.
 
 // Lines of the file in the order in which they are written.
 struct NamedLine {
@@ -57,10 +57,10 @@ std::vector<Vec2> even_points(std::vector<Vec2> const& line, std::size_t count)
 Result<std::vector<Vec2>> read_points(std::span<std::string const> numbers)
 {
     std::vector<Vec2> points;
-    if (numbers.size() % 2 != 0 || numbers.size() < 4 || numbers.size() > 2 * kMostPoints)
+    if (numbers.size() % 2 != 0 || numbers.size() < 4 || numbers.size() > 2 * kMaxPoints)
         return fail(Fault::User,
                     fmt::format("it has {} numbers: give pairs of right and up for 2 to {} points",
-                                numbers.size(), kMostPoints));
+                                numbers.size(), kMaxPoints));
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         auto const& word = numbers[i];
         double value = 0;

@@ -19,7 +19,7 @@ constexpr std::size_t kLeafMaterial = 2;
 char letter_of_surface(std::size_t number)
 {
     constexpr std::string_view kLetters = "abcdefghijk";
-    static_assert(kLetters.size() == kMostSurfaces);
+    static_assert(kLetters.size() == kMaxSurfaces);
     return kLetters[number];
 }
 
@@ -110,7 +110,7 @@ void put_leaf(LineModel& model, OrganSurface const& surface, char letter)
                  fmt::format("surface: {} {} 1", letter, file));
     auto material = kLeafMaterial;
     if (is_colored(surface)) {
-        material = material_of_surface(kMostSurfaces) + static_cast<std::size_t>(letter - 'a');
+        material = material_of_surface(kMaxSurfaces) + static_cast<std::size_t>(letter - 'a');
         add_material(model, surface, material, fmt::format("leaf_{}", letter), file);
     }
     replace_all(model.source.text, fmt::format("~{}(", letter),
@@ -178,11 +178,11 @@ Result<void> add_surfaces(LineModel& model, std::span<LineOrgan const> organs, s
     for (auto const& organ : organs) {
         if (organ.sketch)
             continue;
-        if (before >= kMostSurfaces)
+        if (before >= kMaxSurfaces)
             return fail(Fault::User,
                         fmt::format("layers of the plant bear more than {} drawn organs: leave "
                                     "some out",
-                                    kMostSurfaces));
+                                    kMaxSurfaces));
         auto const file = fmt::format("{}_organ_{}.s", name_of_model(model), before + 1);
         if (is_colored(organ.surface))
             add_material(model, organ.surface, material_of_surface(before),

@@ -143,10 +143,10 @@ Result<PenSketch> with_levels(PenSketch sketch, std::size_t stem)
 
 static Result<PenSketch> with_stroke(PenSketch sketch, SketchLine line, StemRecogniser::Says says)
 {
-    constexpr std::size_t kMostLines = 100;
-    if (sketch.lines.size() >= kMostLines)
+    constexpr std::size_t kMaxLines = 100;
+    if (sketch.lines.size() >= kMaxLines)
         return fail(Fault::User,
-                    fmt::format("the sketch has {} lines already: begin another stem", kMostLines));
+                    fmt::format("the sketch has {} lines already: begin another stem", kMaxLines));
     auto const* const stem = newest_stem(sketch);
     if (stem && line.depth_by == DepthBy::Height && says == StemRecogniser::Says::Nothing
         && TRY(leaves_sheet(line, *stem))) {
@@ -159,7 +159,7 @@ static Result<PenSketch> with_stroke(PenSketch sketch, SketchLine line, StemReco
     line.stem = known.stem;
     line.parent = known.parent;
     // When lines are read together, role and replacement follow from the reading.
-    line.is_said = says == StemRecogniser::Says::AnotherStem;
+    line.is_assigned = says == StemRecogniser::Says::AnotherStem;
     bool const is_together
         = line.reading == Reading::Together && (sketch.lines.empty() || is_read_together(sketch));
     if (is_together) {
@@ -203,13 +203,13 @@ Result<PenSketch> with_role(PenSketch sketch, scene::ItemId line, Role role)
         if (is_one && other.role == role && other.stem == stem) {
             other.role = Role::Unsure;
             // The line's role is determined anew when all lines are read together.
-            other.is_said = false;
+            other.is_assigned = false;
             parent = std::exchange(other.parent, std::nullopt);
         }
     for (auto& other : sketch.lines)
         if (other.id == line) {
             other.role = role;
-            other.is_said = true;
+            other.is_assigned = true;
             other.parent = role == Role::Stem ? parent : std::nullopt;
         }
     return checked(TRY(with_levels(std::move(sketch), stem)));
@@ -319,14 +319,14 @@ Result<std::vector<Layer>> layers_of(PenSketch const& sketch)
 static std::size_t nearest_stem(std::vector<StemLines> const& stems, Vec2 const& place_mm)
 {
     auto const sources = function_sources(stems);
-    double least_mm = std::numeric_limits<double>::infinity();
+    double min_mm = std::numeric_limits<double>::infinity();
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < stems.size(); ++i) {
         DrawnStem const stem(stems[i].sketch.stem);
         auto const& seen = stem.seen();
         double const away_mm = (seen.point(seen.nearest_mm(place_mm)) - place_mm).norm();
-        if (sources[i] == i && away_mm < least_mm) {
-            least_mm = away_mm;
+        if (sources[i] == i && away_mm < min_mm) {
+            min_mm = away_mm;
             nearest = i;
         }
     }

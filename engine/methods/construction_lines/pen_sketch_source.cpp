@@ -19,8 +19,8 @@ bool same(SketchLine const& one, SketchLine const& other)
         && one.role == other.role && one.nodes == other.nodes && one.stem == other.stem
         && one.parent == other.parent && one.depth_by == other.depth_by
         && one.level_mm == other.level_mm && one.pattern == other.pattern
-        && one.organ == other.organ && one.reading == other.reading && one.is_said == other.is_said
-        && one.turn_round == other.turn_round;
+        && one.organ == other.organ && one.reading == other.reading
+        && one.is_assigned == other.is_assigned && one.turn_round == other.turn_round;
 }
 
 bool same(SketchOrgan const& one, SketchOrgan const& other)

@@ -72,8 +72,8 @@ Result<std::vector<StrokesOfStem>> strokes_of_stems(PenSketch const& sketch)
         StrokeToExplain stroke { .points = TRY(points_on_sheet(line)),
                                  .is_clean = true,
                                  .turn_round = line.turn_round };
-        if (line.is_said || line.role == Role::Around)
-            stroke.said = line.role;
+        if (line.is_assigned || line.role == Role::Around)
+            stroke.assigned = line.role;
         if (line.parent)
             stem.parent = line.parent;
         stem.strokes.push_back(std::move(stroke));

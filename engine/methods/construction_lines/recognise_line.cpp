@@ -81,7 +81,7 @@ std::vector<Vec2> line_of(Half const& half, DrawnLine const& stem)
 {
     Vec2 const left = direction(stem.heading_deg(half.at_mm) + 90);
     std::vector<Vec2> line { stem.point(half.at_mm)
-                             - half.side * (kLeastHalf / 2) * stem.length_mm() * left };
+                             - half.side * (kMinHalf / 2) * stem.length_mm() * left };
     line.insert(line.end(), half.points.begin(), half.points.end());
     return line;
 }

@@ -44,7 +44,7 @@ struct SketchLine {
     Stroke stroke {};        // Stroke of the line, world frame.
     SheetPlacement sheet {}; // Placement of the sheet when the line was drawn.
     Role role = Role::Unsure;
-    // Number of nodes in the layer above an inclination line, 0 to kMostNodesInLayer; for a stem,
+    // Number of nodes in the layer above an inclination line, 0 to kMaxNodesInLayer; for a stem,
     // in the only layer of a sketch with fewer than two inclination lines.
     int nodes = 0;
     // Number of the stem to which the line belongs; for a stem, its own number.
@@ -61,7 +61,8 @@ struct SketchLine {
     // Method of reading the line. A sketch is read together if this is Together for all of its
     // lines.
     Reading reading = Reading::OneByOne;
-    bool is_said = false;    // True if the user has assigned the role; used with Reading::Together.
+    bool is_assigned
+        = false;             // True if the user has assigned the role; used with Reading::Together.
     bool turn_round = false; // True: the direction of the line, as drawn or as read, is reversed.
 };
 

@@ -39,7 +39,7 @@ double cost_as_stem(StemCandidate const& stem, double diagonal_mm)
 // Extends a stroke at both ends by all strokes that continue it.
 StemCandidate chain_from(std::size_t seed, std::span<Polyline const> lines)
 {
-    constexpr double kMostGap = 0.1; // Largest gap, as a share of the lengths of both strokes.
+    constexpr double kMaxGap = 0.1; // Largest gap, as a share of the lengths of both strokes.
     StemCandidate chain { .strokes = { seed }, .line = lines[seed] };
     while (true) {
         Junction best;
@@ -48,7 +48,7 @@ StemCandidate chain_from(std::size_t seed, std::span<Polyline const> lines)
             if (std::find(chain.strokes.begin(), chain.strokes.end(), i) != chain.strokes.end())
                 continue;
             double const both_mm = polyline_length_mm(chain.line) + polyline_length_mm(lines[i]);
-            auto const junction = junction_of(chain.line, lines[i], kMostGap * both_mm);
+            auto const junction = junction_of(chain.line, lines[i], kMaxGap * both_mm);
             if (junction.quality > best.quality) {
                 best = junction;
                 next = i;
@@ -66,7 +66,7 @@ StemCandidate chain_from(std::size_t seed, std::span<Polyline const> lines)
 std::vector<StemCandidate> stem_candidates(std::span<Polyline const> lines,
                                            std::span<StrokeToExplain const> strokes)
 {
-    constexpr std::size_t kMost = 24;
+    constexpr std::size_t kMax = 24;
     double const diagonal_mm = sheet_diagonal_mm(lines);
     std::vector<StemCandidate> result;
     auto const add = [&](StemCandidate candidate) {
@@ -80,14 +80,15 @@ std::vector<StemCandidate> stem_candidates(std::span<Polyline const> lines,
         candidate.cost = cost_as_stem(candidate, diagonal_mm);
         result.push_back(std::move(candidate));
     };
-    auto const is_said = [](StrokeToExplain const& stroke) { return stroke.said == Role::Stem; };
-    bool const one_is_said = std::any_of(strokes.begin(), strokes.end(), is_said);
+    auto const is_assigned
+        = [](StrokeToExplain const& stroke) { return stroke.assigned == Role::Stem; };
+    bool const one_is_assigned = std::any_of(strokes.begin(), strokes.end(), is_assigned);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        auto const& said = strokes[i].said;
-        if (one_is_said ? !is_said(strokes[i]) : said.has_value())
+        auto const& assigned = strokes[i].assigned;
+        if (one_is_assigned ? !is_assigned(strokes[i]) : assigned.has_value())
             continue;
         add({ .strokes = { i }, .line = lines[i] });
-        if (!one_is_said)
+        if (!one_is_assigned)
             add(chain_from(i, lines));
     }
     if (result.empty()) // The user has given every stroke another role.
@@ -95,7 +96,7 @@ std::vector<StemCandidate> stem_candidates(std::span<Polyline const> lines,
     std::stable_sort(
         result.begin(), result.end(),
         [](StemCandidate const& a, StemCandidate const& b) { return a.cost < b.cost; });
-    result.resize(std::min(result.size(), kMost));
+    result.resize(std::min(result.size(), kMax));
     return result;
 }
 

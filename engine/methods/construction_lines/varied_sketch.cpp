@@ -25,13 +25,13 @@ public:
         : from_mm_(from_mm)
         , length_mm_(length_mm)
     {
-        constexpr double kLeast = 0.3; // Range of the number of waves along the stem.
-        constexpr double kMost = 1.1;
+        constexpr double kMin = 0.3; // Range of the number of waves along the stem.
+        constexpr double kMax = 1.1;
         double const each = amplitude * length_mm / std::sqrt(kWaves / 2.0);
         for (auto& wave : waves_) {
             double const along = random.uniform(0, 2 * kPi);
             wave.number
-                = 2 * kPi * random.uniform(kLeast, kMost) * Vec2(std::cos(along), std::sin(along));
+                = 2 * kPi * random.uniform(kMin, kMax) * Vec2(std::cos(along), std::sin(along));
             wave.phase = random.uniform(0, 2 * kPi);
             // A separate statement: compilers evaluate arguments in different orders.
             double const y = random.normal();
@@ -90,7 +90,7 @@ PenSketch varied_sketch(PenSketch sketch, scene::SourceVariation const& variatio
     for (auto& line : sketch.lines) {
         double const nodes = line.nodes * (1 + kNodes * variation.spread * random.normal());
         line.nodes = std::clamp(static_cast<int>(std::lround(nodes)), std::min(line.nodes, 1),
-                                kMostNodesInLayer);
+                                kMaxNodesInLayer);
         auto const tips = line.stroke.tips.in_memory();
         if (!tips)
             continue;

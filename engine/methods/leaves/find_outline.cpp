@@ -24,12 +24,11 @@ double extent_of_all(std::span<FlatLine const> strokes)
 bool is_closed(FlatLine const& line, double extent)
 {
     // Largest gap of a closed line, as a share of the line's extent.
-    constexpr double kMostGap = 0.12;
+    constexpr double kMaxGap = 0.12;
     // Smallest area of an outline, as a share of the square of the drawing's extent.
-    constexpr double kLeastArea = 0.008;
+    constexpr double kMinArea = 0.008;
     double const gap = (line.back() - line.front()).norm();
-    return gap < kMostGap * extent_of(line)
-        && std::abs(area_of(line)) > kLeastArea * extent * extent;
+    return gap < kMaxGap * extent_of(line) && std::abs(area_of(line)) > kMinArea * extent * extent;
 }
 
 // Index of the line's last point after cutting off an overshoot: where the end comes nearest to the
@@ -108,8 +107,8 @@ std::optional<Loop> widest_loop(std::span<FlatLine const> strokes, double extent
                 if (auto const loop = loop_of(strokes, i, j, tolerance);
                     loop && (!best || loop->area > best->area))
                     best = loop;
-    constexpr double kLeastArea = 0.004;
-    if (best && best->area < kLeastArea * extent * extent)
+    constexpr double kMinArea = 0.004;
+    if (best && best->area < kMinArea * extent * extent)
         return std::nullopt;
     return best;
 }
@@ -118,13 +117,13 @@ std::optional<Loop> widest_loop(std::span<FlatLine const> strokes, double extent
 // in contrast, is nearly straight.
 bool are_halves(FlatLine const& a, FlatLine const& b)
 {
-    constexpr double kLeast = 0.25; // Smallest bow, as a share of the other line's bow.
+    constexpr double kMin = 0.25; // Smallest bow, as a share of the other line's bow.
     double const bow_a = bow_of(a);
     bool const is_opposite = (a.front() - b.front()).norm() > (a.front() - b.back()).norm();
     double const bow_b = is_opposite ? -bow_of(b) : bow_of(b);
     return bow_a * bow_b < 0
         && std::min(std::abs(bow_a), std::abs(bow_b))
-        > kLeast * std::max(std::abs(bow_a), std::abs(bow_b));
+        > kMin * std::max(std::abs(bow_a), std::abs(bow_b));
 }
 
 void add_points(FoundOutline& outline, std::size_t stroke, std::size_t count)
@@ -168,8 +167,8 @@ Result<FoundOutline> find_outline(std::span<FlatLine const> strokes)
             closed.emplace_back(std::abs(area_of(strokes[i])), i);
     std::ranges::sort(closed, std::greater {});
     // Smallest area of a second blade, as a share of the largest one's area.
-    constexpr double kLeastBlade = 0.2;
-    if (closed.size() > 1 && closed[1].first > kLeastBlade * closed[0].first)
+    constexpr double kMinBlade = 0.2;
+    if (closed.size() > 1 && closed[1].first > kMinBlade * closed[0].first)
         return fail(Fault::User,
                     fmt::format("strokes {} and {} are both closed: draw one blade by itself, "
                                 "since only simple leaves can be drawn by pen so far",

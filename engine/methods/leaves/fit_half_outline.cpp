@@ -13,8 +13,8 @@ namespace tractus::leaf {
 namespace {
 
 constexpr std::size_t kSamples = 500; // Number of samples along a half outline.
-constexpr std::size_t kMostStops = 70;
-constexpr std::size_t kLeastSpan = 8; // Shortest span, in samples.
+constexpr std::size_t kMaxStops = 70;
+constexpr std::size_t kMinSpan = 8; // Shortest span, in samples.
 constexpr double kCorner_deg = 50;
 
 double turn_deg(FlatLine const& line, std::size_t i, std::size_t reach)
@@ -192,14 +192,14 @@ std::size_t span_size(Stops const& stops, std::size_t span)
 // Splits spans until each fits. On smooth parts, neighbouring spans are kept at similar lengths.
 void refine(FlatLine const& line, Stops& stops, double tolerance)
 {
-    while (stops.count() < kMostStops) {
+    while (stops.count() < kMaxStops) {
         HalfFit const fit(line, stops);
         std::vector<std::size_t> added;
         auto const split = [&](std::size_t span) {
             added.push_back((stops.samples[span] + stops.samples[span + 1]) / 2);
         };
         for (std::size_t span = 0; span + 1 < stops.count(); ++span)
-            if (fit.error(span) > tolerance && span_size(stops, span) >= 2 * kLeastSpan)
+            if (fit.error(span) > tolerance && span_size(stops, span) >= 2 * kMinSpan)
                 split(span);
         if (added.empty()) {
             for (std::size_t span = 0; span + 2 < stops.count(); ++span) {
@@ -281,7 +281,7 @@ std::vector<HalfOutline::Point> fit_half_outline(FlatLine const& half, double to
 std::optional<FlatLine> mean_half(FlatLine const& a, FlatLine const& b, double window)
 {
     // Largest distance between the halves, as a share of the length of the line or of the blade.
-    constexpr double kMostApart = 0.06;
+    constexpr double kMaxApart = 0.06;
     auto const one = evenly(a, kSamples);
     auto const other = evenly(b, kSamples);
     auto stops = corners_of_half(one, window);
@@ -289,7 +289,7 @@ std::optional<FlatLine> mean_half(FlatLine const& a, FlatLine const& b, double w
     if (stops.size() != other_stops.size())
         return std::nullopt;
     for (std::size_t k = 0; k < stops.size(); ++k)
-        if ((one[stops[k]] - other[other_stops[k]]).norm() > kMostApart)
+        if ((one[stops[k]] - other[other_stops[k]]).norm() > kMaxApart)
             return std::nullopt;
     stops.push_back(kSamples - 1);
     other_stops.push_back(kSamples - 1);

@@ -76,7 +76,7 @@ void fit_outline(FlatBlade const& blade, LeafFit& fit)
 {
     // Largest asymmetry of halves that count as equal, in addition to the effect of tremor.
     constexpr double kEqual = 0.04;
-    constexpr double kMostAside_mm = 1;
+    constexpr double kMaxAside_mm = 1;
     double const tremor = fit.tremor_mm / blade.size_mm;
     double const tolerance = std::max(1.05 * tremor, 0.0015);
     double const window = std::max(0.03, 3 / blade.size_mm);
@@ -86,7 +86,7 @@ void fit_outline(FlatBlade const& blade, LeafFit& fit)
         // Compensates for a midrib that is drawn slightly off the middle.
         double const aside = 0.5 * (std::abs(area_of(blade.right)) - std::abs(area_of(left)));
         double const shift
-            = std::clamp(aside, -kMostAside_mm / blade.size_mm, kMostAside_mm / blade.size_mm);
+            = std::clamp(aside, -kMaxAside_mm / blade.size_mm, kMaxAside_mm / blade.size_mm);
         fit.asymmetry = 1 - overlap_of(moved_aside(blade.right, -shift), moved_aside(left, shift));
         double const by_tremor
             = 1.1 * tremor * length_of(blade.right) / std::abs(area_of(blade.right));
@@ -173,7 +173,7 @@ double overlap_with_drawing(RecognisedLeaf const& drawn, LeafFit const& fit,
 
 Result<LeafFit> fit_leaf(RecognisedLeaf const& drawn)
 {
-    constexpr double kLeastStalk = 0.02;
+    constexpr double kMinStalk = 0.02;
     constexpr double kUsualStalk = 0.06; // Length of the stalk if none is drawn.
     auto const blade = TRY(lay_flat(drawn));
     LeafFit fit;
@@ -184,7 +184,7 @@ Result<LeafFit> fit_leaf(RecognisedLeaf const& drawn)
     auto& leaf = fit.leaf;
     leaf.size_mm = rounded_to(blade.size_mm, 10);
     leaf.stalk
-        = blade.stalk > kLeastStalk ? rounded_to(std::min(blade.stalk, 5.0), 1e3) : kUsualStalk;
+        = blade.stalk > kMinStalk ? rounded_to(std::min(blade.stalk, 5.0), 1e3) : kUsualStalk;
     leaf.bend_deg = rounded_to(blade.bend_low_deg + blade.bend_high_deg, 10);
     leaf.droop_deg = rounded_to(2 * (blade.bend_high_deg - blade.bend_low_deg), 10);
     leaf.rise_deg = rounded_to(blade.rise_deg, 10);

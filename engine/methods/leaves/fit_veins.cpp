@@ -14,9 +14,9 @@ namespace tractus::leaf {
 namespace {
 
 // Smallest distance between knots of a main vein; a knot has length 0.008.
-constexpr double kLeastGap = 0.012;
+constexpr double kMinGap = 0.012;
 constexpr double kLastKnot = 0.985;
-constexpr std::size_t kMostKnots = 70;
+constexpr std::size_t kMaxKnots = 70;
 // Deviations of a hand-drawn line this far apart are independent.
 constexpr double kTremorLength_mm = 4;
 
@@ -138,16 +138,16 @@ private:
     // Finds the hub, where the main veins begin, above the end of the stalk.
     void find_hub()
     {
-        constexpr double kLeast = 0.012;
+        constexpr double kMin = 0.012;
         // Maximum length of the hub; beyond it, the limb would follow the outline past the hub.
-        constexpr double kMost = 0.016;
+        constexpr double kMax = 0.016;
         if (blade_.mains.size() < 2)
             return;
         std::vector<double> begins;
         for (std::size_t k = 1; k < blade_.mains.size(); ++k)
             begins.push_back(blade_.mains[k].front().y());
         std::ranges::sort(begins);
-        result_.hub = rounded(std::clamp(begins[begins.size() / 2], kLeast, kMost), 1e4);
+        result_.hub = rounded(std::clamp(begins[begins.size() / 2], kMin, kMax), 1e4);
     }
 
     double noise_deg(double length) const
@@ -162,11 +162,11 @@ private:
 
     MainLine measure_main(FlatLine const& line) const
     {
-        constexpr double kLeastTurn = 8;
+        constexpr double kMinTurn = 8;
         auto const fit = fit_line(line);
         MainLine made { .begin = fit.begin, .length = fit.length };
         made.angle_deg = angle_deg(fit.straight);
-        if (std::abs(fit.turn_deg) > std::max(kLeastTurn, 2.5 * turn_noise_deg(fit.length))) {
+        if (std::abs(fit.turn_deg) > std::max(kMinTurn, 2.5 * turn_noise_deg(fit.length))) {
             made.curve_deg = fit.turn_deg;
             made.angle_deg -= 0.5 * fit.turn_deg;
         } else if (double const reach = outline_.reach(fit.begin, direction_of(made.angle_deg));
@@ -191,8 +191,8 @@ private:
         made.angle_deg = std::abs(angle);
         double const aside = -cross(chord, from) * (made.is_right ? 1 : -1) / main.length;
         double const back = aside / std::tan(radians(std::max(made.angle_deg, 15.0)));
-        constexpr double kMostBack = 0.03;
-        made.at = along - std::clamp(back, -kMostBack, kMostBack);
+        constexpr double kMaxBack = 0.03;
+        made.at = along - std::clamp(back, -kMaxBack, kMaxBack);
         made.turn_deg = made.is_right ? -fit.turn_deg : fit.turn_deg;
         made.noise_deg = noise_deg(fit.length);
         return made;
@@ -202,8 +202,8 @@ private:
     // if they are curved at all.
     void find_curve()
     {
-        constexpr double kLeastTurn = 5;
-        constexpr double kMostTurn = 120;
+        constexpr double kMinTurn = 5;
+        constexpr double kMaxTurn = 120;
         constexpr std::size_t kEnough = 8;
         Eigen::Matrix2d moments = 1e-9 * Eigen::Matrix2d::Identity();
         Vec2 sums = Vec2::Zero();
@@ -215,12 +215,12 @@ private:
         }
         Eigen::Matrix2d const doubt = moments.inverse(); // Covariance of the coefficients.
         Vec2 law = doubt * sums;
-        if (std::abs(law[0]) < std::max(kLeastTurn, 3 * std::sqrt(doubt(0, 0))))
+        if (std::abs(law[0]) < std::max(kMinTurn, 3 * std::sqrt(doubt(0, 0))))
             return;
         if (std::abs(law[1]) < 3 * std::sqrt(doubt(1, 1)) || sides_.size() < kEnough)
             law[1] = 0;
         auto const at_end
-            = [&](double turn) { return rounded(std::clamp(turn, -kMostTurn, kMostTurn), 10); };
+            = [&](double turn) { return rounded(std::clamp(turn, -kMaxTurn, kMaxTurn), 10); };
         result_.side_curve_deg = at_end(law[0] - 0.5 * law[1]);
         result_.side_curve_at_tip_deg = at_end(law[0] + 0.5 * law[1]);
     }
@@ -310,7 +310,7 @@ private:
         std::vector<std::vector<std::size_t>> on_knot;
         for (auto const k : order) {
             auto const& side = sides_[k];
-            bool const is_pair = !knots.empty() && side.at - knots.back().at < kLeastGap
+            bool const is_pair = !knots.empty() && side.at - knots.back().at < kMinGap
                 && !(side.is_right ? knots.back().right_deg : knots.back().left_deg);
             if (!is_pair) {
                 knots.push_back({ .at = side.at });
@@ -321,10 +321,10 @@ private:
             (side.is_right ? knots.back().right_deg : knots.back().left_deg) = side.fitted_deg;
             on_knot.back().push_back(k);
         }
-        if (knots.size() > kMostKnots)
+        if (knots.size() > kMaxKnots)
             return fail(Fault::User,
                         fmt::format("{} side veins begin on stroke {}: draw at most {}",
-                                    order.size(), leaf_.mains[parent].stroke + 1, kMostKnots));
+                                    order.size(), leaf_.mains[parent].stroke + 1, kMaxKnots));
         space_out(knots, parent == 0 ? result_.hub : 0);
         for (std::size_t k = 0; k < on_knot.size(); ++k)
             for (auto const side : on_knot[k])
@@ -351,15 +351,15 @@ private:
     // Moves knots apart, because they have a length and must not overlap.
     static void space_out(std::vector<DrawnLeaf::Knot>& knots, double begin)
     {
-        double least = begin + kLeastGap;
+        double least = begin + kMinGap;
         for (auto& knot : knots) {
             knot.at = std::max(knot.at, least);
-            least = knot.at + kLeastGap;
+            least = knot.at + kMinGap;
         }
         double most = kLastKnot;
         for (auto knot = knots.rbegin(); knot != knots.rend(); ++knot) {
             knot->at = rounded(std::min(knot->at, most), 1e4);
-            most = knot->at - kLeastGap;
+            most = knot->at - kMinGap;
         }
     }
 

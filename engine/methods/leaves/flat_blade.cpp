@@ -109,7 +109,7 @@ std::optional<double> first_on_ring(FlatLine const& ring, Vec2 const& from, Vec2
 double exit_of(FlatLine const& ring, FlatLine const& outwards)
 {
     // Greatest part of the midrib's length by which it may be too short.
-    constexpr double kMost = 0.15;
+    constexpr double kMax = 0.15;
     double const length = length_of(outwards);
     auto const last_inside = std::find_if(outwards.rbegin(), outwards.rend(),
                                           [&](Vec2 const& at) { return is_inside(ring, at); });
@@ -119,7 +119,7 @@ double exit_of(FlatLine const& ring, FlatLine const& outwards)
     Vec2 const from = outwards[i > back ? i - back : 0];
     if ((end - from).norm() > 0) {
         Vec2 const way = (end - from).normalized();
-        if (auto const found = first_on_ring(ring, end, way, kMost * length))
+        if (auto const found = first_on_ring(ring, end, way, kMax * length))
             return *found;
     }
     return nearest_on(ring, end).along;
@@ -138,13 +138,13 @@ double turn_at(FlatLine const& ring, std::size_t i, std::size_t reach)
 // Finds a pointed tip near the midrib's end: the midrib was probably meant to end there.
 double tip_beside(FlatLine const& ring, double exit, double extent)
 {
-    constexpr double kLeastTurn = 40;
+    constexpr double kMinTurn = 40;
     double const step = length_of(ring) / double(ring.size());
     auto const reach = std::max<std::size_t>(static_cast<std::size_t>(0.03 * extent / step), 5);
     auto const aside = static_cast<std::ptrdiff_t>(0.035 * extent / step);
     auto const n = static_cast<std::ptrdiff_t>(ring.size());
     double const sense = area_of(ring) > 0 ? 1 : -1;
-    double best = kLeastTurn;
+    double best = kMinTurn;
     double found = exit;
     for (std::ptrdiff_t k = -aside; k <= aside; ++k) {
         auto const i = static_cast<std::size_t>(
@@ -235,8 +235,8 @@ private:
         tip_ = right_.back();
         length_ = (tip_ - base_).norm();
         // Smallest length of the blade, as a share of the midrib's length.
-        constexpr double kLeast = 0.2;
-        if (right_.size() < 8 || length_ < kLeast * (rib().back() - rib().front()).norm())
+        constexpr double kMin = 0.2;
+        if (right_.size() < 8 || length_ < kMin * (rib().back() - rib().front()).norm())
             return fail(Fault::User,
                         "the outline does not lie round the midrib: draw the midrib from the "
                         "stalk to the tip, and the outline round it");

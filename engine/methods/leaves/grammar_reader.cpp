@@ -24,7 +24,7 @@ std::optional<EdgeLabel> take_edge(std::string_view& word)
     }
     int number = 0;
     auto const [end, error] = std::from_chars(word.data() + 1, word.data() + word.size(), number);
-    if (kind != 'C' || error != std::errc() || number < 1 || number > kMostSides)
+    if (kind != 'C' || error != std::errc() || number < 1 || number > kMaxSides)
         return std::nullopt;
     word.remove_prefix(static_cast<std::size_t>(end - word.data()));
     return side_label(number);

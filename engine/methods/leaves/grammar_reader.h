@@ -12,7 +12,7 @@
 
 namespace tractus::leaf {
 
-constexpr int kMostSides = 9'999; // Number of side labels, C1 to C9999.
+constexpr int kMaxSides = 9'999; // Number of side labels, C1 to C9999.
 
 // True for a single capital letter.
 bool is_face(std::string_view word);

@@ -148,9 +148,9 @@ tl::unexpected<Error> GrammarText::fail_expected(std::string_view what)
                                          text_.end(),
                                          [](char d) { return is_letter(d) || is_digit(d); }))
         : 1;
-    constexpr std::ptrdiff_t kMostShown = 30;
+    constexpr std::ptrdiff_t kMaxShown = 30;
     auto const shown
-        = text_.substr(at_, static_cast<std::size_t>(std::min<std::ptrdiff_t>(length, kMostShown)));
+        = text_.substr(at_, static_cast<std::size_t>(std::min<std::ptrdiff_t>(length, kMaxShown)));
     bool const is_plain = shown.size() > 1 || (c > ' ' && c < 127);
     return fail_here(is_plain ? fmt::format("\"{}\" stands where {} is expected", shown, what)
                               : fmt::format("{} is expected", what));

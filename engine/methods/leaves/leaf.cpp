@@ -9,10 +9,10 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr double kMostEdges = 9'999; // Largest number of edges of a face.
-constexpr std::size_t kMostDarts = 2'000'000;
+constexpr double kMaxEdges = 9'999; // Largest number of edges of a face.
+constexpr std::size_t kMaxDarts = 2'000'000;
 // Limit on the work for one leaf, which takes a few seconds.
-constexpr std::size_t kMostWork = 500'000'000;
+constexpr std::size_t kMaxWork = 500'000'000;
 
 Vec3 unit_or_x(Vec3 const& v)
 {
@@ -92,7 +92,7 @@ tl::unexpected<Error> Leaf::fail_at(TextPlace const& place, std::string const& w
 Result<void> Leaf::spend(std::size_t work)
 {
     work_ += work;
-    if (work_ > kMostWork)
+    if (work_ > kMaxWork)
         return fail(Fault::User,
                     fmt::format("{}: step {} takes too long: the leaf has {} faces", grammar_->name,
                                 step_, faces_.size()));
@@ -109,10 +109,10 @@ Result<Attributes> Leaf::attributes_of(char face, Fields const& fields, TextPlac
         return fail_at(place,
                        fmt::format("an attribute of a face {} is not a finite number", face));
     attributes[kEdgeCount] = std::trunc(attributes[kEdgeCount]);
-    if (attributes[kEdgeCount] < 3 || attributes[kEdgeCount] > kMostEdges)
+    if (attributes[kEdgeCount] < 3 || attributes[kEdgeCount] > kMaxEdges)
         return fail_at(place,
                        fmt::format("a face {} has {} edges, and may have 3 to {}", face,
-                                   attributes[kEdgeCount], kMostEdges));
+                                   attributes[kEdgeCount], kMaxEdges));
     return attributes;
 }
 
@@ -179,8 +179,8 @@ std::vector<Vec3> Leaf::corners_of(Attributes const& attributes, Stand const& st
 Result<FaceId> Leaf::make_face(char name, Fields const& fields, std::optional<Dart> on,
                                TextPlace const& place)
 {
-    if (faces_.size() >= kMostFaces)
-        return fail_at(place, fmt::format("the leaf would have more than {} faces", kMostFaces));
+    if (faces_.size() >= kMaxFaces)
+        return fail_at(place, fmt::format("the leaf would have more than {} faces", kMaxFaces));
     auto attributes = TRY(attributes_of(name, fields, place));
     if (grammar_->reaching.contains(name) && !outline_.empty()) {
         auto const start = stand_for(attributes, on, Shape::Flat);
@@ -192,7 +192,7 @@ Result<FaceId> Leaf::make_face(char name, Fields const& fields, std::optional<Da
     auto const stand = stand_for(grown, on, Shape::Grown);
     auto const corners = corners_of(grown, stand);
     auto const flat = corners_of(attributes, stand_for(attributes, on, Shape::Flat));
-    if (map_.dart_count() + 2 * corners.size() > kMostDarts)
+    if (map_.dart_count() + 2 * corners.size() > kMaxDarts)
         return fail_at(place, "the leaf would have more than a million edges");
     TRY(spend(corners.size()));
     std::vector<Vertex> vertices;
@@ -280,10 +280,9 @@ int Leaf::order_on(std::optional<Dart> edge) const
 {
     if (!edge)
         return 1;
-    constexpr int kLeastHub = 5; // A face with at least this many edges is a hub.
+    constexpr int kMinHub = 5; // A face with at least this many edges is a hub.
     auto const& parent = faces_[static_cast<std::size_t>(map_.face(*edge))];
-    bool const goes_on
-        = map_.label(*edge) == EdgeLabel::Extremity || parent.edge_count >= kLeastHub;
+    bool const goes_on = map_.label(*edge) == EdgeLabel::Extremity || parent.edge_count >= kMinHub;
     return goes_on ? parent.order : parent.order + 1;
 }
 

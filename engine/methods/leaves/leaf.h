@@ -42,7 +42,7 @@ public:
     };
 
     // Limit on the number of faces; derivation fails beyond it.
-    static constexpr std::size_t kMostFaces = 100'000;
+    static constexpr std::size_t kMaxFaces = 100'000;
 
     // Begins the derivation with the axiom's face, which is step 0. `grammar` must outlive the
     // leaf. Fails with a user error, with file and line of the grammar, if an attribute is out of

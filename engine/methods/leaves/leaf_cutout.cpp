@@ -101,13 +101,13 @@ private:
         double area = 0;
     };
 
-    bool cut_bay(double least_area)
+    bool cut_bay(double min_area)
     {
-        Bay best { .area = least_area };
+        Bay best { .area = min_area };
         for (std::size_t i = 0; i < corners_.size(); ++i)
             if (auto const bay = bay_on(i); bay && bay->area > best.area)
                 best = *bay;
-        if (best.area <= least_area)
+        if (best.area <= min_area)
             return false;
         corners_.insert(corners_.begin() + static_cast<std::ptrdiff_t>(best.behind) + 1, best.at);
         return true;
@@ -221,7 +221,7 @@ private:
 Cutout cut_out(std::span<float const> alpha, int side, CutoutOptions const& options)
 {
     Cutout made;
-    auto points = edge_points(alpha, side, options.least_alpha);
+    auto points = edge_points(alpha, side, options.min_alpha);
     if (points.empty())
         return made;
     made.corners = Shaper(std::move(points), side).shape(options);

@@ -19,7 +19,7 @@ struct Cutout {
 };
 
 struct CutoutOptions {
-    float least_alpha = 0; // Maximum alpha of pixels that may be outside.
+    float min_alpha = 0; // Maximum alpha of pixels that may be outside.
     // Target number of corners, at least 4; exceeded if the leaf has no simpler shape.
     int most_corners = 16;
     int most_bays = 6; // Greatest number of concave corners.

@@ -208,12 +208,12 @@ double Outline::span(Place const& from, Place const& to) const
                                  : to.along - from.along + static_cast<double>(line_.size());
 }
 
-// True if the way from one place to another is forward. A way longer than kMost of the line counts
+// True if the way from one place to another is forward. A way longer than kMax of the line counts
 // as a step back.
 bool Outline::is_forward(Place const& from, Place const& to) const
 {
-    constexpr double kMost = 0.7;
-    return span(from, to) <= kMost * static_cast<double>(line_.size());
+    constexpr double kMax = 0.7;
+    return span(from, to) <= kMax * static_cast<double>(line_.size());
 }
 
 bool Outline::goes_forward(Vec2 const& from, Vec2 const& to) const

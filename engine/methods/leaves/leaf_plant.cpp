@@ -187,14 +187,14 @@ Result<scene::BuiltSource> leaf_plant(LeafSketch const& sketch, DrawnLeaf const&
 Result<scene::BuiltSource> stems_along(LeafSketch const& sketch)
 {
     constexpr double kRadius_mm = 0.4; // Radius of stems on the paper.
-    constexpr std::size_t kMostNodes = 65;
+    constexpr std::size_t kMaxNodes = 65;
     auto const drawing = TRY(drawing_of(sketch));
     PaperToPlant const to_plant(TRY(foot_of(sketch)), sketch.scale);
     scene::BuiltSource built;
     built.plant.materials = { materials()[kStalk] };
     for (std::size_t i = 0; i < sketch.lines.size(); ++i) {
         auto const& line = drawing.strokes[i];
-        std::size_t const nodes = std::min(line.size(), kMostNodes);
+        std::size_t const nodes = std::min(line.size(), kMaxNodes);
         std::vector<Vec3> points;
         for (std::size_t n = 0; n < nodes; ++n)
             points.push_back(to_plant(line[n * (line.size() - 1) / (nodes - 1)]));

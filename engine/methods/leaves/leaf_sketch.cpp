@@ -16,7 +16,7 @@ namespace {
 
 using Points = std::vector<Vec3>;
 
-constexpr std::size_t kMostLines = 200;
+constexpr std::size_t kMaxLines = 200;
 
 Result<void> check_number(double value, double least, double greatest, char const* what)
 {
@@ -58,8 +58,8 @@ double mean_distance(Points const& from, Points const& to)
 // out the points of the pen.
 Points from_its_begin(Points const& line)
 {
-    constexpr std::size_t kMostPoints = 500;
-    std::size_t const count = std::min(line.size(), kMostPoints);
+    constexpr std::size_t kMaxPoints = 500;
+    std::size_t const count = std::min(line.size(), kMaxPoints);
     Points made;
     for (std::size_t i = 0; i < count; ++i) {
         made.push_back(line[i * (line.size() - 1) / (count - 1)]);
@@ -256,9 +256,9 @@ Result<LeafSketch> with_line(LeafSketch sketch, LeafLine line)
         sketch.lines[static_cast<std::size_t>(again - before.strokes.begin())] = std::move(line);
     else
         sketch.lines.push_back(std::move(line));
-    if (sketch.lines.size() > kMostLines)
+    if (sketch.lines.size() > kMaxLines)
         return fail(Fault::User,
-                    fmt::format("a leaf has at most {} lines: begin another leaf", kMostLines));
+                    fmt::format("a leaf has at most {} lines: begin another leaf", kMaxLines));
     return looked_at(std::move(sketch));
 }
 

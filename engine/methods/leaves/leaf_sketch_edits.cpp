@@ -152,7 +152,7 @@ LeafSketch const* active_leaf_sketch(scene::DocumentState const& state)
     return plant ? leaf_sketch(*plant) : nullptr;
 }
 
-std::string said_of(LeafSketch const& sketch)
+std::string describe_result(LeafSketch const& sketch)
 {
     if (!sketch.seen) {
         auto const seen = see_leaf(sketch);

@@ -46,6 +46,6 @@ LeafSketch const* leaf_sketch(scene::PlantState const& plant);
 LeafSketch const* active_leaf_sketch(scene::DocumentState const& state);
 
 // Describes for the user what the leaf consists of and what is still missing.
-std::string said_of(LeafSketch const& sketch);
+std::string describe_result(LeafSketch const& sketch);
 
 } // namespace tractus::leaf

@@ -70,7 +70,7 @@ Result<bool> Leaf::split(Splitting const& splitting, FaceId face, TextPlace cons
     auto const near_label = opposite(face, splitting.edge);
     if (!near_label)
         return false;
-    if (faces_.size() >= kMostFaces)
+    if (faces_.size() >= kMaxFaces)
         return fail_at(place, "the leaf would have too many faces");
     auto ring = map_.cycle(faces_[static_cast<std::size_t>(face)].first);
     TRY(spend(ring.size()));

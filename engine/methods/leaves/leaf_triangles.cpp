@@ -30,10 +30,10 @@ public:
     bool cut(Corners const& corners, std::vector<Triangle>& to)
     {
         // Maximum number of corners for ear clipping, which would take too long for more.
-        constexpr std::size_t kMostCorners = 2000;
+        constexpr std::size_t kMaxCorners = 2000;
         if (corners.size() == 4)
             return cut_quad(corners, to);
-        if (corners.size() > kMostCorners) {
+        if (corners.size() > kMaxCorners) {
             fan(corners, to);
             return false;
         }

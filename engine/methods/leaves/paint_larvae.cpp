@@ -33,9 +33,9 @@ public:
         Vec2 at = find_start(random);
         double heading = random.uniform(0, 2 * kPi);
         double const radius
-            = random.uniform(larvae_.least_radius, larvae_.most_radius) * double(side_);
+            = random.uniform(larvae_.min_radius, larvae_.most_radius) * double(side_);
         auto const bites
-            = static_cast<int>(random.uniform(larvae_.least_bites, larvae_.most_bites + 1));
+            = static_cast<int>(random.uniform(larvae_.min_bites, larvae_.most_bites + 1));
         for (int i = 0; i < bites; ++i) {
             bite(at, radius, grid_hash(seed, number, i));
             heading += radians(25) * random.normal();

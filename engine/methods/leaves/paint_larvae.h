@@ -11,9 +11,9 @@ namespace tractus::leaf {
 // Damage by larvae. Lengths are shares of the picture's side.
 struct Larvae {
     int count = 0;
-    double least_radius = 0.008; // Smallest radius of a bite; the next field is the largest.
+    double min_radius = 0.008; // Smallest radius of a bite; the next field is the largest.
     double most_radius = 0.025;
-    int least_bites = 15;
+    int min_bites = 15;
     int most_bites = 90;
     int spared_order = 2; // Highest order of the veins that are not eaten.
 };

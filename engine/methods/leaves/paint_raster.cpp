@@ -135,7 +135,7 @@ struct Stroke {
     float per_length2 = 0;
     float half_width = 0;
     float widens = 0;
-    float least_half = 0;
+    float min_half = 0;
     float most_half = 0;
     float order = 1;
     bool is_spared = false;
@@ -154,7 +154,7 @@ Stroke stroke_of(Leaf::Vein const& vein, int spared_order)
              .per_length2 = length2 > 0 ? static_cast<float>(1 / length2) : 0,
              .half_width = from,
              .widens = to - from,
-             .least_half = std::min(from, to),
+             .min_half = std::min(from, to),
              .most_half = std::max(from, to),
              .order = static_cast<float>(std::min(vein.order, 9)),
              .is_spared = vein.order <= spared_order };
@@ -204,7 +204,7 @@ private:
         float nearest = reach_;
         for (auto const& stroke : strokes_) {
             bounds_.push_back(from_middle(stroke, x, y));
-            nearest = std::min(nearest, bounds_.back() + kHalfDiagonal - stroke.least_half);
+            nearest = std::min(nearest, bounds_.back() + kHalfDiagonal - stroke.min_half);
         }
         for (std::size_t i = 0; i < strokes_.size(); ++i) {
             auto const& stroke = strokes_[i];

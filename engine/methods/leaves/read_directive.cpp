@@ -85,9 +85,9 @@ private:
             attributes[i] = TRY(reader_.constant(value, value_place));
         }
         TRY(text_.expect(")"));
-        if (attributes[kEdgeCount] < 3 || attributes[kEdgeCount] > kMostSides)
+        if (attributes[kEdgeCount] < 3 || attributes[kEdgeCount] > kMaxSides)
             return text_.fail_at(place,
-                                 fmt::format("a face has 3 to {} edges, and {} has {}", kMostSides,
+                                 fmt::format("a face has 3 to {} edges, and {} has {}", kMaxSides,
                                              word, attributes[kEdgeCount]));
         attributes[kEdgeCount] = std::trunc(attributes[kEdgeCount]);
         grammar_.faces[word[0]] = attributes;
@@ -126,8 +126,8 @@ private:
         auto& outline = grammar_.outline;
         outline.margin
             = kind == "teeth" ? HalfOutline::Margin::Teeth : HalfOutline::Margin::Scallops;
-        constexpr double kMostTeeth = 500;
-        outline.count = static_cast<int>(std::clamp(values[0], 0.0, kMostTeeth));
+        constexpr double kMaxTeeth = 500;
+        outline.count = static_cast<int>(std::clamp(values[0], 0.0, kMaxTeeth));
         outline.depth = kind == "sinus" ? -values[1] : values[1];
         outline.lean = values.size() > 2 ? values[2] : 0;
         return {};
@@ -137,7 +137,7 @@ private:
     // (0.3,0.5,1)"; a third number of 1 makes a corner.
     Result<void> outline(std::vector<HalfOutline::Point>& points)
     {
-        constexpr std::size_t kMostPoints = 500;
+        constexpr std::size_t kMaxPoints = 500;
         auto const place = text_.place();
         TRY(text_.expect(":"));
         points = { { .is_corner = true } };
@@ -146,9 +146,9 @@ private:
                 = TRY(reader_.numbers(2, 3, "a point is (x,y), or (x,y,1) at a corner"));
             points.push_back({ .at = { values[0], values[1] },
                                .is_corner = values.size() > 2 && values[2] != 0 });
-            if (points.size() > kMostPoints)
+            if (points.size() > kMaxPoints)
                 return text_.fail_here(
-                    fmt::format("an outline has no more than {} points", kMostPoints));
+                    fmt::format("an outline has no more than {} points", kMaxPoints));
         }
         if (points.size() < 3 || points.back().at.x() != 0 || points.back().at.y() <= 0)
             return text_.fail_at(place,
@@ -176,11 +176,11 @@ private:
     // Parses a property of the adult leaf, such as "#steps(9)" or "#size(80)".
     Result<void> adult(std::string_view what)
     {
-        constexpr double kMost = 1000;
+        constexpr double kMax = 1000;
         auto const place = text_.place();
-        auto const message = fmt::format("#{} has one number above 0 and up to {}", what, kMost);
+        auto const message = fmt::format("#{} has one number above 0 and up to {}", what, kMax);
         auto const values = TRY(reader_.numbers(1, 1, message));
-        if (!(values[0] > 0 && values[0] <= kMost))
+        if (!(values[0] > 0 && values[0] <= kMax))
             return text_.fail_at(place, message);
         if (what == "steps")
             grammar_.steps = static_cast<int>(values[0]);

@@ -8,7 +8,7 @@ namespace tractus::leaf {
 namespace {
 
 constexpr int kDeepestChild = 100;
-constexpr std::size_t kMostRules = 10'000;
+constexpr std::size_t kMaxRules = 10'000;
 
 // Parses a rule: growing, splitting or gluing (Peyrat et al. 2008, section 3).
 class RuleText {
@@ -22,8 +22,8 @@ public:
 
     Result<void> read()
     {
-        if (grammar_.rules.size() == kMostRules)
-            return text_.fail_here(fmt::format("a grammar has no more than {} rules", kMostRules));
+        if (grammar_.rules.size() == kMaxRules)
+            return text_.fail_here(fmt::format("a grammar has no more than {} rules", kMaxRules));
         Rule rule;
         rule.place = text_.place();
         rule.name = TRY(text_.word("a rule's name"));

@@ -34,8 +34,8 @@ std::string_view name_of(StrokeRole role)
 
 namespace {
 
-constexpr std::size_t kMostStrokes = 300;
-constexpr double kLeastStroke_mm = 2;
+constexpr std::size_t kMaxStrokes = 300;
+constexpr double kMinStroke_mm = 2;
 constexpr double kStep_mm = 0.5;
 
 // Least-squares plane of the drawing; its normal points up or, for an upright plane, to the viewer.
@@ -105,7 +105,7 @@ public:
     }
 
 private:
-    static constexpr double kMostImbalance = 0.5; // Greatest imbalance() of a midrib.
+    static constexpr double kMaxImbalance = 0.5; // Greatest imbalance() of a midrib.
 
     struct Attached {
         double distance = std::numeric_limits<double>::infinity();
@@ -197,8 +197,8 @@ private:
     {
         auto const& line = flat_[stroke];
         double const straight = std::abs(2 * share_left_of(ring_, line.front(), line.back()) - 1);
-        return straight < kMostImbalance || !spans_leaf(line) ? straight
-                                                              : std::abs(2 * share_along(line) - 1);
+        return straight < kMaxImbalance || !spans_leaf(line) ? straight
+                                                             : std::abs(2 * share_along(line) - 1);
     }
 
     // True if a line reaches from margin to margin.
@@ -229,12 +229,12 @@ private:
     Result<void> find_midrib()
     {
         // Smallest length of a midrib, as a share of the outline's extent.
-        constexpr double kLeastLength = 0.35;
+        constexpr double kMinLength = 0.35;
         auto found = outline_.midrib;
         double best = -std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < flat_.size() && !outline_.midrib; ++i)
-            if (is_free(i) && length_of(flat_[i]) > kLeastLength * extent_
-                && imbalance(i) < kMostImbalance && midrib_score(i) > best) {
+            if (is_free(i) && length_of(flat_[i]) > kMinLength * extent_
+                && imbalance(i) < kMaxImbalance && midrib_score(i) > best) {
                 best = midrib_score(i);
                 found = i;
             }
@@ -431,7 +431,7 @@ private:
 // Resamples a stroke at even distances.
 Result<std::vector<Vec3>> even_line(std::vector<Vec3> const& stroke, std::size_t number)
 {
-    constexpr double kMostPoints = 4000;
+    constexpr double kMaxPoints = 4000;
     constexpr double kLongest_mm = 1e5;
     auto const is_usable
         = [](Vec3 const& at) { return at.allFinite() && at.cwiseAbs().maxCoeff() < kLongest_mm; };
@@ -442,13 +442,13 @@ Result<std::vector<Vec3>> even_line(std::vector<Vec3> const& stroke, std::size_t
                                 number));
     auto const points = distinct_points(stroke);
     double const length = points ? polyline_length_mm(*points) : 0;
-    if (length < kLeastStroke_mm || length > kLongest_mm)
+    if (length < kMinStroke_mm || length > kLongest_mm)
         return fail(Fault::User,
                     fmt::format("stroke {} at ({:.0f}, {:.0f}, {:.0f}) mm is too {}: leave it "
                                 "out, or draw it {} mm long and more",
                                 number, stroke.front().x(), stroke.front().y(), stroke.front().z(),
-                                length < kLeastStroke_mm ? "short" : "long", kLeastStroke_mm));
-    auto const count = std::clamp(length / kStep_mm, 8.0, kMostPoints);
+                                length < kMinStroke_mm ? "short" : "long", kMinStroke_mm));
+    auto const count = std::clamp(length / kStep_mm, 8.0, kMaxPoints);
     return resample(*points, static_cast<std::size_t>(count) + 1);
 }
 
@@ -456,12 +456,12 @@ Result<std::vector<Vec3>> even_line(std::vector<Vec3> const& stroke, std::size_t
 
 Result<RecognisedLeaf> recognise_leaf(LeafDrawing const& drawing)
 {
-    if (drawing.strokes.empty() || drawing.strokes.size() > kMostStrokes)
+    if (drawing.strokes.empty() || drawing.strokes.size() > kMaxStrokes)
         return fail(
             Fault::User,
             fmt::format("there are {} strokes: draw an outline, a midrib and side veins, at "
                         "most {} strokes",
-                        drawing.strokes.size(), kMostStrokes));
+                        drawing.strokes.size(), kMaxStrokes));
     std::vector<std::vector<Vec3>> lines;
     for (auto const& stroke : drawing.strokes)
         lines.push_back(TRY(even_line(stroke, lines.size() + 1)));

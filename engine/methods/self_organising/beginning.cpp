@@ -154,13 +154,13 @@ Result<GrowingTree> wood_of(Beginning const& beginning, Habit const& habit, std:
 Result<std::vector<Vec3>> points_on_wood(Beginning const& beginning, double step_mm,
                                          scene::LoadOptions const& options)
 {
-    constexpr double kMostPieces = 10'000; // Of one internode.
+    constexpr double kMaxPieces = 10'000; // Of one internode.
     auto const shown = TRY(build_bent_plant(beginning, options));
     std::vector<Vec3> points;
     for (auto const& axis : shown.scene.plants[0]->base->axes)
         for (auto i = axis.first_node; i < axis.first_node + axis.segment_count; ++i) {
             Vec3 const way = shown.nodes_mm[i + 1] - shown.nodes_mm[i];
-            double const pieces = std::clamp(std::ceil(way.norm() / step_mm), 1.0, kMostPieces);
+            double const pieces = std::clamp(std::ceil(way.norm() / step_mm), 1.0, kMaxPieces);
             for (double k = 1; k <= pieces; ++k)
                 points.push_back(shown.nodes_mm[i] + way * (k / pieces));
         }

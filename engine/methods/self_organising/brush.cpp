@@ -19,8 +19,8 @@ namespace {
 constexpr std::uint32_t kSowStream = 0x50EE;
 // Side of a cell in internodes: on average there is one marker per two cubic internodes.
 constexpr double kCellInternodes = 1.26;
-constexpr double kMostInCell = 3; // A cell gets 0 to 2 markers, fewer than this number.
-constexpr std::size_t kMostSownCells = 4'000'000;
+constexpr double kMaxInCell = 3; // A cell gets 0 to 2 markers, fewer than this number.
+constexpr std::size_t kMaxSownCells = 4'000'000;
 
 // Internode length along a sweep. It is shorter than the habit's if the brush is small, so that a
 // few internodes fit into the ball.
@@ -86,13 +86,13 @@ private:
 
     Result<void> check_cells(double count) const
     {
-        if (count <= static_cast<double>(kMostSownCells))
+        if (count <= static_cast<double>(kMaxSownCells))
             return {};
         return fail(
             Fault::User,
             fmt::format("the brush sweeps over more than {} cells of {:g} mm: draw smaller, "
                         "or give a habit with longer internodes",
-                        kMostSownCells, side_));
+                        kMaxSownCells, side_));
     }
 
     // Without `markers` the newly covered cells stay empty.
@@ -122,7 +122,7 @@ private:
             { sweep_.seed ^ (std::uint64_t { word(0) } << 32 | word(1)), kSowStream, word(2) });
         Vec3 const corner { static_cast<double>(cell[0]), static_cast<double>(cell[1]),
                             static_cast<double>(cell[2]) };
-        auto const count = static_cast<int>(random.uniform(0, kMostInCell));
+        auto const count = static_cast<int>(random.uniform(0, kMaxInCell));
         for (int n = 0; n < count; ++n) {
             double const x = random.uniform();
             double const y = random.uniform();
@@ -159,11 +159,11 @@ std::size_t balls_until(BrushSweep const& sweep, int year)
 
 Result<void> check_sweep(BrushSweep const& sweep)
 {
-    if (sweep.years < 1 || sweep.years > kMostYears)
+    if (sweep.years < 1 || sweep.years > kMaxYears)
         return fail(
             Fault::User,
             fmt::format("along a stroke a tree grows for 1 to {} years, and {} are asked for",
-                        kMostYears, sweep.years));
+                        kMaxYears, sweep.years));
     TRY(check_balls(sweep.balls));
     for (auto const& path : sweep.cleared)
         TRY(check_balls(path));
@@ -193,7 +193,7 @@ Result<std::vector<Vec3>> sow(BrushSweep const& sweep, Habit const& habit)
 std::vector<BrushBall> dense_path(std::span<BrushBall const> balls)
 {
     constexpr double kStep = 0.25; // Distance between balls, as a share of the smaller radius.
-    constexpr double kMostPieces = 10'000; // Limit for a jump of a faulty device.
+    constexpr double kMaxPieces = 10'000; // Limit for a jump of a faulty device.
     std::vector<BrushBall> path;
     for (auto const& ball : balls) {
         if (path.empty()) {
@@ -206,7 +206,7 @@ std::vector<BrushBall> dense_path(std::span<BrushBall const> balls)
         bool const is_same = way < step && std::abs(ball.radius - last.radius) < step;
         if (is_same && &ball != &balls.back())
             continue;
-        double const pieces = std::clamp(std::ceil(way / step), 1.0, kMostPieces);
+        double const pieces = std::clamp(std::ceil(way / step), 1.0, kMaxPieces);
         for (double k = 1; k <= pieces; ++k)
             path.push_back({ last.seconds + (ball.seconds - last.seconds) * (k / pieces),
                              last.centre + (ball.centre - last.centre) * (k / pieces),

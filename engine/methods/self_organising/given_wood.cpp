@@ -161,13 +161,13 @@ private:
             bool const is_young = laws.bud_life == 0 || tree_.step - node.step < laws.bud_life;
             bool const has_buds = has_buds_[i] && (wood_.buds == GivenWood::Buds::All || is_young);
             auto const buds = has_buds ? static_cast<std::size_t>(laws.laterals_at_node) : 0;
-            constexpr std::size_t kMost = 255;
-            auto const count = std::min(children_[i].size() + buds, kMost);
+            constexpr std::size_t kMax = 255;
+            auto const count = std::min(children_[i].size() + buds, kMax);
             node.first_lateral = static_cast<std::uint32_t>(tree_.laterals.size());
             node.lateral_count = static_cast<std::uint8_t>(count);
             tree_.laterals.resize(tree_.laterals.size() + count);
             set_lateral_buds(tree_, i, laws, seed_);
-            for (std::size_t k = 0; k < std::min(children_[i].size(), kMost); ++k) {
+            for (std::size_t k = 0; k < std::min(children_[i].size(), kMax); ++k) {
                 auto& lateral = tree_.laterals[node.first_lateral + k];
                 lateral.node = children_[i][k];
                 lateral.direction = tree_.places[lateral.node].direction;

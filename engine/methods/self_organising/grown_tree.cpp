@@ -20,8 +20,8 @@ bool same_part(LifePart const& one, LifePart const& other)
 {
     return one.kind == other.kind && one.years == other.years && one.is_volume == other.is_volume
         && one.stroke.tips.id() == other.stroke.tips.id()
-        && one.least_radius_mm == other.least_radius_mm
-        && one.most_radius_mm == other.most_radius_mm && one.waits_outside == other.waits_outside
+        && one.min_radius_mm == other.min_radius_mm && one.most_radius_mm == other.most_radius_mm
+        && one.waits_outside == other.waits_outside
         && one.seconds_per_year == other.seconds_per_year && one.stands_at_mm == other.stands_at_mm
         && one.scale == other.scale && one.stand == other.stand
         && one.place_in_stand == other.place_in_stand;
@@ -103,7 +103,7 @@ Result<std::vector<BrushBall>> brush_balls(LifePart const& part)
     for (auto const& tip : tips) {
         double const pressure = std::clamp(tip.pressure, 0.0, 1.0);
         double const radius_mm
-            = part.least_radius_mm + pressure * (part.most_radius_mm - part.least_radius_mm);
+            = part.min_radius_mm + pressure * (part.most_radius_mm - part.min_radius_mm);
         auto const since = tip.time - tips.front().time;
         balls.push_back({ .seconds = to_seconds(since),
                           .centre = (tip.position_mm - part.stands_at_mm) / part.scale,
@@ -124,15 +124,15 @@ Result<void> check_life(LifePart const& part)
         return fail(Fault::User, "the stroke is empty: draw over what shall be cut or cleared");
     if (!is_growing && part.is_volume)
         return fail(Fault::User, "only growth can fill a volume: prune or clear along a stroke");
-    if (is_growing && (part.years < 1 || part.years > kMostYears))
+    if (is_growing && (part.years < 1 || part.years > kMaxYears))
         return fail(Fault::User,
-                    fmt::format("a tree grows for 1 to {} years, and {} are asked for", kMostYears,
+                    fmt::format("a tree grows for 1 to {} years, and {} are asked for", kMaxYears,
                                 part.years));
     if (!(part.seconds_per_year >= 0 && std::isfinite(part.seconds_per_year)))
         return fail(Fault::User,
                     fmt::format("a year cannot take {} seconds of the pen", part.seconds_per_year));
-    bool const has_radius = part.least_radius_mm > 0 && part.most_radius_mm > 0
-        && std::isfinite(part.least_radius_mm) && std::isfinite(part.most_radius_mm);
+    bool const has_radius = part.min_radius_mm > 0 && part.most_radius_mm > 0
+        && std::isfinite(part.min_radius_mm) && std::isfinite(part.most_radius_mm);
     if (!part.stroke.tips.empty() && !has_radius)
         return fail(Fault::User, "the brush has no radius: give one above 0 mm");
     return {};
@@ -142,9 +142,9 @@ Result<void> check_age(GrownTree const& tree)
 {
     int years = 0;
     for (auto const& part : tree.life)
-        years = std::min(years, kMostYears) + std::min(years_of(part), kMostYears);
-    if (years > kMostYears)
-        return fail(Fault::User, fmt::format("the tree would be older than {} years", kMostYears));
+        years = std::min(years, kMaxYears) + std::min(years_of(part), kMaxYears);
+    if (years > kMaxYears)
+        return fail(Fault::User, fmt::format("the tree would be older than {} years", kMaxYears));
     return {};
 }
 

@@ -28,14 +28,14 @@ struct LifePart {
         Clear,
     } kind
         = Kind::Grow;
-    // Duration in years, 1 to kMostYears; ignored if the tree does not grow.
+    // Duration in years, 1 to kMaxYears; ignored if the tree does not grow.
     int years = 1;
     // Brush stroke, world frame. Empty: the tree grows by itself, competing for light; only for
     // Kind::Grow.
     Stroke stroke {};
     bool is_volume = false; // See BrushSweep::is_volume.
     // Radius of the brush at zero and at full pen pressure, in millimetres on the desk.
-    double least_radius_mm = 8;
+    double min_radius_mm = 8;
     double most_radius_mm = 40;
     bool waits_outside = false; // See BrushSweep::waits_outside.
     // Pen time that counts as one year; 0: the years divide the stroke's duration evenly.

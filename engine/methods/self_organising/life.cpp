@@ -36,10 +36,10 @@ Result<StepCount> grow_year(GrowingTree& tree, Surroundings& surroundings, Habit
 Result<GrowingTree> grow_by_itself(Habit const& habit, int years, std::uint64_t seed)
 {
     TRY(check_habit(habit));
-    if (years < 1 || years > kMostYears)
+    if (years < 1 || years > kMaxYears)
         return fail(
             Fault::User,
-            fmt::format("a tree grows for 1 to {} years, and {} are asked for", kMostYears, years));
+            fmt::format("a tree grows for 1 to {} years, and {} are asked for", kMaxYears, years));
     auto tree = plant_seed(Vec3::Zero());
     Surroundings surroundings { .seed = seed };
     for (int year = 1; year <= years; ++year)

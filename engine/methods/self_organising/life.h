@@ -7,14 +7,14 @@
 
 namespace tractus::self_organising {
 
-constexpr int kMostYears = 200;
+constexpr int kMaxYears = 200;
 
 // Grows a tree for one more year without a brush: its buds compete for light, then its branches sag
 // under their weight. `surroundings` are those of grow_step(). Lengths are in millimetres. Fails
 // like grow_step().
 Result<StepCount> grow_year(GrowingTree& tree, Surroundings& surroundings, Habit const& habit);
 
-// Grows a tree from a seedling for `years` years without a brush, 1 to kMostYears. Fails with a
+// Grows a tree from a seedling for `years` years without a brush, 1 to kMaxYears. Fails with a
 // user error for another number of years or a habit out of range, and like grow_step().
 Result<GrowingTree> grow_by_itself(Habit const& habit, int years, std::uint64_t seed);
 

@@ -34,7 +34,7 @@ void list_part(scene::Fields& fields, LifePart& part)
                        : LifePart::Kind::Grow;
     fields.field("years", &part.years);
     fields.sparse_field("is_volume", &part.is_volume);
-    fields.field("least_radius", &part.least_radius_mm);
+    fields.field("least_radius", &part.min_radius_mm);
     fields.field("most_radius", &part.most_radius_mm);
     fields.field("waits_outside", &part.waits_outside);
     fields.sparse_field("seconds_per_year", &part.seconds_per_year);

@@ -10,7 +10,7 @@ namespace tractus::self_organising {
 
 namespace {
 
-constexpr double kMostLightCells = 1 << 24;
+constexpr double kMaxLightCells = 1 << 24;
 
 } // namespace
 
@@ -37,12 +37,12 @@ Result<LightGrid> LightGrid::make(std::span<Vec3 const> points, Laws const& laws
         grid.size_[a] = high[a] - low[a] + 1;
         count *= static_cast<double>(grid.size_[a]);
     }
-    if (!(count <= kMostLightCells))
+    if (!(count <= kMaxLightCells))
         return fail(
             Fault::User,
             fmt::format("the tree spreads over {:.3g} cells of {:g}, and {:.3g} are allowed: "
                         "give a larger cell",
-                        count, laws.cell, kMostLightCells));
+                        count, laws.cell, kMaxLightCells));
     grid.low_ = low;
     grid.shade_.resize(static_cast<std::size_t>(count));
     grid.add_up(cells, laws);

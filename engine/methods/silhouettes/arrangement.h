@@ -11,8 +11,8 @@
 namespace tractus::silhouette {
 
 constexpr int kUsualWhorl = 3; // Default number of branches in a whorl.
-constexpr int kLeastWhorl = 2;
-constexpr int kMostWhorl = 12;
+constexpr int kMinWhorl = 2;
+constexpr int kMaxWhorl = 12;
 
 // Phyllotactic pattern of the branches around their parent axis.
 struct Pattern {
@@ -25,7 +25,7 @@ struct Pattern {
         Horizontal // Opposite pairs, all in the plane of the drawing.
     } kind
         = Even;
-    // Number of branches per node of Whorls, kLeastWhorl to kMostWhorl; other kinds ignore it.
+    // Number of branches per node of Whorls, kMinWhorl to kMaxWhorl; other kinds ignore it.
     int whorl = kUsualWhorl;
 
     constexpr Pattern() = default;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array kTangentShares { 0.5, 1.0, 1.5, 2.0 };
 // Tolerance for leaving the outline, as a share of its diagonal.
-constexpr double kMostOutside = 0.01;
+constexpr double kMaxOutside = 0.01;
 constexpr std::size_t kChords = 16;
 // Difference in t within which a later angle replaces an earlier one.
 constexpr double kSameSample = 0.05;
@@ -110,7 +110,7 @@ namespace {
 // the parent that the curve's start had. Chord and start differ where a curve bends early.
 void settle_angle(Cubic& curve, Vec2 const& along, double over)
 {
-    constexpr double kMost_deg = 170;
+    constexpr double kMax_deg = 170;
     double const reach = curve.base_tangent.norm();
     auto const angle_to
         = [&](Vec2 const& way) { return std::atan2(cross(along, way), along.dot(way)); };
@@ -118,7 +118,7 @@ void settle_angle(Cubic& curve, Vec2 const& along, double over)
     double start = wanted;
     for (int i = 0; i < 5; ++i) {
         start += wanted - angle_to(way_over(curve, over));
-        start = std::clamp(start, -radians(kMost_deg), radians(kMost_deg));
+        start = std::clamp(start, -radians(kMax_deg), radians(kMax_deg));
         curve.base_tangent = reach * turned(along, start);
     }
 }
@@ -148,7 +148,7 @@ BranchCurve branch_from(BranchSearch const& search, std::size_t sample, BranchEn
 BranchCurve infer_branch(BranchSearch const& search, BranchEnd const& to)
 {
     double const limit
-        = search.outline.empty() ? 0 : kMostOutside * box_of(search.outline).diagonal();
+        = search.outline.empty() ? 0 : kMaxOutside * box_of(search.outline).diagonal();
     auto const bases = bases_by_distance(search, to.end);
     std::optional<BranchCurve> least;
     for (double const share : kTangentShares) {

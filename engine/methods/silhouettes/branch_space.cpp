@@ -30,7 +30,8 @@ double unit_of(Space const& space)
     return std::cbrt(std::fabs(space.linear().determinant()));
 }
 
-Space space_of(Bearer const& bearer, Standing const& standing, Branch const& branch, double share)
+Space space_of(Bearer const& bearer, PositionedBranch const& standing, Branch const& branch,
+               double share)
 {
     Vec2 const base = standing.way.point(branch.path.curve.base);
     Vec2 const along = bearer.line.direction(standing.u);
@@ -46,7 +47,7 @@ Space space_of(Bearer const& bearer, Standing const& standing, Branch const& bra
     return around * bearer.space * in_space(standing.way);
 }
 
-Space space_under(SurfaceFit const& surface, Bearer const& bearer, Standing const& standing,
+Space space_under(SurfaceFit const& surface, Bearer const& bearer, PositionedBranch const& standing,
                   Branch const& branch)
 {
     constexpr double kLarge = 0.8;

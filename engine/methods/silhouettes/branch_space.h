@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/methods/silhouettes/branch_set.h"
 #include "engine/methods/silhouettes/branching_system.h"
-#include "engine/methods/silhouettes/crowd.h"
 #include "engine/methods/silhouettes/line.h"
 #include "engine/methods/silhouettes/surface_fit.h"
 
@@ -24,13 +24,13 @@ struct Bearer {
 
 // Transform of a placed branch. `share` scales its azimuth about the parent: 0 leaves it in the
 // parent's plane, 1 turns it fully.
-Space space_of(Bearer const& bearer, Standing const& standing, Branch const& branch,
+Space space_of(Bearer const& bearer, PositionedBranch const& standing, Branch const& branch,
                double share = 1);
 
 // Transform of a placed branch, like space_of(), but inside a drawn crown surface. Branches of
 // branches rotate back towards the plane in which their parent was fitted to the surface, and
 // shrink, as far as needed to stay inside.
-Space space_under(SurfaceFit const& surface, Bearer const& bearer, Standing const& standing,
+Space space_under(SurfaceFit const& surface, Bearer const& bearer, PositionedBranch const& standing,
                   Branch const& branch);
 
 } // namespace tractus::silhouette

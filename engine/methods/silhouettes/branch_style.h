@@ -4,11 +4,11 @@
 
 namespace tractus::silhouette {
 
-constexpr double kLeastAngle_deg = 5; // Smallest branching angle of a style, degrees.
-constexpr double kMostAngle_deg = 175;
-constexpr double kMostChildren = 500;
-constexpr double kMostBare = 0.99;
-constexpr double kMostUneven = 10;
+constexpr double kMinAngle_deg = 5; // Smallest branching angle of a style, degrees.
+constexpr double kMaxAngle_deg = 175;
+constexpr double kMaxChildren = 500;
+constexpr double kMaxBare = 0.99;
+constexpr double kMaxUneven = 10;
 
 // The number of branches of the axes of one level, their positions and their angles. Lengths are
 // shares of the parent's length, so a style applies to plants of any size.

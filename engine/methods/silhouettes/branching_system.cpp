@@ -178,13 +178,13 @@ void add_spaced(BranchingSystem& system, Run const& bases, BranchingAngles const
 // The options for filling a crown that should have `branches`.
 FillOptions filling(FillOptions options, std::size_t branches)
 {
-    constexpr double kLeastGap = 0.006;
-    constexpr double kLeastLength = 0.02; // What is nearer to the trunk is covered by it.
+    constexpr double kMinGap = 0.006;
+    constexpr double kMinLength = 0.02; // What is nearer to the trunk is covered by it.
     if (branches > 0) {
         options.most_branches = branches;
         options.enough = 1;
-        options.least_gap = kLeastGap;
-        options.least_length = kLeastLength;
+        options.min_gap = kMinGap;
+        options.min_length = kMinLength;
     }
     return options;
 }

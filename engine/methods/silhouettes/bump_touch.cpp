@@ -13,7 +13,7 @@ constexpr double kNearBump = 0.04;
 constexpr double kNearJoint = 0.08;
 
 // A bump must have at least this many outline samples to be split.
-constexpr std::size_t kLeastSteps = 8;
+constexpr std::size_t kMinSteps = 8;
 
 std::vector<Vec2> points_between(std::span<Vec2 const> outline, std::uint32_t first,
                                  std::uint32_t last)
@@ -49,7 +49,7 @@ std::optional<std::size_t> split_bump(std::span<Bump const> bumps, std::span<Vec
         auto const where = is_inside(arc, place)      ? Where::In
             : is_around_end(bumps[i], outline, place) ? Where::AroundEnd
                                                       : Where::Beside;
-        if (arc.size() <= kLeastSteps || (where == Where::Beside && far > near))
+        if (arc.size() <= kMinSteps || (where == Where::Beside && far > near))
             continue;
         if (std::pair const rank(where, far); rank < least) {
             least = rank;
@@ -94,12 +94,12 @@ Vec2 chord_middle(std::span<Vec2 const> outline, Arc const& arc)
 void pull_inside(Bump& bump, std::span<Vec2 const> outline)
 {
     constexpr int kSteps = 8;
-    constexpr double kLeast = 0.1; // Minimum distance from the outline, as a share of the radius.
+    constexpr double kMin = 0.1; // Minimum distance from the outline, as a share of the radius.
     Vec2 const from = bump.end;
     Vec2 const to = chord_middle(outline, bump.arc);
     for (int i = 1; i <= kSteps; ++i) {
         if (is_inside(outline, bump.end)
-            && distance_to_outline(outline, bump.end) >= kLeast * bump.radius)
+            && distance_to_outline(outline, bump.end) >= kMin * bump.radius)
             return;
         bump.end = from + (to - from) * (static_cast<double>(i) / kSteps);
     }
@@ -120,7 +120,7 @@ Bump bump_on(std::span<Vec2 const> outline, Arc const& arc, double strength)
 // The outline sample, strictly inside the arc, at which a touch splits the arc.
 std::uint32_t split_sample(std::span<Vec2 const> outline, Bump const& bump, Vec2 const& place)
 {
-    constexpr double kLeastPart = 0.2;
+    constexpr double kMinPart = 0.2;
     constexpr double kTooNear = 0.25; // A touch nearer to the ray's origin than this share of the
                                       // bump's height has no clear direction.
     // Minimum distance of the ray's origin from the tip, as a multiple of the distance from tip to
@@ -136,8 +136,7 @@ std::uint32_t split_sample(std::span<Vec2 const> outline, Bump const& bump, Vec2
         way = to_tip;
     auto const n = static_cast<std::uint32_t>(outline.size());
     auto const steps = (bump.arc.last + n - bump.arc.first) % n;
-    auto const least
-        = static_cast<std::uint32_t>(std::ceil(kLeastPart * static_cast<double>(steps)));
+    auto const least = static_cast<std::uint32_t>(std::ceil(kMinPart * static_cast<double>(steps)));
     auto best = least;
     double most = -2;
     for (auto i = least; i <= steps - least; ++i) {

@@ -126,9 +126,9 @@ Arc even_cap(std::span<Vec2 const> outline, Arc arc)
 {
     constexpr double kTremor
         = 0.02; // Points may be outside by this share of the half disc's radius.
-    constexpr std::size_t kLeastInner = 3;
+    constexpr std::size_t kMinInner = 3;
     auto const n = static_cast<std::uint32_t>(outline.size());
-    while (arc.inner_count(n) > kLeastInner && !holds_cap(outline, arc, kTremor))
+    while (arc.inner_count(n) > kMinInner && !holds_cap(outline, arc, kTremor))
         arc = { (arc.first + 1) % n, (arc.last + n - 1) % n };
     return arc;
 }

@@ -107,7 +107,7 @@ Result<void> choose_styles(ChosenStyles& styles, ChosenStyles const& chosen,
     return {};
 }
 
-Result<ChosenStyles> carried_by(Skeleton const& skeleton, std::span<Vec2 const> stroke)
+Result<ChosenStyles> copied_by(Skeleton const& skeleton, std::span<Vec2 const> stroke)
 {
     // Tolerance for crossing a branch, as a share of the outline's diagonal.
     constexpr double kOver = 0.01;

@@ -29,6 +29,6 @@ Result<void> choose_styles(ChosenStyles& styles, ChosenStyles const& chosen,
 // branch. Only the trunk's branches and the children of branches that were drawn on are considered.
 // Fails with a user error if the stroke begins on no branch. The skeleton and the stroke are in the
 // same millimetres.
-Result<ChosenStyles> carried_by(Skeleton const& skeleton, std::span<Vec2 const> stroke);
+Result<ChosenStyles> copied_by(Skeleton const& skeleton, std::span<Vec2 const> stroke);
 
 } // namespace tractus::silhouette

@@ -188,14 +188,14 @@ tl::unexpected<Error> not_around(char const* what, CrownLine const& line)
 
 Result<CrownLineKind> kind_of(CrownLine const& line)
 {
-    constexpr double kLeast_mm = 2;
+    constexpr double kMin_mm = 2;
     // Maximum rise up to which a line counts as a ring, however many turns it makes.
     constexpr double kFlat = 0.12;
     constexpr double kTilted = 0.25;
     // Maximum number of turns of a ring. A closing stroke usually overshoots its beginning a
     // little.
-    constexpr double kMostRing = 1.35;
-    constexpr double kLeastClimb = 1.25;
+    constexpr double kMaxRing = 1.35;
+    constexpr double kMinClimb = 1.25;
     constexpr double kInPlane = 0.2;
     for (auto const& point : line)
         if (!point.allFinite())
@@ -207,17 +207,17 @@ Result<CrownLineKind> kind_of(CrownLine const& line)
     auto const [low, high] = std::minmax_element(
         line.begin(), line.end(), [](Vec3 const& a, Vec3 const& b) { return a.y() < b.y(); });
     double const rise = high->y() - low->y();
-    if (std::max(spread.length, rise) < kLeast_mm)
+    if (std::max(spread.length, rise) < kMin_mm)
         return fail(Fault::User, "a dot says nothing of a crown: draw a ring around the trunk");
     double const turns = turns_around(plan, spread.middle);
     bool const is_closed = comes_back_in_space(line);
     bool const is_thin = spread.width <= kInPlane * spread.length;
     if (is_closed && rise <= kTilted * spread.length && turns > 0.6
-        && (turns <= kMostRing || rise <= kFlat * spread.length))
+        && (turns <= kMaxRing || rise <= kFlat * spread.length))
         return CrownLineKind::Ring;
-    if (is_closed && is_thin && turns < kLeastClimb)
+    if (is_closed && is_thin && turns < kMinClimb)
         return CrownLineKind::Side;
-    if (turns >= kLeastClimb)
+    if (turns >= kMinClimb)
         return CrownLineKind::Climb;
     return fail(Fault::User,
                 "the line does not say where the crown is: draw a ring around the trunk at one "

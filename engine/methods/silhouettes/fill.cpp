@@ -10,7 +10,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kMostOverlap = 0.2; // Share of a new crown's cells that may be covered already.
+constexpr double kMaxOverlap = 0.2;  // Share of a new crown's cells that may be covered already.
 constexpr double kLargestCopy = 1.5; // Largest and smallest scale of a copy relative to its model.
 constexpr double kSmallestCopy = 0.15;
 constexpr double kSliver = 0.05; // A lone branch whose cap radius is below this share of the
@@ -31,8 +31,8 @@ public:
             grid_.cover(grid_.cells_of(branch.crown));
         if (!crown.apex.empty())
             grid_.cover(grid_.cells_of(crown.apex));
-        least_count_ = static_cast<std::size_t>(
-            options.least_copy * static_cast<double>(grid_.cells_of(crown.outline).count));
+        min_count_ = static_cast<std::size_t>(
+            options.min_copy * static_cast<double>(grid_.cells_of(crown.outline).count));
         if (crown.goes_on)
             extend_trunk(*crown.goes_on);
         models_ = crown.branches;
@@ -169,9 +169,9 @@ private:
             smaller.turn *= size;
             auto crown = smaller.points(model.crown);
             auto const cells = grid_.cells_of(crown);
-            if (cells.count == 0 || cells.count < least_count_
+            if (cells.count == 0 || cells.count < min_count_
                 || static_cast<double>(grid_.count_covered(cells))
-                    > kMostOverlap * static_cast<double>(cells.count))
+                    > kMaxOverlap * static_cast<double>(cells.count))
                 continue;
             grid_.cover(cells);
             Branch branch { .origin = Branch::Origin::Copy,
@@ -214,11 +214,11 @@ private:
 
     void fill_gaps()
     {
-        constexpr double kLeastCells = 2.2;
-        double const least = std::max(options_.least_gap * std::sqrt(signed_area(crown_.outline)),
-                                      kLeastCells * grid_.cell());
-        constexpr int kMostTries = 100;
-        for (int tries = 0; tries < kMostTries; ++tries) {
+        constexpr double kMinCells = 2.2;
+        double const least = std::max(options_.min_gap * std::sqrt(signed_area(crown_.outline)),
+                                      kMinCells * grid_.cell());
+        constexpr int kMaxTries = 100;
+        for (int tries = 0; tries < kMaxTries; ++tries) {
             if (count() >= options_.most_branches || grid_.coverage() >= options_.enough)
                 return;
             auto const gap = grid_.widest_gap(gap_step());
@@ -257,7 +257,7 @@ private:
         auto crown = free_around(gap);
         auto const cells = grid_.cells_of(crown);
         bool const overlaps = static_cast<double>(grid_.count_covered(cells))
-            > kMostOverlap * static_cast<double>(cells.count);
+            > kMaxOverlap * static_cast<double>(cells.count);
         // The cells count as covered even if no branch is added, so that the next gap is a
         // different one.
         grid_.cover(cells);
@@ -276,7 +276,7 @@ private:
         auto path = infer_branch(
             search,
             { .end = gap.center, .tangent = direction_of(away + direction_at_end(nearest)) });
-        if (path.length < options_.least_length * box_of(crown_.outline).diagonal())
+        if (path.length < options_.min_length * box_of(crown_.outline).diagonal())
             return;
         path.t = std::min(1.0, static_cast<double>(path.trunk_sample) / static_cast<double>(last_));
         result_.added.push_back({ .origin = Branch::Origin::Gap,
@@ -297,8 +297,8 @@ private:
     CoverageGrid grid_;
     std::vector<Vec2> trunk_; // Trunk including its extension.
     Run run_;
-    std::size_t last_;            // Index of the last sample of the drawn trunk.
-    std::size_t least_count_ = 0; // Minimum number of cells of a copy's crown.
+    std::size_t last_;          // Index of the last sample of the drawn trunk.
+    std::size_t min_count_ = 0; // Minimum number of cells of a copy's crown.
     std::span<Branch const> models_;
     Branch lens_;
     std::optional<std::size_t> first_lens_; // Index of the first lens among the added branches.

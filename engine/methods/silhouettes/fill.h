@@ -71,13 +71,13 @@ struct FillOptions {
     double first_step = 0.08; // Share of the run, from its beginning, where nothing is added.
     // Greatest number of branches of the system, existing ones included.
     std::size_t most_branches = 60;
-    double least_copy = 0.012; // Smallest area of a copy, as a share of the outline's area.
+    double min_copy = 0.012; // Smallest area of a copy, as a share of the outline's area.
     // Stop when this share of the outline is covered; the remaining gaps stay.
     double enough = 0.95;
     // Least length of a branch into a gap, as a share of the diagonal of the outline's box.
-    double least_length = 0;
-    double least_gap = 0.012; // Smallest radius of a gap to fill, as a share of the square root of
-                              // the outline's area.
+    double min_length = 0;
+    double min_gap = 0.012; // Smallest radius of a gap to fill, as a share of the square root of
+                            // the outline's area.
 };
 
 // Input of fill_crown(): the crown with its branches so far.

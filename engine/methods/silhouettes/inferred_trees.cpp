@@ -20,11 +20,11 @@ InferredTrees::Inferred InferredTrees::find(OutlinedTree const& tree)
 
 void InferredTrees::keep(OutlinedTree tree, Inferred inferred)
 {
-    constexpr std::size_t kMost = 2;
+    constexpr std::size_t kMax = 2;
     tree.inferred.reset(); // Avoids a reference cycle: the tree's cache would keep itself alive.
     std::lock_guard const lock(mutex_);
     newest_first_.push_front({ std::move(tree), std::move(inferred) });
-    if (newest_first_.size() > kMost)
+    if (newest_first_.size() > kMax)
         newest_first_.pop_back();
 }
 

@@ -51,10 +51,10 @@ LeafBlade moved(LeafBlade leaf, Similarity const& way)
 std::vector<Vec2> stalk_of(LeafBlade const& leaf, std::span<Vec2 const> line)
 {
     constexpr std::size_t kPoints = 9;
-    constexpr double kLeast = 0.02; // Minimum length of a petiole, as a share of the leaf's length.
+    constexpr double kMin = 0.02; // Minimum length of a petiole, as a share of the leaf's length.
     Line const parent({ line.begin(), line.end() });
-    if (leaf.stalk * parent.length() <= kLeast * (leaf.tip - leaf.base).norm())
-        return { line.front(), line.front() + kLeast * (leaf.tip - leaf.base) };
+    if (leaf.stalk * parent.length() <= kMin * (leaf.tip - leaf.base).norm())
+        return { line.front(), line.front() + kMin * (leaf.tip - leaf.base) };
     std::vector<Vec2> stalk;
     for (std::size_t i = 0; i < kPoints; ++i)
         stalk.push_back(parent.at(leaf.stalk * static_cast<double>(i) / (kPoints - 1)));

@@ -55,11 +55,11 @@ bool crosses_itself(std::span<Vec2 const> outline)
 
 LargestLoop largest_loop(std::vector<Vec2> const& outline)
 {
-    constexpr std::size_t kMostCuts = 20'000; // Limit on crossings, because a scribble can have a
-                                              // number quadratic in its edges.
+    constexpr std::size_t kMaxCuts = 20'000; // Limit on crossings, because a scribble can have a
+                                             // number quadratic in its edges.
     std::vector<std::vector<Vec2>> waiting { outline };
     LargestLoop best;
-    for (std::size_t cuts = 0; !waiting.empty() && cuts < kMostCuts; ++cuts) {
+    for (std::size_t cuts = 0; !waiting.empty() && cuts < kMaxCuts; ++cuts) {
         auto const loop = std::move(waiting.back());
         waiting.pop_back();
         auto const at = loop.size() < 3 ? std::nullopt : find_crossing(loop);

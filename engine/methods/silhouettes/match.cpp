@@ -50,7 +50,7 @@ bool may_be_one(Branch::Origin one, Branch::Origin other)
 std::vector<std::optional<std::size_t>> match_branches(BranchingSystem const& earlier,
                                                        BranchingSystem const& later)
 {
-    constexpr double kLeast = 0.5;
+    constexpr double kMin = 0.5;
     // Cost of branches with the same stroke: below all others, so these match first.
     constexpr double kSameStroke = -2;
     auto both = earlier.outline;
@@ -63,7 +63,7 @@ std::vector<std::optional<std::size_t>> match_branches(BranchingSystem const& ea
         for (std::size_t i = 0; i < before.size(); ++i)
             if (may_be_one(earlier.branches[i].origin, later.branches[j].origin)) {
                 double const share = shared_area(before[i], after[j]);
-                if (share >= kLeast)
+                if (share >= kMin)
                     pairs.emplace_back(-share, j, i);
             }
     // Branches drawn by one and the same stroke always match, even where their parents have moved.

@@ -1,7 +1,7 @@
 #include "engine/methods/silhouettes/measured_style.h"
 
 #include "engine/methods/silhouettes/arrangement.h"
-#include "engine/methods/silhouettes/standing_children.h"
+#include "engine/methods/silhouettes/positioned_laterals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +15,11 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr std::size_t kMostMeasuredLevels = 3;
+constexpr std::size_t kMaxMeasuredLevels = 3;
 // A divergence angle counts as significant from this concentration on.
 constexpr double kSureOfTurn = 0.5;
 // Children that a parent needs for its divergence angles to have a direction of rotation.
-constexpr std::size_t kLeastOfTurns = 4;
+constexpr std::size_t kMinOfTurns = 4;
 
 // Running mean and standard deviation.
 class Spread {
@@ -109,7 +109,7 @@ class LevelMeter {
 public:
     void add_bare() { ++bare_; }
 
-    void add(std::span<StandingChild const> children)
+    void add(std::span<PositionedLateral const> children)
     {
         counts_.add(static_cast<double>(children.size()));
         unbranched_.add(children.front().u);
@@ -137,7 +137,7 @@ public:
         }
         of_children_.add(places);
         of_nodes_.add(node_places);
-        if (children.size() >= kLeastOfTurns)
+        if (children.size() >= kMinOfTurns)
             add_turns(nodes);
     }
 
@@ -165,7 +165,7 @@ public:
     }
 
 private:
-    void add_lengths(std::span<StandingChild const> children)
+    void add_lengths(std::span<PositionedLateral const> children)
     {
         double const first = children.front().u;
         double const width = std::max(children.back().u - first, 1e-9);
@@ -199,8 +199,8 @@ private:
 
     void set_angles(BranchStyle& style) const
     {
-        style.first_angle_deg = std::clamp(angle_.at(0), kLeastAngle_deg, kMostAngle_deg);
-        style.last_angle_deg = std::clamp(angle_.at(1), kLeastAngle_deg, kMostAngle_deg);
+        style.first_angle_deg = std::clamp(angle_.at(0), kMinAngle_deg, kMaxAngle_deg);
+        style.last_angle_deg = std::clamp(angle_.at(1), kMinAngle_deg, kMaxAngle_deg);
         Spread off;
         for (auto const& [share, angle_deg] : angles_)
             off.add(angle_deg - style.angle_at_deg(share));
@@ -219,7 +219,7 @@ private:
         level.divergence_sureness = std::abs(mean);
         if (level.node_size >= 2.5)
             level.pattern = Pattern::whorls_of(
-                std::min(static_cast<int>(std::lround(level.node_size)), kMostWhorl));
+                std::min(static_cast<int>(std::lround(level.node_size)), kMaxWhorl));
         else if (level.divergence_sureness < kSureOfTurn || (!is_paired && turn_deg < 100))
             level.pattern = Pattern::Even;
         else if (is_paired)
@@ -321,7 +321,7 @@ Result<MeasuredStyle> measure_style(Plant const& plant)
         children[axis.parent_axis].push_back(id);
         style.orders = std::max(style.orders, static_cast<int>(axis.order));
     }
-    for (std::uint32_t order = 0; order < kMostMeasuredLevels; ++order) {
+    for (std::uint32_t order = 0; order < kMaxMeasuredLevels; ++order) {
         auto level = measure_level(plant, children, order);
         if (!level)
             break;
@@ -336,10 +336,10 @@ Result<MeasuredStyle> measure_style(Plant const& plant)
 // Clamps a style to the ranges of a form.
 static BranchStyle within_limits(BranchStyle style)
 {
-    style.children = std::min(style.children, kMostChildren);
-    style.children_deviation = std::min(style.children_deviation, kMostChildren);
-    style.bare = std::min(style.bare, kMostBare);
-    style.unevenness = std::min(style.unevenness, kMostUneven);
+    style.children = std::min(style.children, kMaxChildren);
+    style.children_deviation = std::min(style.children_deviation, kMaxChildren);
+    style.bare = std::min(style.bare, kMaxBare);
+    style.unevenness = std::min(style.unevenness, kMaxUneven);
     style.spacing_deviation = std::min(style.spacing_deviation, 1.0);
     return style;
 }
@@ -358,7 +358,7 @@ TreeForm form_of(MeasuredStyle const& style)
     }
     // The trunk is the only parent of the first level, so no parent there can be without children.
     form.styles[0].bare = 0;
-    while (form.levels > 1 && styled_branches(form) > kMostStyled)
+    while (form.levels > 1 && styled_branches(form) > kMaxStyled)
         form.styles[static_cast<std::size_t>(--form.levels)] = {};
     if (style.leaves_per_twig > 0) {
         form.leaves = static_cast<int>(std::clamp(std::round(style.leaves_per_twig), 1.0, 500.0));

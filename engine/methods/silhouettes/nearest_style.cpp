@@ -58,15 +58,15 @@ bool takes_style(OutlinedTree const& tree)
 scene::ItemId nearest_with_style(scene::DocumentState const& state, Vec3 const& place_mm,
                                  scene::ItemId except)
 {
-    double least_mm = std::numeric_limits<double>::infinity();
+    double min_mm = std::numeric_limits<double>::infinity();
     scene::ItemId nearest = 0;
     for (auto const& plant : state.plants) {
         auto const* const tree = outlined_tree(*plant);
         if (!tree || plant->id == except || !has_own_style(*tree))
             continue;
         double const away_mm = (plant->stands_at_mm - place_mm).norm();
-        if (away_mm < least_mm) {
-            least_mm = away_mm;
+        if (away_mm < min_mm) {
+            min_mm = away_mm;
             nearest = plant->id;
         }
     }

@@ -12,7 +12,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr std::size_t kLeastPoints = 8;
+constexpr std::size_t kMinPoints = 8;
 constexpr double kWidestGap = 0.25; // Largest gap in a closed stroke, as a share of its length.
 // Largest gap between strokes that are joined, as a share of the drawing's diagonal.
 constexpr double kWidestJoin = 0.1;
@@ -21,7 +21,7 @@ constexpr double kShareToTell = 0.1; // Add a note if more than this share of th
 // Height of the default trunk, as a share of the outline's height.
 constexpr double kTrunkHeight = 0.85;
 // Maximum number of outline points for the search of crossings.
-constexpr std::size_t kMostCorners = 1024;
+constexpr std::size_t kMaxCorners = 1024;
 
 Result<void> check_points(Drawing const& drawing)
 {
@@ -38,10 +38,10 @@ Result<void> check_points(Drawing const& drawing)
             look_at(stroke);
     for (auto const& touch : drawing.touches)
         look_at({ touch.place });
-    if (count > kMostDrawnPoints)
+    if (count > kMaxDrawnPoints)
         return fail(
             Fault::User,
-            fmt::format("the drawing has {} points: give at most {}", count, kMostDrawnPoints));
+            fmt::format("the drawing has {} points: give at most {}", count, kMaxDrawnPoints));
     if (!finite)
         return fail(Fault::User, "a number of the drawing is too large: give millimetres");
     return {};
@@ -142,12 +142,12 @@ Result<std::vector<Vec2>> close_outline(std::vector<std::vector<Vec2>> strokes,
                                         std::vector<std::string>& notes)
 {
     auto stroke = without_repeats(join_strokes(std::move(strokes), notes));
-    if (stroke.size() < kLeastPoints)
+    if (stroke.size() < kMinPoints)
         return fail(Fault::User,
                     fmt::format("the outline has {} points: draw it larger, with {} or more",
-                                stroke.size(), kLeastPoints));
-    if (stroke.size() > kMostCorners)
-        stroke = resampled_line(stroke, kMostCorners);
+                                stroke.size(), kMinPoints));
+    if (stroke.size() > kMaxCorners)
+        stroke = resampled_line(stroke, kMaxCorners);
     auto trimmed = without_overshoot(stroke);
     double const gap = (trimmed.back() - trimmed.front()).norm();
     if (gap > kWidestGap * length_of(trimmed))
@@ -189,7 +189,7 @@ Result<std::vector<Vec2>> simple_outline(std::vector<Vec2> const& closed,
                                          std::vector<std::string>& notes)
 {
     auto loop = largest_loop(closed);
-    if (!(loop.area > 0) || loop.area * unit_mm * unit_mm < options.least_area_mm2)
+    if (!(loop.area > 0) || loop.area * unit_mm * unit_mm < options.min_area_mm2)
         return fail(Fault::User,
                     fmt::format("the outline encloses {:.1f} mm²: draw it larger",
                                 loop.area * unit_mm * unit_mm));
@@ -205,7 +205,7 @@ Result<std::vector<Vec2>> simple_outline(std::vector<Vec2> const& closed,
         = smoothed(resampled_outline(loop.outline, options.samples), options.smoothing_samples);
     if (crosses_itself(outline))
         outline = largest_loop(outline).outline;
-    if (outline.size() < kLeastPoints)
+    if (outline.size() < kMinPoints)
         return fail(Fault::User, "the outline crosses itself everywhere: draw it once around");
     if (signed_area(outline) < 0) // Smoothing can invert the orientation of a sliver.
         std::reverse(outline.begin(), outline.end());

@@ -75,13 +75,13 @@ struct Drawing {
 bool comes_back(std::span<Vec2 const> stroke);
 
 // Limit on the points of all strokes of a drawing together.
-constexpr std::size_t kMostDrawnPoints = 20'000;
+constexpr std::size_t kMaxDrawnPoints = 20'000;
 
 // Options for preparing an outline.
 struct OutlineOptions {
     std::size_t samples = 256;    // Number of samples around the outline, 16 to 512.
     double smoothing_samples = 1; // Standard deviation of the Gaussian filter, in samples; 0: none.
-    double least_area_mm2 = 25;
+    double min_area_mm2 = 25;
 };
 
 // A drawing prepared for inference: a simple outline, counter-clockwise and equally spaced, and the

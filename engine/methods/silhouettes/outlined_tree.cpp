@@ -28,10 +28,10 @@ Result<std::vector<Vec2>> points_of(Stroke const& stroke)
 // is limited.
 Result<std::vector<Vec2>> line_of(Stroke const& stroke)
 {
-    constexpr std::size_t kMostPoints = 2000;
+    constexpr std::size_t kMaxPoints = 2000;
     auto points = TRY(points_of(stroke));
-    if (points.size() > kMostPoints)
-        points = resampled_line(points, kMostPoints);
+    if (points.size() > kMaxPoints)
+        points = resampled_line(points, kMaxPoints);
     return points;
 }
 
@@ -155,11 +155,11 @@ Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke,
     return tree;
 }
 
-Result<ChosenStyles> styles_carried_by(OutlinedTree const& tree, Stroke const& stroke)
+Result<ChosenStyles> styles_copied_by(OutlinedTree const& tree, Stroke const& stroke)
 {
     auto const line = TRY(line_of(stroke));
     auto const skeleton = TRY(skeleton_of(tree));
-    return carried_by(skeleton, line);
+    return copied_by(skeleton, line);
 }
 
 Result<OutlinedTree> with_styles(OutlinedTree tree, ChosenStyles const& chosen)

@@ -140,9 +140,9 @@ Result<std::optional<std::string>> branch_borne_by(OutlinedTree const& tree, Str
 Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke,
                                      LineOnBranch const& line);
 
-// The style choices that a stroke makes (carried_by(), chosen_style.h), and the tree with such
-// choices. Fail like carried_by(), choose_styles() and skeleton_of().
-Result<ChosenStyles> styles_carried_by(OutlinedTree const& tree, Stroke const& stroke);
+// The style choices that a stroke makes (copied_by(), chosen_style.h), and the tree with such
+// choices. Fail like copied_by(), choose_styles() and skeleton_of().
+Result<ChosenStyles> styles_copied_by(OutlinedTree const& tree, Stroke const& stroke);
 Result<OutlinedTree> with_styles(OutlinedTree tree, ChosenStyles const& chosen);
 
 // Adds a touch at a bump, or removes the one that it undoes. Fails like touched() (bump_touch.h).

@@ -12,12 +12,12 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kMostOfCrown = 0.5;
-constexpr double kMostOfTrunk = 0.5;
-constexpr double kLeastOfBranch = 1.0 / 3;
-constexpr double kLeastShared = 0.2;
+constexpr double kMaxOfCrown = 0.5;
+constexpr double kMaxOfTrunk = 0.5;
+constexpr double kMinOfBranch = 1.0 / 3;
+constexpr double kMinShared = 0.2;
 // Maximum number of points of a stroke for the search of crossings.
-constexpr std::size_t kMostToCross = 512;
+constexpr std::size_t kMaxToCross = 512;
 
 // The outline of the area that a stroke encloses.
 std::vector<Vec2> enclosed(std::span<Vec2 const> stroke)
@@ -25,8 +25,8 @@ std::vector<Vec2> enclosed(std::span<Vec2 const> stroke)
     std::vector<Vec2> closed(stroke.begin(), stroke.end());
     if (closed.size() < 3)
         return {};
-    if (closed.size() > kMostToCross)
-        closed = resampled_outline(closed, kMostToCross);
+    if (closed.size() > kMaxToCross)
+        closed = resampled_outline(closed, kMaxToCross);
     return largest_loop(closed).outline;
 }
 
@@ -43,7 +43,7 @@ double share_inside(std::vector<Vec2> const& loop, BranchingSystem const& system
 std::vector<Vec2> crown_in(std::vector<Vec2> const& drawn, Branch const& branch)
 {
     constexpr std::size_t kPoints = 96;
-    OutlineOptions const options { .least_area_mm2 = 0 };
+    OutlineOptions const options { .min_area_mm2 = 0 };
     Drawing const drawing { { drawn }, branch.line(17) };
     auto const clean = clean_drawing(drawing, options);
     if (!clean || !inside_run(clean->outline, clean->trunk))
@@ -56,11 +56,11 @@ std::vector<Vec2> crown_in(std::vector<Vec2> const& drawn, Branch const& branch)
 void follow_model(BranchingSystem const& system, Branch& copy, double area_before)
 {
     // Tolerance for leaving the outline, as a share of its diagonal.
-    constexpr double kMostOver = 0.01;
+    constexpr double kMaxOver = 0.01;
     // Smallest scale, as a share of the one that preserves the copy's area.
     constexpr double kSmallest = 0.3;
     auto const& model = system.branches[*copy.model];
-    double const limit = kMostOver * box_of(system.outline).diagonal();
+    double const limit = kMaxOver * box_of(system.outline).diagonal();
     double const area = std::max(std::fabs(signed_area(model.crown)), 1e-300);
     double const largest = std::min(1.0, std::sqrt(area_before / area));
     auto const as_large = [&](double size) {
@@ -88,8 +88,8 @@ std::optional<OutlinedBranch> outlined_in(BranchingSystem const& system,
                                           std::span<Vec2 const> stroke)
 {
     auto const loop = enclosed(stroke);
-    if (loop.size() < 3 || std::fabs(signed_area(loop)) > kMostOfCrown * signed_area(system.outline)
-        || share_inside(loop, system) > kMostOfTrunk)
+    if (loop.size() < 3 || std::fabs(signed_area(loop)) > kMaxOfCrown * signed_area(system.outline)
+        || share_inside(loop, system) > kMaxOfTrunk)
         return std::nullopt;
     auto both = system.outline;
     both.insert(both.end(), loop.begin(), loop.end());
@@ -97,7 +97,7 @@ std::optional<OutlinedBranch> outlined_in(BranchingSystem const& system,
     auto const own = grid.cells_of(loop);
     grid.cover(own);
     std::optional<OutlinedBranch> best;
-    double most = kLeastShared;
+    double most = kMinShared;
     for (std::size_t i = 0; i < system.branches.size(); ++i) {
         auto const& branch = system.branches[i];
         if (!is_inside(loop, branch.path.curve.end))
@@ -105,7 +105,7 @@ std::optional<OutlinedBranch> outlined_in(BranchingSystem const& system,
         auto const crown = grid.cells_of(branch.crown);
         auto const shared = static_cast<double>(grid.count_covered(crown));
         auto const all = static_cast<double>(crown.count + own.count) - shared;
-        if (shared < kLeastOfBranch * static_cast<double>(crown.count) || shared < most * all)
+        if (shared < kMinOfBranch * static_cast<double>(crown.count) || shared < most * all)
             continue;
         most = shared / all;
         best = { i, most };
@@ -190,7 +190,7 @@ Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke,
         return fail(Fault::User,
                     "the outline lies around none of the tree's branches: draw it around one, "
                     "smaller than the crown");
-    OutlineOptions const any_size { .least_area_mm2 = 0 };
+    OutlineOptions const any_size { .min_area_mm2 = 0 };
     TRY(clean_drawing({ { stroke }, {} }, any_size));
     std::erase_if(drawing.own_outlines, [&](OwnOutline const& own) {
         is_leaf = is_leaf || (own.branch == *branch && own.is_leaf);

@@ -14,8 +14,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kLeastArea = 0.006; // Smallest area of a crown, as a share of the picture's.
-constexpr double kMostArea = 0.6;
+constexpr double kMinArea = 0.006; // Smallest area of a crown, as a share of the picture's.
+constexpr double kMaxArea = 0.6;
 
 // A boolean for each pixel.
 struct Mask {
@@ -170,8 +170,7 @@ std::optional<std::size_t> steadiest(Flood const& flood, Mask const& size)
     constexpr double kRest = 0.9;
     constexpr double kLarge = 0.3;
     auto const all = static_cast<double>(flood.order.size());
-    auto const most
-        = std::min(kMostArea * all, static_cast<double>(most_before_sides(flood, size)));
+    auto const most = std::min(kMaxArea * all, static_cast<double>(most_before_sides(flood, size)));
     auto const area_at = [&](float level) {
         return static_cast<double>(std::upper_bound(flood.levels.begin(), flood.levels.end(), level)
                                    - flood.levels.begin());
@@ -180,10 +179,10 @@ std::optional<std::size_t> steadiest(Flood const& flood, Mask const& size)
     double least = 1e300;
     for (float level = 0.5f; level < flood.levels.back(); level *= 1.04f) {
         double const area = area_at(level);
-        if (area < kLeastArea * all || area > most)
+        if (area < kMinArea * all || area > most)
             continue;
         double const growth = (area_at(level * (1 + kRise)) - area_at(level / (1 + kRise))) / area;
-        double const unsteady = growth / std::pow(area / (kMostArea * all), kLarge);
+        double const unsteady = growth / std::pow(area / (kMaxArea * all), kLarge);
         if (growth < kRest && unsteady < least) {
             least = unsteady;
             best = static_cast<std::size_t>(area);

@@ -15,7 +15,7 @@ namespace tractus::silhouette {
 namespace {
 
 // Maximum number of children of a branch that follows a sibling's style.
-constexpr double kMostOfSibling = 60;
+constexpr double kMaxOfSibling = 60;
 
 Side other(Side side)
 {
@@ -99,11 +99,11 @@ std::vector<double> places_on(double length, Mixed const& style, std::uint64_t s
     if (!(spacing > 0) || !(last > first))
         return { first };
     double const steps
-        = std::clamp(std::round((last - first) * length / spacing), 1.0, kMostOfSibling - 1);
+        = std::clamp(std::round((last - first) * length / spacing), 1.0, kMaxOfSibling - 1);
     BranchStyle const places { .children = steps + 1,
                                .unbranched = first,
                                .spacing = (last - first) / steps,
-                               .unevenness = std::min(deviation / spacing, kMostUneven) };
+                               .unevenness = std::min(deviation / spacing, kMaxUneven) };
     return StyledPlaces(places, Pattern::Even, seed, 1).next({ .number = number });
 }
 
@@ -151,9 +151,9 @@ Similarity fitted(Similarity way, Branch const& child, std::vector<Vec2> const& 
                   double usual)
 {
     constexpr double kLargest = 1.5;
-    constexpr double kLeast = 1.0 / 3;
+    constexpr double kMin = 1.0 / 3;
     Vec2 const unit = way.turn;
-    double low = kLeast * usual;
+    double low = kMin * usual;
     double high = kLargest * usual;
     for (int i = 0; i < 8; ++i) {
         double const middle = (low + high) / 2;

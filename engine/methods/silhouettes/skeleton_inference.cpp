@@ -75,8 +75,8 @@ public:
             {});
         auto below = options_.below;
         auto outlined = options_.outlined;
-        below.outline.least_area_mm2 = 0;
-        outlined.outline.least_area_mm2 = 0;
+        below.outline.min_area_mm2 = 0;
+        outlined.outline.min_area_mm2 = 0;
         skeleton_.surface = drawing_.surface;
         std::size_t first = 0;
         // Branches below the usual levels have children only if they were drawn on or follow a

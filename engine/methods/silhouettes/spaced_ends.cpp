@@ -14,9 +14,9 @@ namespace {
 // Position of a spaced branch's end on the straight way from its base to the outline.
 constexpr double kEndsAt = 0.85;
 // Greatest distance by which a branch may leave the outline, as a share of its diagonal.
-constexpr double kMostOut = 0.01;
+constexpr double kMaxOut = 0.01;
 // Least length of a branch, as a share of the outline's diagonal; the trunk covers what is nearer.
-constexpr double kLeastSpacedLength = 0.015;
+constexpr double kMinSpacedLength = 0.015;
 
 Vec2 trunk_direction(std::span<Vec2 const> trunk, std::size_t sample)
 {
@@ -105,7 +105,7 @@ public:
         : crown_(crown)
         , trunk_(crown.search.trunk)
         , run_(crown.search.bases)
-        , limit_(kMostOut * box_of(crown.outline).diagonal())
+        , limit_(kMaxOut * box_of(crown.outline).diagonal())
     {
     }
 
@@ -147,10 +147,10 @@ private:
     // wide as a few parts, and of a wider one so much around its tip.
     Arc kept_by_lateral(Bump const& bump) const
     {
-        constexpr double kMostParts = 3;
+        constexpr double kMaxParts = 3;
         auto const n = crown_.outline.size();
         auto const tip = static_cast<std::uint32_t>(nearest_sample(crown_.outline, bump.tip));
-        auto const width = static_cast<std::size_t>(std::lround(kMostParts / 2 * spacing()));
+        auto const width = static_cast<std::size_t>(std::lround(kMaxParts / 2 * spacing()));
         if (bump.arc.inner_count(n) <= 2 * width)
             return bump.arc;
         return around_tip(crown_.outline, bump, width, { tip, tip });
@@ -243,9 +243,9 @@ private:
         std::sort(parts.begin(), parts.end(), [&](Part const& a, Part const& b) {
             return std::pair(a.base, height(a)) < std::pair(b.base, height(b));
         });
-        constexpr double kLeastGap = 0.4; // As a share of the mean distance of bases.
+        constexpr double kMinGap = 0.4; // As a share of the mean distance of bases.
         auto const run = run_.last - run_.first;
-        auto const gap = static_cast<std::size_t>(kLeastGap * static_cast<double>(run)
+        auto const gap = static_cast<std::size_t>(kMinGap * static_cast<double>(run)
                                                   / static_cast<double>(parts.size()));
         for (std::size_t i = parts.size() - 1; i-- > 0;) {
             auto const most = parts[i + 1].base - std::min(gap, parts[i + 1].base - run_.first);
@@ -274,7 +274,7 @@ private:
         path.outside = excursion(crown_.outline, path.curve.points(17));
         if (path.outside > limit_ || !is_inside(crown_.outline, end.end))
             path = infer_branch(crown_.search, { inner_end(to), end.tangent });
-        if (path.outside > limit_ || path.length < kLeastSpacedLength * limit_ / kMostOut)
+        if (path.outside > limit_ || path.length < kMinSpacedLength * limit_ / kMaxOut)
             return std::nullopt;
         SpacedBranch branch { .path = path };
         branch.part = described(part.arc, path.curve, to);

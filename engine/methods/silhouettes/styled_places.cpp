@@ -120,13 +120,13 @@ double StyledPlaces::next_first(double low)
 // Distance from the first child to the last.
 double StyledPlaces::next_extent(std::size_t count, double room)
 {
-    constexpr double kLeast = 0.3; // Limits relative to the mean distance of a parent.
-    constexpr double kMost = 3;
+    constexpr double kMin = 0.3; // Limits relative to the mean distance of a parent.
+    constexpr double kMax = 3;
     extent_left_ += style_.spacing * static_cast<double>(count - 1) * extent_factor();
     if (count < 2)
         return 0;
     double const usual = style_.spacing * std::max(1.0, style_.children - 1);
-    double const extent = std::clamp(std::clamp(extent_left_, kLeast * usual, kMost * usual), 0.0,
+    double const extent = std::clamp(std::clamp(extent_left_, kMin * usual, kMax * usual), 0.0,
                                      std::max(room, 0.0));
     extent_left_ -= extent;
     return extent;
@@ -153,7 +153,7 @@ double StyledPlaces::extent_factor() const
 // style's standard deviation.
 double StyledPlaces::next_unevenness(std::size_t count, std::size_t nodes, double extent)
 {
-    constexpr double kMostChanged = 2;
+    constexpr double kMaxChanged = 2;
     double const usual = style_.unevenness;
     if (!(style_.spacing_deviation > 0))
         return usual;
@@ -163,7 +163,7 @@ double StyledPlaces::next_unevenness(std::size_t count, std::size_t nodes, doubl
         return usual;
     double const if_even = extent * extent / static_cast<double>(nodes - 1);
     double const wanted = std::sqrt(std::max(0.0, squares_left_ / if_even - 1));
-    return std::clamp(wanted, usual / kMostChanged, usual * kMostChanged);
+    return std::clamp(wanted, usual / kMaxChanged, usual * kMaxChanged);
 }
 
 // Normal scores for the distances between nodes. Wither 2009 uses normally distributed distances;
@@ -207,12 +207,12 @@ std::vector<double> StyledPlaces::next(Parent const& parent)
 
 double StyledPlaces::next_angle_deg(double share)
 {
-    constexpr double kMostMadeUp_deg = 15;
+    constexpr double kMaxMadeUp_deg = 15;
     double const part = part_of_turn(angle_phase_ + kGolden * static_cast<double>(angled_++));
     double const wanted_deg
         = style_.angle_at_deg(share) + style_.angle_deviation_deg * normal_quantile(part);
-    double const made_up_deg = std::clamp(angle_left_deg_, -kMostMadeUp_deg, kMostMadeUp_deg);
-    double const angle_deg = std::clamp(wanted_deg + made_up_deg, kLeastAngle_deg, kMostAngle_deg);
+    double const made_up_deg = std::clamp(angle_left_deg_, -kMaxMadeUp_deg, kMaxMadeUp_deg);
+    double const angle_deg = std::clamp(wanted_deg + made_up_deg, kMinAngle_deg, kMaxAngle_deg);
     angle_left_deg_ += wanted_deg - angle_deg;
     return angle_deg;
 }

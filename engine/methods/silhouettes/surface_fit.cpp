@@ -71,7 +71,7 @@ double SurfaceFit::size_inside(std::span<Vec3 const> places_mm, Vec3 const& abou
     };
     if (fits(1))
         return 1;
-    double low = kLeast;
+    double low = kMin;
     double high = 1;
     for (int i = 0; i < 6; ++i) {
         double const middle = (low + high) / 2;

@@ -18,9 +18,9 @@ public:
 
     bool holds(Vec3 const& plant_mm) const;
 
-    // Scale, from kLeast to 1, by which points must shrink about `about_mm` so that nine of ten are
+    // Scale, from kMin to 1, by which points must shrink about `about_mm` so that nine of ten are
     // inside.
-    static constexpr double kLeast = 0.4;
+    static constexpr double kMin = 0.4;
     double size_inside(std::span<Vec3 const> places_mm, Vec3 const& about_mm) const;
 
 private:

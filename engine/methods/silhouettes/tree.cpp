@@ -1,12 +1,12 @@
 #include "engine/methods/silhouettes/tree.h"
 
+#include "engine/methods/silhouettes/branch_set.h"
 #include "engine/methods/silhouettes/branch_space.h"
-#include "engine/methods/silhouettes/crowd.h"
 #include "engine/methods/silhouettes/leaf_blade.h"
 #include "engine/methods/silhouettes/line.h"
 #include "engine/methods/silhouettes/sibling_style.h"
 #include "engine/methods/silhouettes/spray_maker.h"
-#include "engine/methods/silhouettes/styled_crowd.h"
+#include "engine/methods/silhouettes/styled_branch_set.h"
 #include "engine/plant/pipe_model.h"
 
 #include <algorithm>
@@ -93,26 +93,26 @@ private:
     // Adds axes depth first, so that every axis comes after its parent.
     void grow(Parent const& parent)
     {
-        std::optional<Crowd> own;
-        Crowd const* crowd = nullptr;
+        std::optional<BranchSet> own;
+        BranchSet const* branch_set = nullptr;
         // Details drawn on a branch take precedence over a style.
         if (parent.system != kNoSystem && level_options(parent.level).style.is_set()
             && !skeleton_.systems[parent.system].is_of_own_outline
             && !skeleton_.systems[parent.system].is_in_siblings_style)
-            crowd = styled_crowd(parent, own);
+            branch_set = styled_branch_set(parent, own);
         else if (parent.system != kNoSystem)
-            crowd = &crowd_of(parent.system, parent.level);
-        auto const places = node_places(parent, crowd);
+            branch_set = &branch_set_of(parent.system, parent.level);
+        auto const places = node_places(parent, branch_set);
         auto const axis = add_axis(parent, places);
-        bool const has_twigs
-            = !crowd || (parent.level > 0 && !bears_leaves_alone(skeleton_.systems[parent.system]));
+        bool const has_twigs = !branch_set
+            || (parent.level > 0 && !bears_leaves_alone(skeleton_.systems[parent.system]));
         if (has_twigs)
             sprays_.add({ parent.space, parent.line, parent.crown, axis }, places,
-                        crowd ? 0.5 : 0.0);
-        if (!crowd)
+                        branch_set ? 0.5 : 0.0);
+        if (!branch_set)
             return;
         std::size_t node = 0;
-        for (auto const& standing : crowd->branches) {
+        for (auto const& standing : branch_set->branches) {
             while (node + 2 < places.size() && places[node + 1] < standing.u - 1e-9)
                 ++node;
             grow_branch(parent, axis, standing, node);
@@ -153,7 +153,7 @@ private:
         return leaf_shapes_.back().second;
     }
 
-    void grow_branch(Parent const& parent, AxisId axis, Standing const& standing,
+    void grow_branch(Parent const& parent, AxisId axis, PositionedBranch const& standing,
                      std::size_t segment)
     {
         auto const& system = skeleton_.systems[parent.system];
@@ -192,7 +192,7 @@ private:
 
     // Positions of the parent's axis nodes, as shares of its length: evenly spaced ones and those
     // of its branches.
-    std::vector<double> node_places(Parent const& parent, Crowd const* crowd) const
+    std::vector<double> node_places(Parent const& parent, BranchSet const* branch_set) const
     {
         constexpr std::array kSegments { 16, 8, 4, 3 };
         // Minimum number of segments on a styled level, because angles are measured over an eighth
@@ -206,8 +206,8 @@ private:
         std::vector<double> places;
         for (int i = 0; i <= own; ++i)
             places.push_back(static_cast<double>(i) / own);
-        if (crowd)
-            for (auto const& branch : crowd->branches)
+        if (branch_set)
+            for (auto const& branch : branch_set->branches)
                 places.push_back(std::clamp(branch.u, 0.002, 1.0));
         std::sort(places.begin(), places.end());
         std::vector<double> apart { 0 };
@@ -237,23 +237,23 @@ private:
         return id;
     }
 
-    Crowd const& crowd_of(std::size_t system, std::uint32_t level)
+    BranchSet const& branch_set_of(std::size_t system, std::uint32_t level)
     {
-        auto const found = crowds_.find(system);
-        if (found != crowds_.end())
+        auto const found = set_maker_.find(system);
+        if (found != set_maker_.end())
             return found->second;
-        auto& crowd = crowds_[system];
+        auto& branch_set = set_maker_[system];
         auto options = level_options(level);
         // The branch was drawn in as much detail as a tree, so it gets as many added branches.
         if (skeleton_.systems[system].is_of_own_outline)
             options.added = std::max(options.added, level_options(0).added);
-        crowd = maker_.make(system, options);
-        tell(level, crowd);
-        return crowd;
+        branch_set = maker_.make(system, options);
+        tell(level, branch_set);
+        return branch_set;
     }
 
     // The branches in the style of the parent's level; null if it has none.
-    Crowd const* styled_crowd(Parent const& parent, std::optional<Crowd>& own)
+    BranchSet const* styled_branch_set(Parent const& parent, std::optional<BranchSet>& own)
     {
         own = styled_[options_of(parent.level)].next(
             { .system = parent.system,
@@ -266,10 +266,10 @@ private:
         return &*own;
     }
 
-    void tell(std::uint32_t level, Crowd const& crowd)
+    void tell(std::uint32_t level, BranchSet const& branch_set)
     {
         if (!told_.contains(level))
-            for (auto const& branch : crowd.branches)
+            for (auto const& branch : branch_set.branches)
                 told_[level].push_back({ branch.name, { branch.u, branch.theta_deg } });
     }
 
@@ -277,12 +277,12 @@ private:
     TreeOptions const& options_;
     Tree tree_;
     std::vector<std::pair<std::vector<Vec2>, OrganShapeId>> leaf_shapes_;
-    std::map<std::size_t, Crowd> crowds_;
+    std::map<std::size_t, BranchSet> set_maker_;
     std::map<std::uint32_t, std::vector<PlacedBranch>> told_;
     std::optional<SurfaceFit> fit_; // The drawn surface; no value if none was drawn.
     SprayMaker sprays_ { tree_, options_ };
-    CrowdMaker maker_;
-    std::vector<StyledCrowdMaker> styled_; // Makers of styled branches, one for each level.
+    BranchSetMaker maker_;
+    std::vector<StyledBranchSetMaker> styled_; // Makers of styled branches, one for each level.
 };
 
 } // namespace

@@ -23,18 +23,18 @@ Result<void> check_style(BranchStyle const& style)
         double most;
     };
     std::array const ranges {
-        Range { "the branches of a parent", style.children, 1, kMostChildren },
-        Range { "their deviation", style.children_deviation, 0, kMostChildren },
-        Range { "the share of parents without branches", style.bare, 0, kMostBare },
+        Range { "the branches of a parent", style.children, 1, kMaxChildren },
+        Range { "their deviation", style.children_deviation, 0, kMaxChildren },
+        Range { "the share of parents without branches", style.bare, 0, kMaxBare },
         Range { "the unbranched share of a parent", style.unbranched, 0, 1 },
         Range { "the distance of branches", style.spacing, 0, 1 },
-        Range { "the unevenness of distances", style.unevenness, 0, kMostUneven },
+        Range { "the unevenness of distances", style.unevenness, 0, kMaxUneven },
         Range { "the deviation of distances", style.spacing_deviation, 0, 1 },
-        Range { "the angle of the first branch", style.first_angle_deg, kLeastAngle_deg,
-                kMostAngle_deg },
-        Range { "the angle of the last branch", style.last_angle_deg, kLeastAngle_deg,
-                kMostAngle_deg },
-        Range { "the deviation of angles", style.angle_deviation_deg, 0, kMostAngle_deg },
+        Range { "the angle of the first branch", style.first_angle_deg, kMinAngle_deg,
+                kMaxAngle_deg },
+        Range { "the angle of the last branch", style.last_angle_deg, kMinAngle_deg,
+                kMaxAngle_deg },
+        Range { "the deviation of angles", style.angle_deviation_deg, 0, kMaxAngle_deg },
     };
     for (auto const& range : ranges)
         if (!(range.given >= range.least && range.given <= range.most))
@@ -48,11 +48,11 @@ Result<void> check_styles(TreeForm const& form)
         if (!(style == BranchStyle {}))
             TRY(check_style(style));
     double const branches = styled_branches(form);
-    if (branches > kMostStyled)
+    if (branches > kMaxStyled)
         return fail(Fault::User,
                     fmt::format("the style would give the tree {:.0f} branches: {:g} are the "
                                 "most; take fewer levels",
-                                branches, kMostStyled));
+                                branches, kMaxStyled));
     return {};
 }
 
@@ -90,14 +90,14 @@ Result<void> check_form(TreeForm const& form)
     if (!(form.leaf_width >= 0.01 && form.leaf_width <= 2))
         return refuse("the width of a leaf", form.leaf_width, 0.01, 2);
     for (auto const& pattern : form.patterns)
-        if (pattern.whorl < kLeastWhorl || pattern.whorl > kMostWhorl)
-            return refuse("the branches of a whorl", pattern.whorl, kLeastWhorl, kMostWhorl);
-    if (form.plane_branches < 0 || form.plane_branches > kMostPlaneBranches)
+        if (pattern.whorl < kMinWhorl || pattern.whorl > kMaxWhorl)
+            return refuse("the branches of a whorl", pattern.whorl, kMinWhorl, kMaxWhorl);
+    if (form.plane_branches < 0 || form.plane_branches > kMaxPlaneBranches)
         return refuse("the branches in the drawing's plane", form.plane_branches, 0,
-                      kMostPlaneBranches);
+                      kMaxPlaneBranches);
     for (double const angle_deg : { form.base_angle_deg, form.tip_angle_deg })
-        if (angle_deg != 0 && !(angle_deg >= kLeastAngle_deg && angle_deg <= kMostAngle_deg))
-            return refuse("the angle of a branch", angle_deg, kLeastAngle_deg, kMostAngle_deg);
+        if (angle_deg != 0 && !(angle_deg >= kMinAngle_deg && angle_deg <= kMaxAngle_deg))
+            return refuse("the angle of a branch", angle_deg, kMinAngle_deg, kMaxAngle_deg);
     return check_styles(form);
 }
 

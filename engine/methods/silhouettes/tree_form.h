@@ -25,7 +25,7 @@ struct TreeForm {
     // trees from before this option existed.
     bool has_whole_nodes = false;
     // Number of branches in the plane of the drawing, besides the trunk's end, where the outline
-    // has fewer bumps than that (InferenceOptions::branches), up to kMostPlaneBranches. 0 for trees
+    // has fewer bumps than that (InferenceOptions::branches), up to kMaxPlaneBranches. 0 for trees
     // from before this option existed: these have branches in bumps, and others until the crown is
     // covered.
     int plane_branches = 0;
@@ -37,7 +37,7 @@ struct TreeForm {
 };
 
 constexpr int kUsualPlaneBranches = 26;
-constexpr int kMostPlaneBranches = 60;
+constexpr int kMaxPlaneBranches = 60;
 
 // True if nothing was set by hand; the seed and has_whole_nodes do not count.
 bool is_usual(TreeForm form);
@@ -45,7 +45,7 @@ bool is_usual(TreeForm form);
 // Approximate number of branches on the last level according to the form's styles; 1 for a form
 // without styles.
 double styled_branches(TreeForm const& form);
-constexpr double kMostStyled = 200'000;
+constexpr double kMaxStyled = 200'000;
 
 // Fails with a user error if a value is out of range.
 Result<void> check_form(TreeForm const& form);

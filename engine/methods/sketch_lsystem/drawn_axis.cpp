@@ -87,7 +87,7 @@ struct Ring {
 static std::string letter_of(std::size_t level)
 {
     constexpr std::string_view kLetters = "ABCDEHIJ";
-    static_assert(kLetters.size() == kMostLateralRules);
+    static_assert(kLetters.size() == kMaxLateralRules);
     return std::string(kLetters.substr(level - 1, 1));
 }
 

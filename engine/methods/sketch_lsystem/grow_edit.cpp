@@ -42,7 +42,7 @@ GrowAlongStroke varied(GrowAlongStroke edit, scene::SourceVariation const& varia
     }
     auto const spread = [&](double deviation) {
         return variation.spread * deviation
-            * std::clamp(random.normal(), -kMostDeviations, kMostDeviations);
+            * std::clamp(random.normal(), -kMaxDeviations, kMaxDeviations);
     };
     auto& rule = edit.rule;
     rule.angle_deg = std::clamp(rule.angle_deg + spread(kAngle_deg), 0.0, 150.0);
@@ -136,7 +136,7 @@ std::string described(GrowAlongStroke const& edit)
 // Names of the fields of each lateral rule in sessions; a file without lateral rules has none of
 // them. The letters of rule files are r, q, k, a, s, v, T, l_min and by.
 using LateralNames = std::array<char const*, 9>;
-static constexpr std::array<LateralNames, kMostLateralRules> kLateralNames { {
+static constexpr std::array<LateralNames, kMaxLateralRules> kLateralNames { {
     { { "A_r", "A_q", "A_k", "A_a", "A_s", "A_v", "A_T", "A_l_min", "A_by" } },
     { { "B_r", "B_q", "B_k", "B_a", "B_s", "B_v", "B_T", "B_l_min", "B_by" } },
     { { "C_r", "C_q", "C_k", "C_a", "C_s", "C_v", "C_T", "C_l_min", "C_by" } },
@@ -153,7 +153,7 @@ static void list_lateral_rules(scene::Fields& fields, std::vector<LateralRule>& 
 {
     constexpr LateralRule kNone { 0, 0, 0, 0, 0, 0, 0, 0, 0 };
     auto all = rules;
-    all.resize(kMostLateralRules, kNone);
+    all.resize(kMaxLateralRules, kNone);
     for (std::size_t level = 0; level < all.size(); ++level) {
         auto const& names = kLateralNames[level];
         auto& rule = all[level];

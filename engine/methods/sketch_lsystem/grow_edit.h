@@ -67,7 +67,7 @@ struct RuleSpread {
     double twist_deg = 10;
 };
 constexpr RuleSpread kRuleSpread {};
-constexpr double kMostDeviations = 2;
+constexpr double kMaxDeviations = 2;
 
 // Lists the fields of a rule for sessions, named by the letters of rule files.
 void list_rule(scene::Fields& fields, Rule& rule);

@@ -11,7 +11,7 @@ namespace tractus::sketch {
 namespace {
 
 // A lateral that has room for less than this share of its length does not grow.
-constexpr double kLeastRoom = 0.25;
+constexpr double kMinRoom = 0.25;
 
 // The ends of a lateral's internodes, with all that it bears, for a first internode of length 1. In
 // the order of growth, so that a limit on their number leaves out the finest ones.
@@ -22,14 +22,14 @@ public:
         , shortest_(shortest_of(rule))
     {
         std::vector<Apex> apices { { .turtle = AxisTurtle(Vec3::Zero()) } };
-        for (std::size_t i = 0; i < apices.size() && points_.size() < kMostPoints; ++i)
+        for (std::size_t i = 0; i < apices.size() && points_.size() < kMaxPoints; ++i)
             grow(Apex(apices[i]), apices);
     }
 
     std::vector<Vec3> const& points() const { return points_; }
 
 private:
-    static constexpr std::size_t kMostPoints = 4000;
+    static constexpr std::size_t kMaxPoints = 4000;
 
     // The apex of a lateral, by the lateral rule number `level`, or of one that forks.
     struct Apex {
@@ -121,7 +121,7 @@ double room_for(std::vector<Vec3> const& lateral_mm, std::vector<Vec3> const& wa
             if (double const reach_mm = point_mm.dot(there); reach_mm > free_mm)
                 room = std::min(room, free_mm / reach_mm);
     }
-    return room < kLeastRoom ? 0 : as_written(std::floor(1000 * room) / 1000);
+    return room < kMinRoom ? 0 : as_written(std::floor(1000 * room) / 1000);
 }
 
 } // namespace

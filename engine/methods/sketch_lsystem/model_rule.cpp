@@ -22,13 +22,13 @@ std::vector<double> all_lengths(AxisContract const& contract)
         lengths.push_back(as_written(length));
     auto const given = lengths.size();
     double const ratio = given > 1 ? lengths[given - 1] / lengths[given - 2] : 1;
-    while (lengths.size() < kMostModelSegments) {
+    while (lengths.size() < kMaxModelSegments) {
         double const next = as_written(lengths.back() * ratio);
         if (!(next >= kShortest * lengths.front()) || !std::isfinite(next))
             break;
         lengths.push_back(next);
     }
-    lengths.resize(std::min<std::size_t>(lengths.size(), kMostModelSegments));
+    lengths.resize(std::min<std::size_t>(lengths.size(), kMaxModelSegments));
     return lengths;
 }
 

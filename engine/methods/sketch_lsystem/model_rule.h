@@ -29,7 +29,7 @@ struct ModelRule {
 };
 
 // Largest number of segments of a model's axis.
-constexpr int kMostModelSegments = 1000;
+constexpr int kMaxModelSegments = 1000;
 
 // The lengths of a contract's segments on the desk, for a plant shown at `scale`: the numbers in
 // the text, then further ones by the ratio of the last two, rounded to six digits. No length is

@@ -54,10 +54,10 @@ Result<void> check_rule(Rule const& rule)
                     rule.first_length_mm));
     TRY(check_range("o", "the laterals' occupancy radius in mm", rule.gives_way_mm, 0, 100));
     TRY(check_range("n_max", "the most segments of a stroke", rule.most_segments, 1, 10'000));
-    if (rule.lateral_rules.size() > kMostLateralRules)
+    if (rule.lateral_rules.size() > kMaxLateralRules)
         return fail(Fault::User,
                     fmt::format("laterals have {} rules: give at most {}",
-                                rule.lateral_rules.size(), kMostLateralRules));
+                                rule.lateral_rules.size(), kMaxLateralRules));
     for (auto const& lateral : rule.lateral_rules) {
         TRY(check_lateral_rule(lateral));
         TRY(check_range("laterals.by", "the number of its laterals' rule", lateral.laterals_by, 0,

@@ -34,7 +34,7 @@ struct LateralRule {
 
     bool operator==(LateralRule const&) const = default;
 };
-constexpr std::size_t kMostLateralRules = 8;
+constexpr std::size_t kMaxLateralRules = 8;
 
 struct Rule {
     double first_length_mm = 30; // l, 5 to 100: length of the drawn axis's first internode.
@@ -60,7 +60,7 @@ struct Rule {
     int most_segments = 64;           // n_max, 1 to 10,000: most segments of the drawn axis.
     double most_internodes = 200'000; // limit, n_max to 10 million: most internodes of the plant.
 
-    // Rules of laterals in the ranges above, at most kMostLateralRules. The first rule is for
+    // Rules of laterals in the ranges above, at most kMaxLateralRules. The first rule is for
     // laterals of the drawn axis; laterals of the last rule fork, with that rule's numbers. If the
     // list is empty, all laterals fork, with the numbers above.
     std::vector<LateralRule> lateral_rules {};

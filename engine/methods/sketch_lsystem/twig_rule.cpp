@@ -172,14 +172,14 @@ double squares(std::vector<Lateral const*> const& laterals, Ring& ring, double p
 
 Ring find_ring(std::vector<Lateral const*> const& laterals, double axis_mm)
 {
-    constexpr int kMostLaterals = 8;
-    constexpr int kMostBare = 3;
+    constexpr int kMaxLaterals = 8;
+    constexpr int kMaxBare = 3;
     constexpr double kStep = 0.0025;
     double const place_mm = std::max(kPlace_mm, kPlaceShare * axis_mm);
     Ring best;
-    for (int count = 1; count <= std::min<int>(kMostLaterals, static_cast<int>(laterals.size()));
+    for (int count = 1; count <= std::min<int>(kMaxLaterals, static_cast<int>(laterals.size()));
          ++count)
-        for (int bare = 0; bare <= kMostBare; ++bare)
+        for (int bare = 0; bare <= kMaxBare; ++bare)
             for (double ratio = 0.5; ratio <= 1.2; ratio += kStep) {
                 Ring ring { .laterals = count, .bare = bare, .ratio = ratio };
                 double const sum = squares(laterals, ring, place_mm);
@@ -367,11 +367,11 @@ static TwigRule fit(std::vector<Lateral> const& laterals, std::vector<Vec3> cons
 
 Result<TwigRule> find_twig_rule(DrawnTwig const& twig)
 {
-    if (twig.laterals_mm.empty() || twig.laterals_mm.size() > kMostTwigLaterals)
+    if (twig.laterals_mm.empty() || twig.laterals_mm.size() > kMaxTwigLaterals)
         return fail(Fault::User,
                     fmt::format("the twig has {} laterals: draw 1 to {}, three and more for a rule "
                                 "that can be told",
-                                twig.laterals_mm.size(), kMostTwigLaterals));
+                                twig.laterals_mm.size(), kMaxTwigLaterals));
     DrawnTwig drawn { .axis_mm = TRY(checked_line(twig.axis_mm, "the axis")), .laterals_mm = {} };
     for (auto const& lateral : twig.laterals_mm)
         drawn.laterals_mm.push_back(

@@ -14,9 +14,9 @@ namespace tractus::sketch {
 // on a sheet has y = 0.
 struct DrawnTwig {
     std::vector<Vec3> axis_mm;
-    std::vector<std::vector<Vec3>> laterals_mm; // Laterals, 1 to kMostTwigLaterals.
+    std::vector<std::vector<Vec3>> laterals_mm; // Laterals, 1 to kMaxTwigLaterals.
 };
-constexpr std::size_t kMostTwigLaterals = 200;
+constexpr std::size_t kMaxTwigLaterals = 200;
 
 // The rule that fits a drawn twig best.
 struct TwigRule {
@@ -35,8 +35,8 @@ struct TwigRule {
     double misfit = 0;
 
     // A twig with a greater misfit does not follow such a rule.
-    static constexpr double kMostMisfit = 0.4;
-    bool is_rule() const { return misfit <= kMostMisfit; }
+    static constexpr double kMaxMisfit = 0.4;
+    bool is_rule() const { return misfit <= kMaxMisfit; }
 };
 
 // Finds the rule of a drawn twig. All numbers of laterals per node and of bare nodes are tried,

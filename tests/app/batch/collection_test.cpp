@@ -86,11 +86,11 @@ TEST(Collection, InAGridPlantsStandInRowsAndFaceAnyWay)
 TEST(Collection, ItsSheetShowsPlantsFromTheFirstToTheLast)
 {
     EXPECT_EQ(sheet_plant(0, 1), 0u);
-    for (std::size_t i = 0; i < kMostSheetPlants; ++i)
-        EXPECT_EQ(sheet_plant(i, kMostSheetPlants), i); // All plants are shown.
+    for (std::size_t i = 0; i < kMaxSheetPlants; ++i)
+        EXPECT_EQ(sheet_plant(i, kMaxSheetPlants), i); // All plants are shown.
     EXPECT_EQ(sheet_plant(0, 1'000'000), 0u);
-    EXPECT_EQ(sheet_plant(kMostSheetPlants - 1, 1'000'000), 999'999u);
-    for (std::size_t i = 1; i < kMostSheetPlants; ++i) {
+    EXPECT_EQ(sheet_plant(kMaxSheetPlants - 1, 1'000'000), 999'999u);
+    for (std::size_t i = 1; i < kMaxSheetPlants; ++i) {
         auto const step = sheet_plant(i, 1'000'000) - sheet_plant(i - 1, 1'000'000);
         EXPECT_GE(step, 21276u);
         EXPECT_LE(step, 21277u);

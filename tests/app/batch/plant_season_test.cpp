@@ -93,7 +93,7 @@ TEST(PlantSeason, SaysWhichLeavesCannotBeGrown)
                                    .material = static_cast<MaterialId>(plant.materials.size() - 1),
                                    .cut = cut });
     auto built = std::make_shared<scene::BuiltPlant>(*scene.plants[0]);
-    built->base = built->dressed = std::make_shared<Plant const>(plant);
+    built->base = built->foliated = std::make_shared<Plant const>(plant);
     scene.plants[0] = built;
     auto const edits = season_edits(scene, scene::Season {});
     ASSERT_FALSE(edits);

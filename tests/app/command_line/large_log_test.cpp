@@ -12,7 +12,7 @@
 namespace tractus {
 namespace {
 
-constexpr long kMostPeak_kB = 100'000;
+constexpr long kMaxPeak_kB = 100'000;
 
 // The memory needed for a recording must not depend on its size, or on sizes that it claims.
 class LargeLog : public Workshop {
@@ -75,7 +75,7 @@ TEST_F(LargeLog, TakesNoMoreMemoryThanASmallOne)
         auto const of_large
             = peak_kB("tractus " + fmt::format(fmt::runtime(command), "large.tractus-log"));
         EXPECT_LT(of_large, of_small + 2'000) << command;
-        EXPECT_LT(of_large, kMostPeak_kB) << command;
+        EXPECT_LT(of_large, kMaxPeak_kB) << command;
     }
 }
 
@@ -85,7 +85,7 @@ TEST_F(LargeLog, IsRefusedAtALineWithoutEnd)
     run("{ cat head; head -c 200000000 /dev/zero | tr '\\0' 0; } >line.hid");
     for (std::string const command : { "decode line.hid", "convert line.hid -o out.hid",
                                        "decode /dev/zero", "convert /dev/zero -o out.hid" })
-        EXPECT_LT(peak_kB("tractus " + command, 1), kMostPeak_kB) << command;
+        EXPECT_LT(peak_kB("tractus " + command, 1), kMaxPeak_kB) << command;
 }
 
 TEST_F(LargeLog, OfAnotherProgramTakesNoMoreThanItsReports)
@@ -105,7 +105,7 @@ TEST_F(LargeLog, OfAnotherProgramTakesNoMoreThanItsReports)
         }
     }
     for (std::string const file : { "libinput.yml", "dump.txt" })
-        EXPECT_LT(peak_kB("tractus convert " + file + " -o out.tractus-log"), kMostPeak_kB) << file;
+        EXPECT_LT(peak_kB("tractus convert " + file + " -o out.tractus-log"), kMaxPeak_kB) << file;
 }
 
 } // namespace

@@ -36,17 +36,17 @@ TEST_F(WindowLookTest, IsKeptFromOneTimeToTheNext)
 
 TEST_F(WindowLookTest, KeepsHowFarStrokesHaveToGet)
 {
-    EXPECT_TRUE(load_least_extents(path_).value().empty());
+    EXPECT_TRUE(load_min_extents(path_).value().empty());
     ASSERT_TRUE(save_look(path_, {}));
-    EXPECT_TRUE(load_least_extents(path_).value().empty());
+    EXPECT_TRUE(load_min_extents(path_).value().empty());
     ASSERT_TRUE(write_file(path_, "hand = \"left\"\nleast = \"draw=2.5 sketch=0\"\n"));
-    tools::LeastExtents const kept { { "draw", 2.5 }, { "sketch", 0 } };
-    EXPECT_EQ(load_least_extents(path_).value(), kept);
+    tools::MinExtents const kept { { "draw", 2.5 }, { "sketch", 0 } };
+    EXPECT_EQ(load_min_extents(path_).value(), kept);
     ASSERT_TRUE(save_look(path_, { .is_light = true })); // The user chooses the light look.
-    EXPECT_EQ(load_least_extents(path_).value(), kept);
+    EXPECT_EQ(load_min_extents(path_).value(), kept);
     EXPECT_TRUE(load_look(path_).value().is_light);
     ASSERT_TRUE(write_file(path_, "least = \"draw\"\n"));
-    auto const wrong = load_least_extents(path_);
+    auto const wrong = load_min_extents(path_);
     ASSERT_FALSE(wrong);
     EXPECT_NE(wrong.error().message.find("window.toml:1: least"), std::string::npos)
         << wrong.error().message;

@@ -11,7 +11,7 @@ scene::Scene sketched(sketch::SketchTool const& tool)
 {
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 10, 0, 100 }, { 10, 20, 200 } });
     return scene::apply_edits(scene::Scene {},
-                              tools::Tool(tool).mean(stroke, scene::Scene {}).value())
+                              tools::Tool(tool).edits_for(stroke, scene::Scene {}).value())
         .value();
 }
 

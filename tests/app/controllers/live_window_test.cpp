@@ -66,7 +66,7 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     ASSERT_EQ(log.tools.size(), 3u);
     EXPECT_EQ(log.tools[0].tool, "least");
     EXPECT_EQ(log.tools[0].arguments,
-              tools::print_least_extents(tools::usual_least_extents(methods::all_methods().tools)));
+              tools::print_min_extents(tools::usual_min_extents(methods::all_methods().tools)));
     EXPECT_EQ(log.tools[1].tool, "draw_in_order")
         << "for programs that do not know the line before";
     EXPECT_EQ(log.tools[1].arguments, "heading") << "by which law it draws";
@@ -191,7 +191,7 @@ TEST(LiveWindow, ASlipOfTheHandDoesNothingAndIsToldOnce)
 TEST(LiveWindow, APersonSaysHowFarAStrokeHasToGet)
 {
     auto options = live_options();
-    options.least_extents = { { "draw_in_order", 2 } };
+    options.min_extents = { { "draw_in_order", 2 } };
     auto window = LiveWindow::create(slipping_devices(), std::move(options)).value();
     advance_to_end(window);
     window.settle();

@@ -122,7 +122,7 @@ TEST(LogReplay, SaysWhatALogLacks)
     EXPECT_NE(refusal(with_odd_rig), "");
 }
 
-drivers::LogTool least_extents(std::string words, std::size_t position)
+drivers::LogTool min_extents(std::string words, std::size_t position)
 {
     return { {}, "least", std::move(words), position };
 }
@@ -131,7 +131,7 @@ drivers::LogTool least_extents(std::string words, std::size_t position)
 TEST(LogReplay, LeavesOutStrokesThatGetLessFarThanTheLogSays)
 {
     auto log = recorded_log();
-    log.tools.insert(log.tools.begin(), least_extents("draw=10 indicate=100 hammer=3", 0));
+    log.tools.insert(log.tools.begin(), min_extents("draw=10 indicate=100 hammer=3", 0));
     auto const [counts, scene, strokes] = replayed(log);
     EXPECT_EQ(counts.strokes, 2u);
     EXPECT_EQ(counts.dabs, 1u);

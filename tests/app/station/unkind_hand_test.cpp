@@ -150,7 +150,7 @@ TEST(UnkindHand, SwitchesDoWhatTheySay)
     EXPECT_GE(wrong, 10u);
     for (auto const time : arrivals(made({ .stall = 80ms, .stall_period = 700ms }).height))
         EXPECT_LT(time.time_since_epoch() % Duration(700ms), Duration(620ms));
-    auto const hooked = hand_of(1, { .least_hook_mm = 0.5, .most_hook_mm = 2 });
+    auto const hooked = hand_of(1, { .min_hook_mm = 0.5, .most_hook_mm = 2 });
     EXPECT_GT(hooked.end(), hand.end());
 }
 

@@ -96,7 +96,7 @@ TEST_F(LineServerTest, LeavesOutForASlowReaderWhatMayBeLeftOutAndSaysSo)
     // The other three lines are "hello", the report of the loss, and "stroke".
     auto const lost = kCount - (lines - 3);
     EXPECT_GT(lost, 0u);
-    EXPECT_GT(lines * 1000, LineServer::kMostWaiting);
+    EXPECT_GT(lines * 1000, LineServer::kMaxWaiting);
     auto const end = "{\"type\":\"lost\",\"tips\":" + std::to_string(lost) + "}\nstroke\n";
     EXPECT_EQ(text.substr(text.size() - end.size()), end);
 }
@@ -114,7 +114,7 @@ TEST_F(LineServerTest, CutsOffWhoDoesNotReadAtAllAndGoesOnForOthers)
         read += read_all(server, other).size();
     }
     EXPECT_EQ(server.reader_count(), 1u);
-    EXPECT_GT(read, LineServer::kMostKept);
+    EXPECT_GT(read, LineServer::kMaxKept);
 }
 
 TEST_F(LineServerTest, DoesNotCountWhatWaitsForAReaderThatTakesNothing)
@@ -154,15 +154,15 @@ TEST_F(LineServerTest, TakesNoMoreReadersThanItSays)
 {
     auto server = listen();
     std::list<LocalReader> readers;
-    for (std::size_t i = 0; i < LineServer::kMostReaders + 3; ++i) {
+    for (std::size_t i = 0; i < LineServer::kMaxReaders + 3; ++i) {
         readers.emplace_back(path_);
         server.serve({});
     }
-    EXPECT_EQ(server.reader_count(), LineServer::kMostReaders);
+    EXPECT_EQ(server.reader_count(), LineServer::kMaxReaders);
     readers.pop_front();
     server.serve({});
     server.serve({});
-    EXPECT_EQ(server.reader_count(), LineServer::kMostReaders);
+    EXPECT_EQ(server.reader_count(), LineServer::kMaxReaders);
 }
 
 TEST_F(LineServerTest, IsItsOwnersAlone)

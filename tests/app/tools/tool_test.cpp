@@ -37,7 +37,7 @@ ToolKinds tools()
 Result<std::vector<scene::Edit>> edits_of(Tool const& tool, Stroke const& stroke,
                                           scene::Scene const& scene)
 {
-    return tool.mean(stroke, scene);
+    return tool.edits_for(stroke, scene);
 }
 
 TEST(Tool, IsReadAndWrittenAsWords)
@@ -119,7 +119,7 @@ TEST(SelectTool, ChoosesOnTheSkeletonAsBentWhereItSaysSo)
     EXPECT_FALSE(edits_of(SelectTool {}, stroke, scene)) << "at rest it stands upright";
     auto const bent
         = Tool(SelectTool {}).seen_from({ .shape = scene::SelectionAngle::Shape::AsBent });
-    auto const edits = bent.mean(stroke, scene);
+    auto const edits = bent.edits_for(stroke, scene);
     ASSERT_TRUE(edits) << edits.error().message;
     EXPECT_EQ(scene::after(*edits, scene).selection[0].front(), trunk.front());
     EXPECT_EQ(words_for(bent).arguments, "bent");

@@ -23,13 +23,13 @@ TEST_F(LayoutTest, ShowsEveryButtonOfEachToolWhole)
 
 TEST_F(LayoutTest, ShowsThePlantBesideTheMenuThatChangesIt)
 {
-    using Page = Workbench::MenuPage;
+    using Page = Workspace::MenuPage;
     for (auto const& size : sizes())
         for (auto const page : { Page::Plant, Page::Keep, Page::Window }) {
             SCOPED_TRACE(fmt::format("{}, page {}", text_of(size), static_cast<int>(page)));
             show(
                 { size.width, size.height }, size.scale,
-                [&](Layout& layout, DrawingModel&) { layout.bench().open_menu(page); },
+                [&](Layout& layout, DrawingModel&) { layout.workspace().open_menu(page); },
                 [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
                     check_buttons(drawn, size_px);
                     auto const* const menu = ImGui::FindWindowByName("menu");
@@ -51,8 +51,8 @@ TEST_F(LayoutTest, ShowsThePlantBesideTheMenuOfALeftHand)
         show(
             { size.width, size.height }, size.scale,
             [&](Layout& layout, DrawingModel&) {
-                layout.bench().is_left_handed = true;
-                layout.bench().open_menu(Workbench::MenuPage::Window);
+                layout.workspace().is_left_handed = true;
+                layout.workspace().open_menu(Workspace::MenuPage::Window);
             },
             [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
                 check_buttons(drawn, size_px);
@@ -76,9 +76,9 @@ TEST_F(LayoutTest, ShowsNothingOnStageButWhatGrows)
         show(
             { size.width, size.height }, size.scale,
             [&](Layout& layout, DrawingModel&) {
-                layout.bench().open_menu(Workbench::MenuPage::Window);
-                layout.bench().keys_are_listed = true;
-                layout.bench().enter_stage();
+                layout.workspace().open_menu(Workspace::MenuPage::Window);
+                layout.workspace().keys_are_listed = true;
+                layout.workspace().enter_stage();
             },
             [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
                 EXPECT_TRUE(drawn.buttons.empty()) << text_of(drawn.buttons.front().whole);
@@ -102,9 +102,9 @@ TEST_F(LayoutTest, LetsTheMouseDrawOnStageUntilEscape)
     work(
         { 1280, 720 },
         { { { 600, 400 } }, { { 600, 400 }, true, drawing }, { { 600, 400 }, false, escape } },
-        model, [](Layout& layout) { layout.bench().is_on_stage = true; },
+        model, [](Layout& layout) { layout.workspace().is_on_stage = true; },
         [&](Layout& layout) {
-            is_on_stage = layout.bench().is_on_stage;
+            is_on_stage = layout.workspace().is_on_stage;
             wants_to_close = layout.take_wish_to_close();
         });
     EXPECT_GE(model.touches, 1u);
@@ -127,7 +127,7 @@ std::vector<Box> switches(DrawnFrame const& drawn)
 
 void show_many(Layout& layout)
 {
-    layout.bench().shown = Workbench::Shown::Collection;
+    layout.workspace().shown = Workspace::Shown::Collection;
 }
 
 } // namespace

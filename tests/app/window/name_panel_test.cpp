@@ -6,7 +6,7 @@
 namespace tractus::window {
 
 using namespace layout_tests;
-using Of = Workbench::AskedName::Of;
+using Of = Workspace::AskedName::Of;
 
 namespace {
 
@@ -37,7 +37,7 @@ TEST_F(LayoutTest, ShowsKeysForANameInTheWindow)
             show(
                 { size.width, size.height }, size.scale,
                 [&](Layout& layout, DrawingModel&) {
-                    layout.bench().ask_name({ of, "A name of some length for what was drawn" });
+                    layout.workspace().ask_name({ of, "A name of some length for what was drawn" });
                 },
                 [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
                     auto const buttons = name_buttons(drawn);
@@ -60,7 +60,7 @@ TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
 {
     ImVec2 const size { 1600, 900 };
     std::vector<DrawnFrame::Button> buttons;
-    auto const ask = [](Layout& layout) { layout.bench().ask_name({ Of::Drawing, "" }); };
+    auto const ask = [](Layout& layout) { layout.workspace().ask_name({ Of::Drawing, "" }); };
     show(
         size, 1, [&](Layout& layout, DrawingModel&) { ask(layout); },
         [&](DrawnFrame const& drawn, ImVec2 const&) { buttons = name_buttons(drawn); });
@@ -84,7 +84,7 @@ TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
     // The key C would choose a tool if the panel were closed.
     moments[1].input.presses.push_back({ 'C' });
     work(size, moments, model, ask, [](Layout& layout) {
-        EXPECT_FALSE(layout.bench().asked_name) << "the panel closes when it is done";
+        EXPECT_FALSE(layout.workspace().asked_name) << "the panel closes when it is done";
     });
     ASSERT_EQ(model.given_names.size(), 1u);
     EXPECT_EQ(model.given_names.front(), "Ash 2");
@@ -100,9 +100,9 @@ TEST_F(LayoutTest, TypesANameInThePlaceOfTheOldOneAndConfirmsWithEnter)
         work(
             { 1600, 900 }, moments, model,
             [](Layout& layout) {
-                layout.bench().ask_name({ Of::Drawing, "Shrub" });
+                layout.workspace().ask_name({ Of::Drawing, "Shrub" });
             },
-            [&](Layout& layout) { EXPECT_EQ(!layout.bench().asked_name, is_closed); });
+            [&](Layout& layout) { EXPECT_EQ(!layout.workspace().asked_name, is_closed); });
         EXPECT_EQ(model.surface_mm, 0) << "letters move no surface";
         return model.given_names;
     };

@@ -39,11 +39,11 @@ class Shortcuts : public testing::Test {
 protected:
     void press(char key, bool with_control = false, bool with_shift = false)
     {
-        take_shortcut({ key, with_control, with_shift }, model, bench, ring);
+        take_shortcut({ key, with_control, with_shift }, model, workspace, ring);
     }
 
     AskedModel model;
-    Workbench bench;
+    Workspace workspace;
     ToolRing ring;
 };
 
@@ -79,44 +79,44 @@ TEST_F(Shortcuts, ToolsAreForAKeyAlone)
 TEST_F(Shortcuts, PressedTwiceInAFrameTheFullScreenStaysOff)
 {
     press('F');
-    ASSERT_TRUE(bench.full_screen_wished);
-    EXPECT_TRUE(bench.full_screen_wished->is_on);
+    ASSERT_TRUE(workspace.full_screen_wished);
+    EXPECT_TRUE(workspace.full_screen_wished->is_on);
     press('F');
-    EXPECT_FALSE(bench.full_screen_wished->is_on);
+    EXPECT_FALSE(workspace.full_screen_wished->is_on);
 }
 
 TEST_F(Shortcuts, EscapeClosesOneThingAfterTheOther)
 {
-    bench.filled_display = 0;
+    workspace.filled_display = 0;
     press('?');
-    ASSERT_TRUE(bench.keys_are_listed);
+    ASSERT_TRUE(workspace.keys_are_listed);
     press(KeyPress::kEscape);
-    EXPECT_FALSE(bench.keys_are_listed);
-    EXPECT_FALSE(bench.full_screen_wished);
+    EXPECT_FALSE(workspace.keys_are_listed);
+    EXPECT_FALSE(workspace.full_screen_wished);
     press(KeyPress::kEscape);
-    ASSERT_TRUE(bench.full_screen_wished);
-    EXPECT_FALSE(bench.full_screen_wished->is_on);
-    EXPECT_FALSE(bench.wants_to_close);
+    ASSERT_TRUE(workspace.full_screen_wished);
+    EXPECT_FALSE(workspace.full_screen_wished->is_on);
+    EXPECT_FALSE(workspace.wants_to_close);
     press(KeyPress::kEscape);
-    EXPECT_TRUE(bench.wants_to_close);
+    EXPECT_TRUE(workspace.wants_to_close);
 }
 
 TEST_F(Shortcuts, NothingThatIsPressedAfterwardsKeepsTheWindowOpen)
 {
     press('Q');
     press('V');
-    EXPECT_TRUE(bench.wants_to_close);
+    EXPECT_TRUE(workspace.wants_to_close);
 }
 
 TEST_F(Shortcuts, InTheCalibrationEscapeLeadsBack)
 {
-    take_calibration_shortcut({ KeyPress::kEscape }, model, bench);
+    take_calibration_shortcut({ KeyPress::kEscape }, model, workspace);
     EXPECT_TRUE(model.was_last_asked_for<view::CloseCalibration>());
-    EXPECT_FALSE(bench.wants_to_close);
-    take_calibration_shortcut({ 'N' }, model, bench);
+    EXPECT_FALSE(workspace.wants_to_close);
+    take_calibration_shortcut({ 'N' }, model, workspace);
     EXPECT_EQ(model.asked.size(), 1u);
-    take_calibration_shortcut({ 'Q' }, model, bench);
-    EXPECT_TRUE(bench.wants_to_close);
+    take_calibration_shortcut({ 'Q' }, model, workspace);
+    EXPECT_TRUE(workspace.wants_to_close);
 }
 
 TEST(Status, BeginsWithACapitalUnlessItBeginsWithAName)

@@ -1,5 +1,5 @@
 #include "app/window/shortcuts.h"
-#include "app/window/workbench.h"
+#include "app/window/workspace.h"
 #include "tests/app/window/layout_fixture.h"
 
 #include <gtest/gtest.h>
@@ -24,14 +24,14 @@ void add_curves(DrawingModel& model, std::size_t count)
     model.draw_curves(std::move(curves));
 }
 
-Workbench::Shown after_keys(std::size_t count)
+Workspace::Shown after_keys(std::size_t count)
 {
     DrawingModel model;
-    Workbench bench;
+    Workspace workspace;
     ToolRing ring;
     for (std::size_t i = 0; i < count; ++i)
-        take_shortcut({ 'V' }, model, bench, ring);
-    return bench.shown;
+        take_shortcut({ 'V' }, model, workspace, ring);
+    return workspace.shown;
 }
 
 } // namespace
@@ -42,8 +42,8 @@ TEST(ShownViews, FollowEachOtherAndHaveWords)
     ASSERT_EQ(words.size(), 6u);
     for (std::size_t i = 0; i < words.size(); ++i)
         EXPECT_EQ(after_keys(i), shown_of_word(words[i])) << words[i];
-    EXPECT_EQ(after_keys(words.size()), Workbench::Shown::All);
-    EXPECT_EQ(shown_of_word("strokes"), Workbench::Shown::Strokes);
+    EXPECT_EQ(after_keys(words.size()), Workspace::Shown::All);
+    EXPECT_EQ(shown_of_word("strokes"), Workspace::Shown::Strokes);
     EXPECT_FALSE(shown_of_word("stroke"));
     EXPECT_FALSE(shown_of_word(""));
 }
@@ -90,8 +90,8 @@ TEST_F(LayoutTest, ShowsStrokesAloneBesideTheirList)
                 { size.width, size.height }, size.scale,
                 [&](Layout& layout, DrawingModel& model) {
                     add_curves(model, 1000);
-                    layout.bench().is_left_handed = is_left_handed;
-                    layout.bench().shown = Workbench::Shown::Strokes;
+                    layout.workspace().is_left_handed = is_left_handed;
+                    layout.workspace().shown = Workspace::Shown::Strokes;
                 },
                 [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
                     check_buttons(drawn, size_px);
@@ -111,7 +111,7 @@ TEST_F(LayoutTest, PicksTheClickedStroke)
     DrawingModel model;
     add_curves(model, 1);
     auto const at = [](float x, float y, bool is_down) { return Moment { { x, y }, is_down }; };
-    auto const alone = [](Layout& layout) { layout.bench().shown = Workbench::Shown::Strokes; };
+    auto const alone = [](Layout& layout) { layout.workspace().shown = Workspace::Shown::Strokes; };
     // The only curve is upright in the middle of the box, and of the picture: it is crossed.
     std::vector<Moment> clicks { at(5, 5, false) };
     for (float x = 640; x < 1100; x += 12)
@@ -136,7 +136,7 @@ TEST_F(LayoutTest, PicksTheStrokeThatIsPressedInTheList)
     add_curves(model, 1000);
     work({ 1280, 720 },
          { { { 200, 300 } }, { { 200, 300 } }, { { 200, 300 }, true }, { { 200, 300 }, false } },
-         model, [](Layout& layout) { layout.bench().shown = Workbench::Shown::Strokes; });
+         model, [](Layout& layout) { layout.workspace().shown = Workspace::Shown::Strokes; });
     ASSERT_EQ(model.picked.size(), 1u);
     EXPECT_GT(model.picked[0], 980u) << "the list shows the newest";
 }

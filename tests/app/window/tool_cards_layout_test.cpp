@@ -19,7 +19,7 @@ TEST_F(LayoutTest, ShowsCardsOfToolsInTheWindow)
                     model.perform(view::ChooseTool { tool });
                     for (int i = 1; i <= 12; ++i)
                         model.add_card({ fmt::format("A card of a long name, {}", i), tool });
-                    layout.bench().cards_are_shown = true;
+                    layout.workspace().cards_are_shown = true;
                 },
                 [&](DrawnFrame const& drawn, ImVec2 const& size_px) {
                     std::size_t cards = 0;
@@ -51,7 +51,7 @@ TEST_F(LayoutTest, TakesACardIntoTheHand)
         moments.push_back({ { 230, y } });
     }
     work({ 1600, 900 }, moments, model,
-         [](Layout& layout) { layout.bench().cards_are_shown = true; });
+         [](Layout& layout) { layout.workspace().cards_are_shown = true; });
     EXPECT_EQ(model.state().hand, second);
 }
 

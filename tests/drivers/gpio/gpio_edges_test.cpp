@@ -9,9 +9,9 @@ namespace {
 using namespace std::chrono_literals;
 
 // Lines of a chip that reports the given edges, independent of waiting.
-class ToldEdges final : public GpioEdges {
+class ScriptedEdges final : public GpioEdges {
 public:
-    explicit ToldEdges(std::vector<QuadratureEdge> told)
+    explicit ScriptedEdges(std::vector<QuadratureEdge> told)
         : told_(std::move(told))
     {
     }
@@ -66,7 +66,8 @@ Quadrature count_from(Quadrature::Beginning const& beginning, GpioEdges& edges)
 // The driver of a CP2112 assumes both lines to be low before its first poll.
 TEST(GpioEdges, TakeNoFirstLookAtHighLinesForEdges)
 {
-    ToldEdges edges({ edge(40ms, kA, true, 1), edge(40ms, kB, true, 2), edge(2s, kA, false, 3) });
+    ScriptedEdges edges(
+        { edge(40ms, kA, true, 1), edge(40ms, kB, true, 2), edge(2s, kA, false, 3) });
     auto const beginning = find_beginning(edges, both_high, "cp2112_gpio");
     ASSERT_TRUE(beginning) << beginning.error().message;
     EXPECT_TRUE(beginning->a);
@@ -78,8 +79,8 @@ TEST(GpioEdges, TakeNoFirstLookAtHighLinesForEdges)
 
 TEST(GpioEdges, AreCountedFromTheFirstMomentOfRest)
 {
-    ToldEdges edges({ edge(99ms, kA, false, 1), edge(100500us, kB, false, 2),
-                      edge(101100us, kA, true, 3), edge(3s, kB, true, 4) });
+    ScriptedEdges edges({ edge(99ms, kA, false, 1), edge(100500us, kB, false, 2),
+                          edge(101100us, kA, true, 3), edge(3s, kB, true, 4) });
     auto const beginning = find_beginning(edges, both_high, "cp2112_gpio");
     ASSERT_TRUE(beginning) << beginning.error().message;
     EXPECT_EQ(beginning->number, 3u);
@@ -91,7 +92,7 @@ TEST(GpioEdges, BeginNowhereWhileTheSurfaceMoves)
     std::vector<QuadratureEdge> told;
     for (unsigned i = 1; i < 2000; ++i)
         told.push_back(edge(i * 500us, i % 2 == 1 ? kA : kB, i % 4 < 2, i));
-    ToldEdges edges(std::move(told));
+    ScriptedEdges edges(std::move(told));
     auto const beginning = find_beginning(edges, both_high, "gpiochip0");
     ASSERT_FALSE(beginning);
     EXPECT_EQ(beginning.error().fault, Fault::User);

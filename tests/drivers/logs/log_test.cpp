@@ -266,7 +266,7 @@ TEST_F(LargeLog, IsReadAsIfItWereInMemory)
 {
     auto const whole = parsed(text_);
     auto const log = read_log(path_).value();
-    EXPECT_LT(log.records.size() * sizeof(LogRecord) + log.bytes.size(), kMostLogBytes + 1000);
+    EXPECT_LT(log.records.size() * sizeof(LogRecord) + log.bytes.size(), kMaxLogBytes + 1000);
     EXPECT_EQ(log.record_count(), whole.records.size());
     EXPECT_EQ(log.begin(), whole.begin());
     EXPECT_EQ(log.end(), whole.end());
@@ -318,7 +318,7 @@ TEST(LogReader, RefusesWhatAPipeHasNoEndOf)
     std::thread writer([&] {
         std::ofstream out(path);
         out << "R: 1 c0\n";
-        for (std::size_t i = 0; i <= kMostPipedLogBytes / sizeof(LogRecord) && out; ++i)
+        for (std::size_t i = 0; i <= kMaxPipedLogBytes / sizeof(LogRecord) && out; ++i)
             out << "E: 0.5 1 01\n";
     });
     auto const log = read_log(path);

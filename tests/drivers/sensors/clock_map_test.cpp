@@ -22,7 +22,7 @@ struct SimulatedClock {
     Random random { { .seed = 1 } };
     Timestamp last {}; // Last arrival; messages do not overtake each other.
 
-    static constexpr Duration kLeastTime = 300us;
+    static constexpr Duration kMinTime = 300us;
 
     std::uint32_t device_us(Timestamp host) const
     {
@@ -36,7 +36,7 @@ struct SimulatedClock {
         double late_us = -jitter_us * std::log(1 - random.uniform());
         if (stall_ms > 0 && random.next_u32() % 500 == 0)
             late_us += stall_ms * 1000;
-        last = std::max(last, sent + kLeastTime + from_seconds(late_us * 1e-6));
+        last = std::max(last, sent + kMinTime + from_seconds(late_us * 1e-6));
         return last;
     }
 };
@@ -44,7 +44,7 @@ struct SimulatedClock {
 // The least and the greatest error of the mapped times, in microseconds, without the minimum
 // transmission time.
 struct Span {
-    double least_us = std::numeric_limits<double>::max();
+    double min_us = std::numeric_limits<double>::max();
     double greatest_us = std::numeric_limits<double>::lowest();
 };
 
@@ -54,10 +54,10 @@ Span run(ClockMap& map, SimulatedClock& clock, Timestamp from, Timestamp to)
     for (auto sent = Timestamp(1ms); sent < to; sent += 1ms) {
         auto const device_us = clock.device_us(sent);
         EXPECT_TRUE(map.add(device_us, clock.arrival(sent), Order::Follows));
-        auto const error = map.host_time(device_us) - sent - SimulatedClock::kLeastTime;
+        auto const error = map.host_time(device_us) - sent - SimulatedClock::kMinTime;
         if (sent < from)
             continue;
-        span.least_us = std::min(span.least_us, to_seconds(error) * 1e6);
+        span.min_us = std::min(span.min_us, to_seconds(error) * 1e6);
         span.greatest_us = std::max(span.greatest_us, to_seconds(error) * 1e6);
     }
     return span;
@@ -77,7 +77,7 @@ TEST(ClockMap, JitterDoesNotMoveTimes)
     ClockMap map;
     SimulatedClock clock { .jitter_us = 500 };
     auto const span = run(map, clock, Timestamp(2s), Timestamp(30s));
-    EXPECT_GT(span.least_us, -1.5); // The device counts whole microseconds.
+    EXPECT_GT(span.min_us, -1.5); // The device counts whole microseconds.
     EXPECT_LT(span.greatest_us, 20);
 }
 
@@ -87,7 +87,7 @@ TEST(ClockMap, FollowsAClockThatDrifts)
         ClockMap map;
         SimulatedClock clock { .drift_ppm = drift_ppm, .jitter_us = 500 };
         auto const span = run(map, clock, Timestamp(3s), Timestamp(60s));
-        EXPECT_GT(span.least_us, -20) << drift_ppm;
+        EXPECT_GT(span.min_us, -20) << drift_ppm;
         EXPECT_LT(span.greatest_us, 20) << drift_ppm;
         EXPECT_NEAR(map.drift_ppm(), drift_ppm, 2);
     }
@@ -98,7 +98,7 @@ TEST(ClockMap, IsAHalfMillisecondRightFromTheStart)
     ClockMap map;
     SimulatedClock clock { .drift_ppm = 200, .jitter_us = 200 };
     auto const span = run(map, clock, Timestamp(100ms), Timestamp(3s));
-    EXPECT_GT(span.least_us, -500);
+    EXPECT_GT(span.min_us, -500);
     EXPECT_LT(span.greatest_us, 100);
 }
 
@@ -107,7 +107,7 @@ TEST(ClockMap, ForgivesAHostThatLooksAway)
     ClockMap map;
     SimulatedClock clock { .drift_ppm = 200, .jitter_us = 100, .stall_ms = 80 };
     auto const span = run(map, clock, Timestamp(3s), Timestamp(30s));
-    EXPECT_GT(span.least_us, -20);
+    EXPECT_GT(span.min_us, -20);
     EXPECT_LT(span.greatest_us, 20);
 }
 
@@ -116,7 +116,7 @@ TEST(ClockMap, CountsOnWhenTheDevicesCounterWraps)
     ClockMap map;
     SimulatedClock clock { .drift_ppm = 50, .first_us = 0xFFFF'FFFF - 5'000'000, .jitter_us = 100 };
     auto const span = run(map, clock, Timestamp(3s), Timestamp(20s));
-    EXPECT_GT(span.least_us, -20);
+    EXPECT_GT(span.min_us, -20);
     EXPECT_LT(span.greatest_us, 20);
 }
 

@@ -254,7 +254,7 @@ TEST(GlbWriter, CoarserLevelsStandBesideTheScene)
                                            return Billboard { "picture", { 0, 0, 500 }, 1000 };
                                        }),
                                        0 } },
-                        .least_coverage = 0.2 };
+                        .min_coverage = 0.2 };
     std::vector<PlacedMesh> const plants { placed, placed };
     auto const json = json_of(glb_of(plants, kInstanced));
     auto const& roots = json["scenes"][0]["nodes"];

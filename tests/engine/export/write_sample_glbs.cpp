@@ -69,7 +69,7 @@ PlacedMesh with_details(Plant const& plant)
 {
     PlacedMesh placed { .name = "far", .mesh = PlantToMesh { .plant = &plant } };
     placed.rotation_rad = 1;
-    placed.least_coverage = 0.4;
+    placed.min_coverage = 0.4;
     for (double const share : { 0.5, 0.2 })
         placed.details.push_back(
             { PlantToMesh { .plant

@@ -39,17 +39,17 @@ std::string text_of(Model const& model, ModuleString const& string)
 // Derives the model in every way: whole, and in pieces of some length.
 void compare(std::string const& text, int steps, std::size_t piece)
 {
-    constexpr std::size_t kMost = 2000;
+    constexpr std::size_t kMax = 2000;
     RC_LOG(text);
     auto const model = compiled(with_header(text, steps));
-    auto const expected = ReferenceRewriter(model, 1).derive(steps, kMost);
+    auto const expected = ReferenceRewriter(model, 1).derive(steps, kMax);
     DeriveOptions options;
-    options.limits.max_modules = kMost;
+    options.limits.max_modules = kMax;
     for (auto const length : { options.piece, piece }) {
         options.piece = length;
         auto const string = derive(model, options);
         if (!expected)
-            RC_ASSERT(!string || string->size() > kMost / 2);
+            RC_ASSERT(!string || string->size() > kMax / 2);
         else if (string)
             RC_ASSERT(text_of(model, *string) == to_string(model, *expected));
         else

@@ -97,7 +97,7 @@ TEST(ViewTexture, ThatIsNoPictureIsAnError)
               "a.v:2:1: the texture petal.png: it is no PNG picture: save it as one");
     auto const png = column_of({ kBlack });
     EXPECT_EQ(said(png), "no error");
-    EXPECT_EQ(said(png + std::string(kMostTextureBytes, 'x')),
+    EXPECT_EQ(said(png + std::string(kMaxTextureBytes, 'x')),
               "a.v:2:1: the texture petal.png: it has more than 16 MiB: make it smaller");
     auto const damaged = said(png.substr(0, 40));
     EXPECT_NE(damaged.find("a.v:2:1: the texture petal.png: the picture is damaged: "),

@@ -87,11 +87,11 @@ public:
             stroke.push_back(end + share * length_mm * aside);
         }
     }
-    void add_hooks(std::vector<Vec3>& stroke, double least_mm = 0.5, double most_mm = 3)
+    void add_hooks(std::vector<Vec3>& stroke, double min_mm = 0.5, double most_mm = 3)
     {
         for (int end = 0; end < 2; ++end) {
             if (chance(0.8))
-                add_hook(stroke, between(least_mm, most_mm),
+                add_hook(stroke, between(min_mm, most_mm),
                          (chance(0.5) ? 1 : -1) * between(50, 160));
             std::reverse(stroke.begin(), stroke.end());
         }

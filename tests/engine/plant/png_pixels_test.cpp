@@ -5,9 +5,9 @@
 namespace tractus {
 namespace {
 
-constexpr std::int64_t kMost = 100;
+constexpr std::int64_t kMax = 100;
 
-Result<PixelRows> read(std::string const& bytes, std::int64_t most_pixels = kMost)
+Result<PixelRows> read(std::string const& bytes, std::int64_t most_pixels = kMax)
 {
     PixelRows rows;
     TRY(read_png_pixels(bytes, most_pixels, [&](int width, int height) {

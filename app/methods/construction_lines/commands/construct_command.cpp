@@ -212,7 +212,7 @@ void add_options(CLI::App& command, ConstructArguments& arguments)
         ->type_name("N,N,...")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(options::whole_number(0, lines::kMostNodesInLayer));
+        ->check(options::whole_number(0, lines::kMaxNodesInLayer));
     command.add_flag("--smooth", arguments.smooth,
                      "The lines are a hand's: take its tremor out of them first");
     command.add_flag("--session", arguments.session, "Also begin a session with the plant");

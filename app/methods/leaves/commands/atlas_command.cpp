@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostOfEach = 4096;
+constexpr int kMaxOfEach = 4096;
 
 struct AtlasArguments {
     AtlasOptions options;
@@ -116,7 +116,7 @@ void add_page_options(CLI::App& leaves, AtlasArguments& arguments)
     leaves.add_option("-o,--output", arguments.output, "A folder for the pages")->type_name("DIR");
     leaves.add_option("--count", options.count, "How many of each, all different")
         ->type_name("N")
-        ->check(options::whole_number(1, kMostOfEach))
+        ->check(options::whole_number(1, kMaxOfEach))
         ->capture_default_str();
     leaves.add_option("--pixels", options.cell, "Each leaf's square is so wide, a power of two")
         ->check(power_of_two(32, 2048))

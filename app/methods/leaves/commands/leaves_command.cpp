@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kMostSteps = 1000;
+constexpr int kMaxSteps = 1000;
 
 struct LeavesArguments {
     fs::path grammar;
@@ -194,12 +194,12 @@ void add_growth_options(CLI::App& command, LeavesArguments& arguments)
 {
     command.add_option("--steps", arguments.steps, "How many steps to derive")
         ->type_name("N")
-        ->check(options::whole_number(0, kMostSteps));
+        ->check(options::whole_number(0, kMaxSteps));
     command
         .add_option("--finalstep", arguments.final_step,
                     "What the grammar reads as finalstep; without it, N")
         ->type_name("M")
-        ->check(options::whole_number(0, kMostSteps));
+        ->check(options::whole_number(0, kMaxSteps));
     command
         .add_option("--age", arguments.age,
                     "What the grammar reads as age, 0 to 1; without --steps, how old it is")

@@ -30,8 +30,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kMostSide = 16'384; // Side of a page, in pixels.
-constexpr int kMostLeaves = 4096;
+constexpr int kMaxSide = 16'384; // Side of a page, in pixels.
+constexpr int kMaxLeaves = 4096;
 
 struct PaintArguments {
     std::vector<std::string> leaves;
@@ -100,10 +100,10 @@ Result<std::vector<PaintedLeaf>> paint_all(PaintArguments const& arguments)
         grammars.push_back(TRY(load_leaf_grammar(name)));
     auto const each = static_cast<std::size_t>(arguments.count);
     auto const count = grammars.size() * each;
-    if (count > kMostLeaves)
+    if (count > kMaxLeaves)
         return fail(
             Fault::User,
-            fmt::format("these are {} leaves: paint no more than {} at once", count, kMostLeaves));
+            fmt::format("these are {} leaves: paint no more than {} at once", count, kMaxLeaves));
     std::vector<std::optional<Result<PaintedLeaf>>> made(count);
     parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -199,11 +199,11 @@ Result<void> write_maps(std::span<PaintedLeaf const> leaves, fs::path const& fol
 {
     Page page { .cell = leaves.front().picture.side };
     page.columns = static_cast<int>(std::ceil(std::sqrt(double(leaves.size()))));
-    if (page.side() > kMostSide)
+    if (page.side() > kMaxSide)
         return fail(Fault::User,
                     fmt::format("a page of {} leaves of {} pixels is {} pixels wide, and may be "
                                 "{}: use a smaller --pixels or --count",
-                                leaves.size(), page.cell, page.side(), kMostSide));
+                                leaves.size(), page.cell, page.side(), kMaxSide));
     TRY(make_folder(folder));
     using Picture = leaf::LeafPicture;
     TRY(write_page(
@@ -258,7 +258,7 @@ void add_paint_options(CLI::App& paint, PaintArguments& arguments)
         ->required();
     paint.add_option("--count", arguments.count, "How many of each, all different")
         ->type_name("N")
-        ->check(options::whole_number(1, kMostLeaves))
+        ->check(options::whole_number(1, kMaxLeaves))
         ->capture_default_str();
     paint.add_option("--pixels", arguments.side, "Each leaf's picture is so wide and high")
         ->type_name("N")

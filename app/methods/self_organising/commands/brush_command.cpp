@@ -117,13 +117,13 @@ Result<std::vector<LifePart>> parts_of(BrushArguments const& arguments)
     if (strokes.empty())
         return std::vector<LifePart> { { .years = arguments.years } };
     // Dereferenced unchecked, as the option parser has checked the range.
-    auto const [least_mm, most_mm] = *options::parse_range(arguments.radius);
+    auto const [min_mm, most_mm] = *options::parse_range(arguments.radius);
     auto const years = years_of(strokes, arguments.years);
     std::vector<LifePart> parts;
     for (std::size_t i = 0; i < strokes.size(); ++i)
         parts.push_back({ .years = years[i],
                           .stroke = std::move(strokes[i]),
-                          .least_radius_mm = least_mm,
+                          .min_radius_mm = min_mm,
                           .most_radius_mm = most_mm,
                           .waits_outside = arguments.waits });
     return parts;
@@ -215,7 +215,7 @@ void add_brush_options(CLI::App& command, BrushArguments& arguments)
     command
         .add_option("--years", arguments.years, "How many years the tree grows along all strokes")
         ->type_name("N")
-        ->check(options::whole_number(1, kMostYears))
+        ->check(options::whole_number(1, kMaxYears))
         ->capture_default_str();
     command.add_option("--seed", arguments.seed, "Another seed, another tree in the same volume")
         ->type_name("N")

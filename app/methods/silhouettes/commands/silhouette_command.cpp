@@ -33,8 +33,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLevels = 3;
-constexpr std::size_t kMostPlaces = 2000;
+constexpr int kMaxLevels = 3;
+constexpr std::size_t kMaxPlaces = 2000;
 
 struct SilhouetteArguments {
     std::vector<fs::path> drawings;
@@ -304,7 +304,7 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
                     "How often branches branch before twigs come")
         ->type_name("N")
         ->capture_default_str()
-        ->check(options::whole_number(1, kMostLevels));
+        ->check(options::whole_number(1, kMaxLevels));
     command
         .add_option("--arrangement", arguments.patterns,
                     "How branches stand around what bears them, for all levels or one after the "
@@ -318,7 +318,7 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
         .add_option("--whorl", arguments.whorl,
                     "How many branches stand at a node where they stand in whorls; 3 without it")
         ->type_name("N")
-        ->check(options::whole_number(kLeastWhorl, kMostWhorl));
+        ->check(options::whole_number(kMinWhorl, kMaxWhorl));
     command
         .add_option(
             "--branches", arguments.branches,
@@ -326,7 +326,7 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
             "than that, as many as the form has without it; 0: branches in bumps, and in "
             "gaps until the crown is full")
         ->type_name("N")
-        ->check(options::whole_number(0, kMostPlaneBranches));
+        ->check(options::whole_number(0, kMaxPlaneBranches));
     command
         .add_option("--density", arguments.form.density,
                     "Times as many branches as usual besides those in the drawing's plane")
@@ -362,7 +362,7 @@ void add_options(CLI::App& command, SilhouetteArguments& arguments)
         .add_option("--count", arguments.count,
                     "Without a drawing: prints an arrangement of so many branches as JSON")
         ->type_name("N")
-        ->check(options::whole_number(1, kMostPlaces));
+        ->check(options::whole_number(1, kMaxPlaces));
     command.add_flag("--report", arguments.report,
                      "Print as JSON what was inferred from each drawing");
     command.add_flag("--session", arguments.session,

@@ -132,8 +132,8 @@ bool names_card(SketchArguments const& arguments)
 // Reads a preset that was saved in the window.
 Result<SketchTool> read_card(SketchArguments const& arguments)
 {
-    constexpr std::size_t kMostBytes = 4096;
-    auto const text = TRY(read_text_file(arguments.rule, kMostBytes));
+    constexpr std::size_t kMaxBytes = 4096;
+    auto const text = TRY(read_text_file(arguments.rule, kMaxBytes));
     auto const card
         = TRY(tools::parse_card(arguments.methods.tools, text, arguments.rule.string()));
     if (auto const* const tool = card.get<SketchTool>())

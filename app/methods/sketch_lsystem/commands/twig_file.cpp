@@ -42,10 +42,10 @@ Result<DrawnTwig> read_twig(json const& file)
     if (!file["laterals"].is_array())
         return fail(Fault::User, "laterals is no list of lines: write [[[x, y], [x, y]]]");
     for (auto const& lateral : file["laterals"]) {
-        if (twig.laterals_mm.size() >= kMostTwigLaterals)
+        if (twig.laterals_mm.size() >= kMaxTwigLaterals)
             return fail(Fault::User,
                         fmt::format("it has more than {} laterals: leave the others out",
-                                    kMostTwigLaterals));
+                                    kMaxTwigLaterals));
         twig.laterals_mm.push_back(
             TRY(read_line(lateral, fmt::format("lateral {}", twig.laterals_mm.size() + 1))));
     }
@@ -56,8 +56,8 @@ Result<DrawnTwig> read_twig(json const& file)
 
 Result<DrawnTwig> load_twig(std::filesystem::path const& path)
 {
-    constexpr std::size_t kMostBytes = std::size_t { 4 } << 20;
-    auto const text = TRY(read_text_file(path, kMostBytes));
+    constexpr std::size_t kMaxBytes = std::size_t { 4 } << 20;
+    auto const text = TRY(read_text_file(path, kMaxBytes));
     auto const file = json::parse(text, nullptr, false);
     if (file.is_discarded())
         return fail(

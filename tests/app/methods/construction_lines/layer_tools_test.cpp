@@ -35,7 +35,7 @@ protected:
         document_.take_drawn();
         document_.draw({ stroke_through(places_mm), tool });
         auto const drawn = document_.take_drawn().back();
-        return drawn.refusal.empty() ? drawn.said : drawn.refusal;
+        return drawn.refusal.empty() ? drawn.message : drawn.refusal;
     }
     std::string leaf(std::vector<Vec3> const& places_mm, Leaf what,
                      lines::OrganColor color = lines::OrganColor::Leaf)
@@ -202,7 +202,7 @@ TEST_F(LayerTools, ALayerHasAPatternAndAFaceOfItsOwn)
     EXPECT_EQ(plant().organs.size(), count) << "alternate everywhere";
     document_.draw(
         { {}, tools::Tool(LinePatternTool { LinePatternTool::What::Face }).done_at_once() });
-    EXPECT_EQ(document_.take_drawn().back().said, "The organs turn their upper side down now");
+    EXPECT_EQ(document_.take_drawn().back().message, "The organs turn their upper side down now");
 }
 
 // A plant drawn beside it is dragged to the layer that will bear it.

@@ -168,7 +168,7 @@ protected:
         document_.take_drawn();
         document_.draw({ stroke_through(places_mm), LineOrganTool { what, color } });
         auto const drawn = document_.take_drawn().back();
-        return drawn.refusal.empty() ? drawn.said : drawn.refusal;
+        return drawn.refusal.empty() ? drawn.message : drawn.refusal;
     }
     PenSketch const& sketch() { return *active_pen_sketch(document_.newest()->scene.state); }
     Plant const& plant() { return *document_.newest()->scene.base; }

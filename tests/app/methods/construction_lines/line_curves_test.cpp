@@ -37,11 +37,11 @@ lines::Construction measured(scene::Scene const& scene)
     return lines::construction_of(active_sketch(scene).value().sketch).value();
 }
 
-tools::Glyph::Handle const& handle_that_says(tools::Glyph const& glyph, std::string_view beginning)
+tools::Gizmo::Handle const& handle_that_says(tools::Gizmo const& gizmo, std::string_view beginning)
 {
     return *std::find_if(
-        glyph.handles.begin(), glyph.handles.end(),
-        [&](tools::Glyph::Handle const& handle) { return handle.says.starts_with(beginning); });
+        gizmo.handles.begin(), gizmo.handles.end(),
+        [&](tools::Gizmo::Handle const& handle) { return handle.says.starts_with(beginning); });
 }
 
 scene::Scene dragged(scene::Scene const& scene, std::size_t handle, Vec2 const& to)
@@ -54,18 +54,18 @@ scene::Scene dragged(scene::Scene const& scene, std::size_t handle, Vec2 const& 
 TEST(LineCurves, HaveHandlesOnTheCurves)
 {
     auto const scene = frond_scene();
-    auto const glyph = kLineCurves.show(scene);
-    ASSERT_TRUE(glyph);
-    EXPECT_EQ(glyph->handles.size(), 2u * 2 + 2 * 3 + 2 + 1 + 4)
+    auto const gizmo = kLineCurves.show(scene);
+    ASSERT_TRUE(gizmo);
+    EXPECT_EQ(gizmo->handles.size(), 2u * 2 + 2 * 3 + 2 + 1 + 4)
         << "two lines, three places, one layer and its internode, four places of the stem";
     std::set<std::size_t> ids;
-    for (auto const& handle : glyph->handles) {
+    for (auto const& handle : gizmo->handles) {
         EXPECT_TRUE(ids.insert(handle.id).second);
         EXPECT_LE(handle.place.cwiseAbs().maxCoeff(), 1);
         EXPECT_FALSE(handle.says.empty());
     }
     auto const angles = measured(scene).inclinations;
-    EXPECT_EQ(handle_that_says(*glyph, "Line 1, left").says,
+    EXPECT_EQ(handle_that_says(*gizmo, "Line 1, left").says,
               fmt::format("Line 1, left: {:.0f}\u00b0", angles[0].left_deg));
     EXPECT_FALSE(kLineCurves.show(small_scene())) << "of a plant that is drawn otherwise";
 }
@@ -73,8 +73,8 @@ TEST(LineCurves, HaveHandlesOnTheCurves)
 TEST(LineCurves, SetAnAngleToAWholeDegree)
 {
     auto const scene = frond_scene();
-    auto const glyph = kLineCurves.show(scene).value();
-    auto const handle = handle_that_says(glyph, "Line 2, right");
+    auto const gizmo = kLineCurves.show(scene).value();
+    auto const handle = handle_that_says(gizmo, "Line 2, right");
     auto const before = measured(scene).inclinations[1].right_deg;
     auto const after
         = measured(dragged(scene, handle.id, handle.place + Vec2(0.1, 0.3))).inclinations[1];
@@ -85,8 +85,8 @@ TEST(LineCurves, SetAnAngleToAWholeDegree)
 TEST(LineCurves, SetASizeToAWholeHundredth)
 {
     auto const scene = frond_scene();
-    auto const glyph = kLineCurves.show(scene).value();
-    auto const handle = handle_that_says(glyph, "Size left");
+    auto const gizmo = kLineCurves.show(scene).value();
+    auto const handle = handle_that_says(gizmo, "Size left");
     auto const changed = dragged(scene, handle.id, handle.place + Vec2(-0.05, 0));
     auto const x = lines::size_places(measured(scene))[0];
     double const before = lines::values_at(measured(scene), x).left_size;
@@ -99,10 +99,10 @@ TEST(LineCurves, HaveButtonsForALayersNodes)
 {
     auto scene = frond_scene();
     auto const press = [&](char const* sign) {
-        auto const glyph = kLineCurves.show(scene).value();
+        auto const gizmo = kLineCurves.show(scene).value();
         auto const handle = std::find_if(
-            glyph.handles.begin(), glyph.handles.end(),
-            [&](tools::Glyph::Handle const& each) { return std::string_view(each.sign) == sign; });
+            gizmo.handles.begin(), gizmo.handles.end(),
+            [&](tools::Gizmo::Handle const& each) { return std::string_view(each.sign) == sign; });
         ASSERT_TRUE(handle->is_button);
         scene = dragged(scene, handle->id, handle->place);
     };
@@ -118,8 +118,8 @@ TEST(LineCurves, HaveButtonsForALayersNodes)
 TEST(LineCurves, BendTheStemToAWholeDegree)
 {
     auto const scene = frond_scene();
-    auto const glyph = kLineCurves.show(scene).value();
-    auto const stem = handle_that_says(glyph, "Stem: ");
+    auto const gizmo = kLineCurves.show(scene).value();
+    auto const stem = handle_that_says(gizmo, "Stem: ");
     EXPECT_EQ(stem.says, "Stem: 0\u00b0");
     auto const changed = dragged(scene, stem.id, Vec2(-0.0441, stem.place.y()));
     auto const headings
@@ -149,8 +149,8 @@ TEST(LineCurves, ABentStemIsKept)
 TEST(LineCurves, SetALayersNodesByTheWayFromOneToTheNext)
 {
     auto const scene = frond_scene();
-    auto const glyph = kLineCurves.show(scene).value();
-    auto const internode = handle_that_says(glyph, "Layer 1: a node every");
+    auto const gizmo = kLineCurves.show(scene).value();
+    auto const internode = handle_that_says(gizmo, "Layer 1: a node every");
     auto const of = measured(scene);
     double const from = of.inclinations[0].x;
     double const length = of.inclinations[1].x - from;
@@ -162,7 +162,7 @@ TEST(LineCurves, SetALayersNodesByTheWayFromOneToTheNext)
     EXPECT_EQ(nodes_with(0.25), 4);
     EXPECT_EQ(nodes_with(0.1), 10);
     EXPECT_EQ(nodes_with(2), 1) << "above the layer";
-    EXPECT_EQ(nodes_with(-1), lines::kMostNodesInLayer);
+    EXPECT_EQ(nodes_with(-1), lines::kMaxNodesInLayer);
 }
 
 // Handles that no longer exist must be refused, whatever their number.

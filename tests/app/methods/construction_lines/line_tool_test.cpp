@@ -103,10 +103,10 @@ TEST(LineTool, DrawsSeveralStemsOfOnePlant)
     auto const& after = document.newest()->scene;
     ASSERT_EQ(after.plants.size(), 1U);
     EXPECT_EQ(after.base->organs.size(), 3U * 7) << "seven nodes on each";
-    EXPECT_EQ(drawn[5].said,
+    EXPECT_EQ(drawn[5].message,
               "This is another stem: what grows on the other one grows on it, too, until you draw "
               "a boundary beside it");
-    EXPECT_EQ(drawn[6].said.substr(0, 42), "This is a stem that stands on another one:");
+    EXPECT_EQ(drawn[6].message.substr(0, 42), "This is a stem that stands on another one:");
     auto const& axes = after.base->axes;
     ASSERT_EQ(axes.size(), 3U);
     EXPECT_EQ(axes[0].parent_axis, kNone);
@@ -215,7 +215,7 @@ TEST(LineTool, DrawsBoundariesWhileTheSurfaceMoves)
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_frond_in_space(document);
     auto const drawn = document.take_drawn();
-    EXPECT_EQ(drawn[5].said.substr(0, 38), "This is a boundary in space, in front,");
+    EXPECT_EQ(drawn[5].message.substr(0, 38), "This is a boundary in space, in front,");
     auto const& after = document.newest()->scene;
     auto const& sketch = *lines::active_pen_sketch(after.state);
     EXPECT_EQ(sketch.lines[5].role, Role::Around);
@@ -490,15 +490,15 @@ TEST(LineTool, SaysWhatTheLineWasTakenForAndWhatIsMissing)
     document.draw({ stroke_through({ { 80, 0, 50 }, { 80, 0, 50 } }), spiral() });
     auto const drawn = document.take_drawn();
     ASSERT_EQ(drawn.size(), 3U);
-    EXPECT_EQ(drawn[0].said,
+    EXPECT_EQ(drawn[0].message,
               "This is the stem: draw a boundary on its left or right, the line that the leaves' "
               "tips reach, such as the dotted ones");
-    EXPECT_EQ(drawn[1].said.substr(0, 37), "It has no effect: this line neither c");
+    EXPECT_EQ(drawn[1].message.substr(0, 37), "It has no effect: this line neither c");
     EXPECT_EQ(drawn[2].refusal, "this is only a dot: draw a line of the sketch");
     auto const station = flat_station();
     view::StationView view(station, document);
     view.tell(drawn[0]);
-    EXPECT_EQ(view.state().status, drawn[0].said);
+    EXPECT_EQ(view.state().status, drawn[0].message);
     view.tell(drawn[2]);
     EXPECT_EQ(view.state().status, drawn[2].refusal);
 }
@@ -509,11 +509,11 @@ TEST(LineTool, ShowsThePlantThatFollows)
     auto const strokes = frond();
     auto scene = small_scene();
     for (std::size_t i = 0; i < 4; ++i)
-        scene = scene::apply_edits(scene, spiral().mean(strokes[i], scene).value()).value();
+        scene = scene::apply_edits(scene, spiral().edits_for(strokes[i], scene).value()).value();
     auto const shared = std::make_shared<scene::Scene const>(scene);
     auto const tool = spiral(30);
     auto const shown = line_previewer()->show({ shared, tool, strokes[4].tips.vector(), 99 });
-    auto const after = scene::apply_edits(scene, tool.mean(strokes[4], scene).value()).value();
+    auto const after = scene::apply_edits(scene, tool.edits_for(strokes[4], scene).value()).value();
     ASSERT_EQ(shown.size(), 1 + after.base->organs.size());
     for (std::size_t i = 0; i < after.base->organs.size(); ++i) {
         Vec3 const foot_mm

@@ -55,7 +55,7 @@ TEST(LinePatternTool, GoesThroughThePatterns)
     // The stem has seven nodes. The patterns are alternate, whorls of three, two patterns with two
     // organs per node, and spiral again.
     EXPECT_EQ(patterns, "7 21 14 14 7 ");
-    EXPECT_EQ(document.take_drawn().back().said, "The organs are spiral now");
+    EXPECT_EQ(document.take_drawn().back().message, "The organs are spiral now");
     scene::Scene scene = small_scene();
     EXPECT_NE(
         document::draw({}, LinePatternTool {}, scene).refusal.find("has no construction lines"),
@@ -74,7 +74,8 @@ TEST(LinePatternTool, LetsSizesFollowHalfEllipsesAndBack)
     EXPECT_EQ(line_of(sizes.done_at_once()), "line_pattern sizes now");
     document.draw({ {}, sizes.done_at_once() });
     EXPECT_EQ(model().functions.size(), linear.functions.size() + 2);
-    EXPECT_EQ(document.take_drawn().back().said, "Sizes follow half-ellipses around the stem now");
+    EXPECT_EQ(document.take_drawn().back().message,
+              "Sizes follow half-ellipses around the stem now");
     document.draw({ {}, tools::Tool(LinePatternTool {}).done_at_once() });
     EXPECT_NE(model().source.text.find("azimuth[0]"), std::string::npos) << "in any pattern";
     document.undo();
@@ -97,7 +98,7 @@ TEST(LineLayers, ShowWhereALineIsMissing)
         points.emplace_back(point.x(), point.z() - 100, 50);
     document.draw({ stroke_through(points), spiral() });
     auto const drawn = document.take_drawn();
-    EXPECT_EQ(drawn.back().said, "This is the right boundary");
+    EXPECT_EQ(drawn.back().message, "This is the right boundary");
     EXPECT_TRUE(kLinesToDrawLayer.lines(document.newest()->scene).empty());
 }
 

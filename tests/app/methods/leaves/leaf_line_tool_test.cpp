@@ -46,7 +46,7 @@ Stroke vein(int number, double side)
 
 scene::Scene after(scene::Scene const& scene, tools::Tool const& tool, Stroke const& stroke)
 {
-    auto const edits = tool.kind().mean(tool, stroke, scene);
+    auto const edits = tool.kind().edits_for(tool, stroke, scene);
     EXPECT_TRUE(edits) << edits.error().message;
     return edits ? scene::apply_edits(scene, *edits).value() : scene;
 }
@@ -81,7 +81,7 @@ TEST(LeafLineTool, DrawsALeafLineByLine)
     auto const& sketch = sketch_in(scene);
     EXPECT_EQ(sketch.lines.size(), 8u);
     EXPECT_EQ(sketch.form.bend_deg, 30) << "of the leaf that began";
-    EXPECT_EQ(LeafLineTool::kKind.said(LeafLineTool {}, scene),
+    EXPECT_EQ(LeafLineTool::kKind.describe(LeafLineTool {}, scene),
               "A leaf of 80 mm with 6 side veins");
     EXPECT_EQ(kLeafOutlineLayer.lines(*scene.plants.front()).size(), 1u);
     auto const another
@@ -115,7 +115,7 @@ TEST(EraseLeafTool, TakesLinesAwayThatItTouches)
     EXPECT_EQ(sketch_in(erased).lines.size(), 7u);
     tools::Tool const tool = EraseLeafTool {};
     auto const beside
-        = tool.kind().mean(tool, stroke_through({ { 90, 4, 120 }, { 91, 6, 120 } }), scene);
+        = tool.kind().edits_for(tool, stroke_through({ { 90, 4, 120 }, { 91, 6, 120 } }), scene);
     ASSERT_FALSE(beside);
     EXPECT_EQ(beside.error().message,
               "the eraser touched nothing of the leaf: move it over a line of its drawing");
@@ -138,17 +138,17 @@ TEST(DrawnLeaves, AreKeptAndWorn)
     EXPECT_NE(controllers::keep_leaf(others.at(0).file, folder / "own").value(), *kept);
     auto const tree = our_plant("broadleaf");
     auto const edits
-        = methods::dressing_edits(tree, tree.state.active, { .leaves = kept->string() });
+        = methods::foliage_edits(tree, tree.state.active, { .leaves = kept->string() });
     ASSERT_TRUE(edits) << edits.error().message;
-    auto const dressed = scene::apply_edits(tree, *edits).value();
-    EXPECT_GT(std::ranges::count_if(dressed.in_season->organs,
+    auto const foliated = scene::apply_edits(tree, *edits).value();
+    EXPECT_GT(std::ranges::count_if(foliated.in_season->organs,
                                     [&](Organ const& organ) {
-                                        return dressed.in_season->organ_shapes[organ.shape].cut
+                                        return foliated.in_season->organ_shapes[organ.shape].cut
                                             != nullptr;
                                     }),
               100);
     auto const itself
-        = methods::dressing_edits(scene, scene.state.active, { .leaves = kept->string() });
+        = methods::foliage_edits(scene, scene.state.active, { .leaves = kept->string() });
     ASSERT_FALSE(itself);
     EXPECT_EQ(itself.error().message,
               "a drawn leaf wears no leaves itself: choose the plant that shall have them");

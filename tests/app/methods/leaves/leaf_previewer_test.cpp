@@ -30,7 +30,7 @@ Stroke spindle(std::size_t places)
 scene::Scene scene_with(scene::Scene const& scene, Stroke const& stroke)
 {
     tools::Tool const tool = LeafLineTool {};
-    return scene::apply_edits(scene, tool.mean(stroke, scene).value()).value();
+    return scene::apply_edits(scene, tool.edits_for(stroke, scene).value()).value();
 }
 
 std::vector<tools::SkeletonLine> preview_of(scene::Scene const& scene, Stroke const& stroke)

@@ -26,7 +26,7 @@ TEST_P(PlantLeaves, AreFewTrianglesThatBendAlongTheMidrib)
         auto const sheet = grow_leaf_sheet(grammar, { .variants = 5, .age = age }).value();
         ASSERT_EQ(sheet.leaves.size(), 5u);
         for (auto const& leaf : sheet.leaves) {
-            EXPECT_LE(leaf->triangles.size(), kMostLeafTriangles);
+            EXPECT_LE(leaf->triangles.size(), kMaxLeafTriangles);
             EXPECT_GE(std::ranges::count_if(leaf->corners, [](auto& at) { return at.x() == 0; }),
                       3);
             for (auto const& triangle : leaf->triangles) {

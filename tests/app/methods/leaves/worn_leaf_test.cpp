@@ -71,9 +71,9 @@ protected:
         } });
     }
 
-    void put_on(methods::Dressing const& dressing)
+    void put_on(methods::Foliage const& foliage)
     {
-        auto edits = methods::dressing_edits(scene(), tree_, dressing);
+        auto edits = methods::foliage_edits(scene(), tree_, foliage);
         ASSERT_TRUE(edits) << edits.error().message;
         make(*std::move(edits));
     }
@@ -112,7 +112,7 @@ TEST_F(WornLeaf, FollowsItsDrawingAsIfItWerePutOnAfterwards)
     other.draw({ worn_outline(20), LeafLineTool {} });
     other.draw({ stroke_through({ { 0, -5, 120 }, { 12, 8, 120 } }), LeafLineTool {} });
     auto const drawn = other.newest()->scene;
-    auto const edits = methods::dressing_edits(drawn, tree_, { .drawn = leaf_ });
+    auto const edits = methods::foliage_edits(drawn, tree_, { .drawn = leaf_ });
     ASSERT_TRUE(edits) << edits.error().message;
     auto const afterwards = scene::apply_edits(drawn, *edits).value();
     auto const& name = afterwards.state.plants[0]->leaves;
@@ -158,7 +158,7 @@ TEST_F(WornLeaf, FollowsInTheSeason)
     auto const before = tree();
     draw_vein();
     EXPECT_NE(tree(), before);
-    auto const missing = scene::missing_leaves(*scene().plants[0]->dressed, *scene().state.season,
+    auto const missing = scene::missing_leaves(*scene().plants[0]->foliated, *scene().state.season,
                                                scene().state.leaf_sheets);
     EXPECT_TRUE(missing.empty());
     EXPECT_EQ(scene().state.leaf_sheets.size(), 2u) << "grown-up and old ones, of this drawing";
@@ -178,7 +178,7 @@ TEST_F(WornLeaf, StaysAsItIsWhereItIsWornFromAFile)
 
 TEST_F(WornLeaf, WearsNoLeavesItself)
 {
-    auto const edits = methods::dressing_edits(scene(), leaf_, { .drawn = leaf_ });
+    auto const edits = methods::foliage_edits(scene(), leaf_, { .drawn = leaf_ });
     ASSERT_FALSE(edits);
     EXPECT_EQ(edits.error().message,
               "a drawn leaf wears no leaves itself: choose the plant that shall have them");

@@ -20,8 +20,8 @@ protected:
         session::SessionFolder::SetUp();
         {
             auto session = begin();
-            auto const leaves = dressing_edits(session.scene(), session.scene().state.active,
-                                               dressing_of_word("oak"));
+            auto const leaves = foliage_edits(session.scene(), session.scene().state.active,
+                                              parse_foliage("oak"));
             ASSERT_TRUE(leaves) << leaves.error().message;
             add(session, drawing(0));
             add(session, *leaves);

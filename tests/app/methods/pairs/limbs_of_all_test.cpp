@@ -112,7 +112,7 @@ TEST(LimbsOfAll, AreSoundAndGrowAndAreErased)
     for (auto const& plant : plants_to_draw_on()) {
         SCOPED_TRACE(plant.name);
         auto const& before = plant.scene;
-        auto const edits = tools::Tool(tools::LimbTool {}).mean(limb_stroke(before), before);
+        auto const edits = tools::Tool(tools::LimbTool {}).edits_for(limb_stroke(before), before);
         ASSERT_TRUE(edits) << edits.error().message;
         auto const scene = scene::apply_edits(before, *edits).value();
         check_plant(*scene.base);
@@ -163,12 +163,13 @@ TEST(LimbTool, SaysWhatIsMissing)
 {
     auto const scene = small_scene();
     auto const far = tools::Tool(tools::LimbTool {})
-                         .mean(stroke_through({ { 500, 0, 50 }, { 600, 0, 50 } }), scene);
+                         .edits_for(stroke_through({ { 500, 0, 50 }, { 600, 0, 50 } }), scene);
     ASSERT_FALSE(far);
     EXPECT_NE(far.error().message.find("closer"), std::string::npos);
-    EXPECT_FALSE(tools::Tool(tools::LimbTool {}).mean(stroke_through({ {}, { 9, 0, 0 } }), {}));
+    EXPECT_FALSE(
+        tools::Tool(tools::LimbTool {}).edits_for(stroke_through({ {}, { 9, 0, 0 } }), {}));
     auto const none = tools::Tool(tools::LimbTool { tools::LimbTool::Does::Erase })
-                          .mean(stroke_through({ { 0, 0, 50 }, { 1, 0, 50 } }), scene);
+                          .edits_for(stroke_through({ { 0, 0, 50 }, { 1, 0, 50 } }), scene);
     ASSERT_FALSE(none);
     EXPECT_NE(none.error().message.find("no drawn limb"), std::string::npos);
 }

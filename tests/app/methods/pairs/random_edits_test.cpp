@@ -58,7 +58,7 @@ TEST_F(RandomEdits, OfAllMethodsAreUndoneAndDoneAgain)
 {
     constexpr std::size_t kSteps = 1200; // Twenty for each tool.
     // Number of tools that random drawing rarely uses successfully.
-    constexpr std::ptrdiff_t kMostRefused = 2;
+    constexpr std::ptrdiff_t kMaxRefused = 2;
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     RandomHand hand(6);
     draw_at_random(document, hand, kSteps);
@@ -66,7 +66,7 @@ TEST_F(RandomEdits, OfAllMethodsAreUndoneAndDoneAgain)
     for (auto const* const kind : all_methods().tools)
         if (hand.times_done(*kind) == 0)
             never += fmt::format(" {}", kind->word);
-    EXPECT_LE(std::count(never.begin(), never.end(), ' '), kMostRefused)
+    EXPECT_LE(std::count(never.begin(), never.end(), ' '), kMaxRefused)
         << "always refused:" << never;
     exported_again(document, kSteps);
 }

@@ -91,7 +91,7 @@ Stroke line_mm(Vec2 const& from, Vec2 const& to)
 scene::Scene ground_after(scene::Scene const& scene, Stroke const& stroke, double height_m = 1.8)
 {
     PictureTool const tool { .does = PictureTool::Does::Ground, .height_m = height_m };
-    auto const edits = tools::Tool(tool).mean(stroke, scene);
+    auto const edits = tools::Tool(tool).edits_for(stroke, scene);
     EXPECT_TRUE(edits) << edits.error().message;
     return edits ? scene::apply_edits(scene, *edits).value() : scene;
 }
@@ -118,19 +118,19 @@ TEST(PictureTool, TakesTheHorizonAndAKnownHeight)
     Vec2 const there = Vec2(moved.x_mm, moved.y_mm) + 2 * (seen_mm(4, 24, 0) - kMiddle_mm);
     EXPECT_NEAR(scene::place_on_ground(*other.state.picture, there).value().value().right_m, 4,
                 1e-6);
-    EXPECT_EQ(PictureTool::kKind.said(PictureTool { .does = PictureTool::Does::Ground }, up),
+    EXPECT_EQ(PictureTool::kKind.describe(PictureTool { .does = PictureTool::Does::Ground }, up),
               "A tree's foot says where it stands now, and its outline how tall it is");
 }
 
 TEST(PictureTool, RefusesADotAndAHeightAboveTheHorizon)
 {
     auto const tool = tools::Tool(PictureTool { .does = PictureTool::Does::Ground });
-    EXPECT_FALSE(tool.mean(line_mm({ 0, 0 }, { 1, 1 }), with_view()));
+    EXPECT_FALSE(tool.edits_for(line_mm({ 0, 0 }, { 1, 1 }), with_view()));
     auto const scene = ground_after(with_view(), line_mm({ -60, 20 }, { 90, 20 }));
-    auto const refused = tool.mean(line_mm({ 0, 30 }, { 0, 60 }), scene);
+    auto const refused = tool.edits_for(line_mm({ 0, 30 }, { 0, 60 }), scene);
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("below the horizon"), std::string::npos);
-    EXPECT_FALSE(tool.mean(line_mm({ 0, -30 }, { 0, 60 }), small_scene()));
+    EXPECT_FALSE(tool.edits_for(line_mm({ 0, -30 }, { 0, 60 }), small_scene()));
 }
 
 TEST(PictureTool, KeepsTheGroundInItsRecord)

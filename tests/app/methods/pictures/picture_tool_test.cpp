@@ -27,7 +27,7 @@ scene::Scene with_picture(scene::PicturePlace const& place = {})
 
 Result<scene::PicturePlace> place_after(Does does, Stroke const& stroke, scene::Scene const& scene)
 {
-    auto const edits = TRY(tools::Tool(PictureTool { does }).mean(stroke, scene));
+    auto const edits = TRY(tools::Tool(PictureTool { does }).edits_for(stroke, scene));
     return scene::apply_edits(scene, edits).value().state.picture->place;
 }
 
@@ -59,7 +59,8 @@ TEST(PictureTool, LeavesALockedPictureWhereItLies)
 {
     auto const scene = with_picture();
     auto const locked
-        = scene::apply_edits(scene, tools::Tool(PictureTool { Does::Lock }).mean({}, scene).value())
+        = scene::apply_edits(scene,
+                             tools::Tool(PictureTool { Does::Lock }).edits_for({}, scene).value())
               .value();
     ASSERT_TRUE(locked.state.picture->place.is_locked);
     auto const moved
@@ -73,8 +74,9 @@ TEST(PictureTool, RefusesWhereThereIsNoPicture)
 {
     for (auto const does : { Does::Move, Does::Lock, Does::Remove })
         EXPECT_FALSE(tools::Tool(PictureTool { does })
-                         .mean(stroke_through({ { 0, 0, 0 }, { 9, 9, 0 } }), small_scene()));
-    auto const edits = tools::Tool(PictureTool { Does::Remove }).mean({}, with_picture()).value();
+                         .edits_for(stroke_through({ { 0, 0, 0 }, { 9, 9, 0 } }), small_scene()));
+    auto const edits
+        = tools::Tool(PictureTool { Does::Remove }).edits_for({}, with_picture()).value();
     EXPECT_EQ(scene::apply_edits(with_picture(), edits).value().state.picture, nullptr);
 }
 

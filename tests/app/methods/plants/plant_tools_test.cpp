@@ -16,7 +16,7 @@ namespace {
 
 scene::Scene after(tools::Tool const& tool, Stroke const& stroke, scene::Scene const& scene)
 {
-    auto const edits = tool.mean(stroke, scene);
+    auto const edits = tool.edits_for(stroke, scene);
     EXPECT_TRUE(edits) << edits.error().message;
     return edits ? scene::apply_edits(scene, *edits).value() : scene::Scene {};
 }
@@ -49,7 +49,7 @@ TEST(PlantTools, ChooseThePlantThatIsTouched)
     EXPECT_EQ(first.state.active, two.plants[0]->drawn->id);
     auto const second = after(ChoosePlantTool {}, touch(two.placement.origin_mm), first);
     EXPECT_EQ(second.state.active, two.plants[1]->drawn->id);
-    auto const nowhere = tools::Tool(ChoosePlantTool {}).mean(touch({ 0, 500, 0 }), two);
+    auto const nowhere = tools::Tool(ChoosePlantTool {}).edits_for(touch({ 0, 500, 0 }), two);
     ASSERT_FALSE(nowhere);
     EXPECT_NE(nowhere.error().message.find("no plant here"), std::string::npos);
 }
@@ -68,11 +68,11 @@ TEST(PlantTools, HideAndShow)
     auto const two = after(CopyPlantTool {}, {}, small_scene());
     auto const hidden = after(HidePlantTool {}, {}, two);
     EXPECT_TRUE(hidden.plants[1]->drawn->is_hidden);
-    EXPECT_FALSE(tools::Tool(ChoosePlantTool {}).mean(touch(two.placement.origin_mm), hidden))
+    EXPECT_FALSE(tools::Tool(ChoosePlantTool {}).edits_for(touch(two.placement.origin_mm), hidden))
         << "what is hidden is not touched";
     auto const shown = after(HidePlantTool { HidePlantTool::What::None }, {}, hidden);
     EXPECT_FALSE(shown.plants[1]->drawn->is_hidden);
-    EXPECT_FALSE(tools::Tool(HidePlantTool { HidePlantTool::What::None }).mean({}, shown));
+    EXPECT_FALSE(tools::Tool(HidePlantTool { HidePlantTool::What::None }).edits_for({}, shown));
 }
 
 TEST(PlantTools, RemoveThePlantThatTakesWhatIsDrawn)
@@ -83,8 +83,8 @@ TEST(PlantTools, RemoveThePlantThatTakesWhatIsDrawn)
     EXPECT_EQ(one.plants[0], two.plants[0]);
     auto const none = after(RemovePlantTool {}, {}, one);
     EXPECT_TRUE(none.plants.empty());
-    EXPECT_FALSE(tools::Tool(RemovePlantTool {}).mean({}, none));
-    EXPECT_FALSE(tools::Tool(CopyPlantTool {}).mean({}, none));
+    EXPECT_FALSE(tools::Tool(RemovePlantTool {}).edits_for({}, none));
+    EXPECT_FALSE(tools::Tool(CopyPlantTool {}).edits_for({}, none));
 }
 
 Vec3 end_of(scene::BuiltPlant const& plant, SegmentId segment)
@@ -104,13 +104,14 @@ TEST(PlantTools, PutAPlantOnABranchAndTakeItOff)
     EXPECT_EQ(on.placement.scale, two.placement.scale);
     Vec3 const stands_mm = on.placement.world_of_plant(on.base->positions(on.base->axes[3])[0]);
     EXPECT_NEAR((stands_mm - tip_mm).norm(), 0, 1e-9);
-    EXPECT_FALSE(tools::Tool(TakeOffTool {}).mean(touch(on.placement.origin_mm), on)) << "its own";
+    EXPECT_FALSE(tools::Tool(TakeOffTool {}).edits_for(touch(on.placement.origin_mm), on))
+        << "its own";
     auto const off = after(TakeOffTool {}, touch(end_of(on, 14)), on);
     ASSERT_EQ(off.plants.size(), 2u);
     EXPECT_EQ(off.base->segment_count(), 12u);
     EXPECT_EQ(off.placement.origin_mm.z(), 0);
     auto const beside = stroke_through({ from_mm, from_mm + Vec3(0, 400, 0) });
-    EXPECT_FALSE(tools::Tool(GraftPlantTool {}).mean(beside, two));
+    EXPECT_FALSE(tools::Tool(GraftPlantTool {}).edits_for(beside, two));
 }
 
 TEST(PlantTools, PutAPlantInThePlaceOfABranch)
@@ -130,8 +131,8 @@ TEST(PlantTools, PutAPlantInThePlaceOfABranch)
 TEST(PlantTools, HideTheBranchesThatAreSelected)
 {
     auto scene = small_scene();
-    EXPECT_FALSE(tools::Tool(HideBranchTool {}).mean({}, scene)) << "nothing is selected";
-    EXPECT_FALSE(tools::Tool(HideBranchTool { HideBranchTool::What::None }).mean({}, scene));
+    EXPECT_FALSE(tools::Tool(HideBranchTool {}).edits_for({}, scene)) << "nothing is selected";
+    EXPECT_FALSE(tools::Tool(HideBranchTool { HideBranchTool::What::None }).edits_for({}, scene));
     auto path = segments_of(scene.base->axes[2]);
     path.insert(path.begin(), { 0, 1, 2 }); // The path begins at the ground, as a pen selects it.
     select(scene, { path });

@@ -38,7 +38,7 @@ Stroke drawn_stroke(Vec3 const& from_mm, double seconds = 5, double aside_mm = 6
 
 scene::Scene drawn(scene::Scene scene, GrowthBrushTool const& tool, Stroke const& stroke = {})
 {
-    auto const edits = tools::Tool(tool).mean(stroke, scene);
+    auto const edits = tools::Tool(tool).edits_for(stroke, scene);
     EXPECT_TRUE(edits) << (edits ? "" : edits.error().message);
     if (!edits)
         return scene;
@@ -133,7 +133,7 @@ TEST(GrowthBrushTool, PreviewsTheTreeThatTheStrokeLeaves)
 template<typename T>
 scene::Scene drawn_with(scene::Scene scene, T const& tool, Stroke const& stroke = {})
 {
-    auto const edits = tools::Tool(tool).mean(stroke, scene);
+    auto const edits = tools::Tool(tool).edits_for(stroke, scene);
     EXPECT_TRUE(edits) << (edits ? "" : edits.error().message);
     if (!edits)
         return scene;
@@ -145,7 +145,7 @@ scene::Scene drawn_with(scene::Scene scene, T const& tool, Stroke const& stroke 
 template<typename T>
 std::string refusal_of(T const& tool, scene::Scene const& scene, Stroke const& stroke = {})
 {
-    auto const edits = tools::Tool(tool).mean(stroke, scene);
+    auto const edits = tools::Tool(tool).edits_for(stroke, scene);
     return edits ? std::string() : edits.error().message;
 }
 
@@ -218,7 +218,7 @@ TEST(PruneTool, CutsTheActiveTree)
     Vec3 const at_mm = tree.placement.world_of_plant({ 0, 0, 0.6 * top.z() });
     auto const across = drawn_stroke(at_mm - Vec3(60, 0, 0), 1, 120);
     auto const pruned
-        = drawn_with(tree, PruneTool { .least_radius_mm = 10, .most_radius_mm = 40 }, across);
+        = drawn_with(tree, PruneTool { .min_radius_mm = 10, .most_radius_mm = 40 }, across);
     EXPECT_LT(pruned.base->segment_count(), tree.base->segment_count());
     auto const grown = drawn(pruned, { .what = GrowthBrushTool::What::Year });
     EXPECT_GT(grown.base->segment_count(), pruned.base->segment_count());
@@ -237,7 +237,7 @@ TEST(PruneTool, ClearsSpaceOfTheBrush)
     auto const tree = drawn({}, {}, drawn_stroke({ 0, 0, 0 }, 5, 0));
     auto const cleared = drawn_with(
         tree,
-        PruneTool { .what = PruneTool::What::Clear, .least_radius_mm = 40, .most_radius_mm = 40 },
+        PruneTool { .what = PruneTool::What::Clear, .min_radius_mm = 40, .most_radius_mm = 40 },
         drawn_stroke({ 0, 0, 70 }, 1, 0));
     EXPECT_LT(bounds(*cleared.base).max_mm.z(), 0.9 * bounds(*tree.base).max_mm.z());
     auto const other = drawn(
@@ -320,7 +320,7 @@ TEST(FillCrownTool, NeedsAnOutline)
 TEST(GrowthBrushTool, SaysWhatItCannotGrow)
 {
     auto const refusal = [](GrowthBrushTool const& tool, scene::Scene const& scene) {
-        auto const edits = tools::Tool(tool).mean({}, scene);
+        auto const edits = tools::Tool(tool).edits_for({}, scene);
         return edits ? std::string() : edits.error().message;
     };
     EXPECT_NE(refusal({}, {}).find("the stroke is empty"), std::string::npos);

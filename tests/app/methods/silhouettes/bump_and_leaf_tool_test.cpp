@@ -79,7 +79,7 @@ TEST(OutlineTool, SplitsAndJoinsBumps)
         = scene::apply_edit(scene(), meant(tap(900, 0), scene(), { .what = What::Split }));
     ASSERT_FALSE(beside);
     EXPECT_NE(beside.error().message.find("on no bump"), std::string::npos);
-    EXPECT_FALSE(split.mean(tap(0, 0), small_scene())) << "no tree with an outline";
+    EXPECT_FALSE(split.edits_for(tap(0, 0), small_scene())) << "no tree with an outline";
 }
 
 TEST(OutlineTool, WritesTouchesInSessions)
@@ -115,7 +115,7 @@ TEST(OutlineTool, DeclaresOutlinesLeaves)
     document.draw({ lobe_of_crown(), leaf });
     ASSERT_EQ(tree().own_outlines.size(), 1u);
     EXPECT_TRUE(tree().own_outlines[0].is_leaf);
-    EXPECT_EQ(OutlineTool::kKind.said(leaf, scene()),
+    EXPECT_EQ(OutlineTool::kKind.describe(leaf, scene()),
               "The branch ends in the leaf; its siblings follow");
     auto const axes = scene().base->axes.size();
     EXPECT_EQ(scene().base->organs.size(), axes - 1) << "nothing but leaves";
@@ -127,14 +127,14 @@ TEST(OutlineTool, DeclaresOutlinesLeaves)
     document.draw({ tap(0, 10), leaf });
     EXPECT_TRUE(tree().is_leaf) << "the crown's outline";
     EXPECT_EQ(scene().base->organs.size(), 1u);
-    EXPECT_NE(OutlineTool::kKind.said(leaf, scene()).find("The crown is a leaf"),
+    EXPECT_NE(OutlineTool::kKind.describe(leaf, scene()).find("The crown is a leaf"),
               std::string::npos);
     document.draw({ tap(0, 10), leaf });
     EXPECT_EQ(scene().base->axes.size(), axes);
     for (int i = 0; i < 5; ++i)
         document.undo();
     EXPECT_EQ(scene().base->node_position_mm, before);
-    auto const beside = leaf.mean(tap(900, 0), scene());
+    auto const beside = leaf.edits_for(tap(900, 0), scene());
     ASSERT_FALSE(beside);
     EXPECT_NE(beside.error().message.find("lies in no outline"), std::string::npos);
 }

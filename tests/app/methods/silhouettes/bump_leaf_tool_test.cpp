@@ -35,7 +35,7 @@ protected:
 
     void touch(Vec2 const& place, OutlineTool const& tool = leaf_tool())
     {
-        auto const meant = tools::Tool(tool).mean(bump_touch_at(place), scene());
+        auto const meant = tools::Tool(tool).edits_for(bump_touch_at(place), scene());
         EXPECT_TRUE(meant) << meant.error().message;
         document_.draw({ bump_touch_at(place), tool });
     }
@@ -69,7 +69,7 @@ TEST_F(BumpLeafTool, DeclaresABumpALeafAndTakesItBack)
     auto const& branch = skeleton.systems[0].branches[skeleton.at(own.branch)->branch];
     EXPECT_NEAR(signed_area(branch.crown), signed_area(bump->outline),
                 0.05 * signed_area(bump->outline));
-    EXPECT_EQ(OutlineTool::kKind.said(leaf_tool(), scene()), "The branch ends in the leaf");
+    EXPECT_EQ(OutlineTool::kKind.describe(leaf_tool(), scene()), "The branch ends in the leaf");
     touch(kLobe);
     EXPECT_TRUE(tree().own_outlines.empty());
     EXPECT_EQ(scene().base->node_position_mm, before) << "as if there had been none";

@@ -51,7 +51,7 @@ Stroke climb_on_cone()
 Result<std::vector<scene::Edit>> meant_by(Stroke const& stroke, scene::Scene const& scene,
                                           tools::Tool const& tool = CrownTool {})
 {
-    return tool.mean(stroke, scene);
+    return tool.edits_for(stroke, scene);
 }
 
 scene::Scene drawn_after(scene::Scene const& scene, Stroke const& stroke,
@@ -102,9 +102,10 @@ TEST(CrownTool, RingsMakeATreeUnderThem)
     EXPECT_GT(reach(scene, 0), 1.5 * reach(scene, 1));
     EXPECT_NEAR(reach(scene, 0), 90, 18);
     EXPECT_NEAR(scene.placement.scale * bounds(*scene.base).max_mm.z(), 130, 15);
-    EXPECT_EQ(CrownTool::kKind.said(CrownTool {}, scene).rfind("The crown goes through 3 rings", 0),
-              0U)
-        << CrownTool::kKind.said(CrownTool {}, scene);
+    EXPECT_EQ(
+        CrownTool::kKind.describe(CrownTool {}, scene).rfind("The crown goes through 3 rings", 0),
+        0U)
+        << CrownTool::kKind.describe(CrownTool {}, scene);
 }
 
 TEST(CrownTool, AClimbingLineIsACrownAndAnotherTakesItsPlace)

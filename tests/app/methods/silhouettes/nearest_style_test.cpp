@@ -126,7 +126,7 @@ TEST(NearestStyle, StaysWhereChanceIsAnother)
 {
     auto scene = with_tree(with_tree({}, -100, 10, oak()), 0, 20);
     tools::Tool const reseed(OutlineTool { .what = OutlineTool::What::Reseed });
-    auto const edits = reseed.kind().mean(reseed, {}, scene);
+    auto const edits = reseed.kind().edits_for(reseed, {}, scene);
     ASSERT_TRUE(edits) << edits.error().message;
     scene = scene::apply_edits(scene, *edits).value();
     EXPECT_TRUE(takes_style(tree_of(scene, 20)));

@@ -81,7 +81,7 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     // Only these kinds have other defaults than logs without arguments: crowns with complete nodes
     // that are filled by spacing, plants that stand at a stroke's foot, construction lines with
     // depths that are read together, strokes laid by heading.
-    constexpr auto kLeastTwist = variation::StrokeLaying::LeastTwist;
+    constexpr auto kMinTwist = variation::StrokeLaying::LeastTwist;
     for (auto const* const kind : tools) {
         auto const begun = kind == &OutlineTool::kKind ? tools::Tool(tool_of_old_logs())
             : kind == &CrownTool::kKind                ? tools::Tool(
@@ -90,10 +90,9 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
             ? tools::Tool(sketch::SketchTool { .stands = sketch::SketchTool::Stands::AsDrawn })
             : kind == &lines::LineTool::kKind ? tools::Tool(lines::LineTool {
                   .depth_by = lines::DepthBy::StemsHeight, .reading = lines::Reading::OneByOne })
-            : kind == &tools::DrawTool::kKind
-            ? tools::Tool(tools::DrawTool { .laying = kLeastTwist })
+            : kind == &tools::DrawTool::kKind ? tools::Tool(tools::DrawTool { .laying = kMinTwist })
             : kind == &tools::DrawInOrderTool::kKind
-            ? tools::Tool(tools::DrawInOrderTool { .laying = kLeastTwist })
+            ? tools::Tool(tools::DrawInOrderTool { .laying = kMinTwist })
             : tools::Tool(*kind);
         EXPECT_EQ(tools::parse_tool(tools, kind->word, "").value(), begun) << kind->word;
     }
@@ -126,7 +125,7 @@ TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
         EXPECT_EQ(meant(trunk_at(0), {}, *tool.get<OutlineTool>()).form, form) << ready.name;
         auto given = *tool.get<OutlineTool>();
         given.what = OutlineTool::What::Form;
-        auto const edits = tools::Tool(given).mean({}, scene).value();
+        auto const edits = tools::Tool(given).edits_for({}, scene).value();
         EXPECT_EQ(edits[0].get<silhouette::FormTree>()->form, form) << ready.name;
         EXPECT_TRUE(scene::apply_edits(scene, edits)) << ready.name;
     }
@@ -137,7 +136,7 @@ TEST(OutlineTool, LeavesTheFormOfATreeToWhoGivesNumbersAlone)
 {
     auto const pine = after({}, trunk_at(0), { .form = OutlineTool::Form::Pine });
     OutlineTool const more { .leaves = 60, .what = OutlineTool::What::Form };
-    auto const edits = tools::Tool(more).mean({}, pine).value();
+    auto const edits = tools::Tool(more).edits_for({}, pine).value();
     auto const& form = edits[0].get<silhouette::FormTree>()->form;
     EXPECT_EQ(form.leaves, 60);
     EXPECT_EQ(form.leaf_width, 0.05);
@@ -208,7 +207,7 @@ TEST(OutlineTool, DrawsABranchOnABranch)
     auto const line = line_from_branch(tree());
     document.draw({ line, OutlineTool {} });
     ASSERT_EQ(tree().own_branches.size(), 1u);
-    auto const said = OutlineTool::kKind.said(OutlineTool {}, document.newest()->scene);
+    auto const said = OutlineTool::kKind.describe(OutlineTool {}, document.newest()->scene);
     EXPECT_EQ(said, "The branch bears 1 branch that you drew; its siblings follow");
     auto const drawn = nodes();
     EXPECT_NE(drawn, before);
@@ -244,7 +243,7 @@ TEST(OutlineTool, CarriesAStyle)
     auto const skeleton = silhouette::skeleton_of(tree()).value();
     Vec2 const from = skeleton.systems[0].branches[skeleton.at(source)->branch].path.curve.at(0.8);
     auto const line = stroke_through({ { from.x(), from.y(), 0 }, { -19, 29, 0 } });
-    auto const edits = tools::Tool(carrying).mean(line, document.newest()->scene).value();
+    auto const edits = tools::Tool(carrying).edits_for(line, document.newest()->scene).value();
     ASSERT_EQ(edits.size(), 1u);
     auto const& styles = edits[0].get<silhouette::ChooseStyles>()->styles;
     ASSERT_GE(styles.size(), 1u);
@@ -261,13 +260,13 @@ TEST(OutlineTool, CarriesAStyle)
     EXPECT_EQ(tree().styles, styles);
     auto const carried = nodes();
     EXPECT_NE(carried, before);
-    EXPECT_NE(OutlineTool::kKind.said(carrying, document.newest()->scene).find("the style of"),
+    EXPECT_NE(OutlineTool::kKind.describe(carrying, document.newest()->scene).find("the style of"),
               std::string::npos);
     document.undo();
     EXPECT_EQ(nodes(), before);
     document.redo();
     EXPECT_EQ(nodes(), carried);
-    EXPECT_FALSE(tools::Tool(carrying).mean(trunk_at(0), small_scene()))
+    EXPECT_FALSE(tools::Tool(carrying).edits_for(trunk_at(0), small_scene()))
         << "no tree with an outline";
 }
 
@@ -295,7 +294,7 @@ TEST(OutlineTool, DrawsOnBranchesOfBranches)
     auto const& drawn = silhouette::outlined_tree(*deeper.drawn)->own_branches;
     ASSERT_EQ(drawn.size(), 2u);
     EXPECT_TRUE(drawn[1].branch.starts_with(parent + "/")) << drawn[1].branch;
-    auto const said = OutlineTool::kKind.said(tools::Tool(alone), deeper);
+    auto const said = OutlineTool::kKind.describe(tools::Tool(alone), deeper);
     EXPECT_EQ(said, "The branch bears 1 branch that you drew");
     OutlineTool const of_trunks { .branches = OutlineTool::Branches::OfNearest };
     EXPECT_EQ(meant(twig, tree, of_trunks).search, silhouette::Search::OnTrunk);
@@ -312,7 +311,7 @@ TEST(OutlineTool, SaysWhatWaitsForItsBranch)
         narrow.emplace_back(7 * std::sin(i * kPi / 30), 10 - 38 * std::cos(i * kPi / 30), 150);
     auto const without = after(tree, stroke_through(narrow));
     ASSERT_EQ(silhouette::outlined_tree(*without.drawn)->own_branches.size(), 1u);
-    EXPECT_NE(OutlineTool::kKind.said(OutlineTool {}, without).find("waits for it"),
+    EXPECT_NE(OutlineTool::kKind.describe(OutlineTool {}, without).find("waits for it"),
               std::string::npos);
     auto const again = after(without, crown_around(0, 10));
     EXPECT_EQ(silhouette::count_waiting(*silhouette::outlined_tree(*again.drawn)).value(), 0u);
@@ -329,7 +328,7 @@ TEST(OutlineTool, RefinesABranchStepByStep)
     };
     document.draw({ lobe_of_crown(), OutlineTool {} });
     ASSERT_EQ(outlines(), 1u);
-    auto const said = OutlineTool::kKind.said(OutlineTool {}, document.newest()->scene);
+    auto const said = OutlineTool::kKind.describe(OutlineTool {}, document.newest()->scene);
     EXPECT_NE(said.find("The branch has its own outline: "), std::string::npos) << said;
     auto const refined = document.newest()->scene.base->node_position_mm;
     EXPECT_NE(refined, before);
@@ -339,7 +338,7 @@ TEST(OutlineTool, RefinesABranchStepByStep)
     EXPECT_EQ(document.newest()->scene.base->node_position_mm, refined);
     document.draw({ crown_around(0, 10.5), OutlineTool {} });
     EXPECT_EQ(outlines(), 1u) << "it stays with its branch";
-    EXPECT_NE(OutlineTool::kKind.said(OutlineTool {}, document.newest()->scene)
+    EXPECT_NE(OutlineTool::kKind.describe(OutlineTool {}, document.newest()->scene)
                   .find("branches on its trunk"),
               std::string::npos);
     document.undo();
@@ -353,8 +352,9 @@ TEST(OutlineTool, RefinesABranchStepByStep)
 
 TEST(OutlineTool, SaysWhatTheTreeStillWants)
 {
-    auto const said
-        = [](scene::Scene const& scene) { return OutlineTool::kKind.said(OutlineTool {}, scene); };
+    auto const said = [](scene::Scene const& scene) {
+        return OutlineTool::kKind.describe(OutlineTool {}, scene);
+    };
     auto const stem = after({}, trunk_at(10));
     EXPECT_NE(said(stem).find("draw the outline of its crown"), std::string::npos);
     auto const tree = after(stem, crown_around(10, 10));
@@ -403,7 +403,7 @@ TEST(OutlineTool, GivesItsNumbersToTheTreeAtOnce)
     document.undo();
     EXPECT_EQ(document.newest()->scene.base->node_position_mm,
               before->scene.base->node_position_mm);
-    auto const refused = tools::Tool(ArrangeTool {}).mean({}, small_scene());
+    auto const refused = tools::Tool(ArrangeTool {}).edits_for({}, small_scene());
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("no outline"), std::string::npos);
 }
@@ -492,7 +492,7 @@ TEST(EraseOutlineTool, TakesLinesOfTheDrawingAway)
     document.draw({ across, EraseOutlineTool {} });
     EXPECT_TRUE(tree().branches.empty());
     auto const last
-        = tools::Tool(EraseOutlineTool {}).mean(trunk_at(0), document.newest()->scene).value();
+        = tools::Tool(EraseOutlineTool {}).edits_for(trunk_at(0), document.newest()->scene).value();
     auto const refused = scene::apply_edits(document.newest()->scene, last);
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("remove the plant"), std::string::npos);

@@ -100,7 +100,7 @@ scene::Scene drawn_alone(std::vector<document::DrawnStroke> const& strokes,
 {
     scene::Scene scene;
     for (std::size_t i = 0; i < strokes.size(); ++i) {
-        auto const edits = tools::Tool(tools[i]).mean(strokes[i].stroke, scene);
+        auto const edits = tools::Tool(tools[i]).edits_for(strokes[i].stroke, scene);
         EXPECT_TRUE(edits) << edits.error().message;
         if (edits)
             scene = scene::apply_edits(scene, *edits).value();

@@ -18,8 +18,8 @@ using Json = nlohmann::json;
 
 // Returns the messages to other programs while a pen draws to the right in steps of 2 mm, 5 ms
 // apart, and is lifted.
-std::vector<Json> told_along_a_line(SketchTool const& tool, double length_mm,
-                                    scene::Scene const& scene = {})
+std::vector<Json> steps_along_a_line(SketchTool const& tool, double length_mm,
+                                     scene::Scene const& scene = {})
 {
     auto station = flat_station(tool);
     std::vector<Json> lines;
@@ -63,7 +63,7 @@ SketchTool in_space()
 // straight line at 30, 57, 81.3 and 103.17 mm.
 TEST(SketchSteps, ComeWhenTheRuleIsApplied)
 {
-    auto const lines = told_along_a_line(in_space(), 110);
+    auto const lines = steps_along_a_line(in_space(), 110);
     auto const steps = of_type(lines, "step");
     ASSERT_EQ(steps.size(), 4u);
     double const begin_mm = of_type(lines, "tip").front()["position_mm"][0];
@@ -79,7 +79,7 @@ TEST(SketchSteps, ComeWhenTheRuleIsApplied)
 
 TEST(SketchSteps, ComeBeforeTheirStroke)
 {
-    auto const lines = told_along_a_line(in_space(), 110);
+    auto const lines = steps_along_a_line(in_space(), 110);
     auto const strokes = of_type(lines, "stroke");
     ASSERT_EQ(strokes.size(), 1u);
     bool has_ended = false;
@@ -94,7 +94,7 @@ TEST(SketchSteps, ComeBeforeTheirStroke)
 
 TEST(SketchSteps, AreNoneOfAStrokeThatIsTooShort)
 {
-    auto const lines = told_along_a_line(in_space(), 20);
+    auto const lines = steps_along_a_line(in_space(), 20);
     EXPECT_TRUE(of_type(lines, "step").empty());
     EXPECT_EQ(of_type(lines, "stroke").size(), 1u);
 }
@@ -105,7 +105,7 @@ TEST(SketchSteps, EndAtAModelsNodes)
 {
     auto tool = in_space();
     tool.card = SketchTool::Card::Birch;
-    auto const steps = of_type(told_along_a_line(tool, 110), "step");
+    auto const steps = of_type(steps_along_a_line(tool, 110), "step");
     EXPECT_GT(steps.size(), 5u);
     auto drawn = station_on({}, tool);
     for (int i = 0; i <= 55; ++i)
@@ -150,7 +150,7 @@ TEST(SketchSteps, AreNoneWhereNumbersAreChanged)
 {
     auto tool = in_space();
     tool.place = SketchTool::Place::Change;
-    EXPECT_TRUE(of_type(told_along_a_line(tool, 110), "step").empty());
+    EXPECT_TRUE(of_type(steps_along_a_line(tool, 110), "step").empty());
 }
 
 // Between two applications nothing may be rebuilt, neither lines nor their display.

@@ -55,7 +55,7 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
     for (auto const& tool : chosen) {
         auto const words = tools::words_for(tool);
         EXPECT_EQ(tools::parse_tool(tools, words.name, words.arguments).value(), tool);
-        auto const edits = tool.mean(rising_stroke(), scene::Scene {}).value();
+        auto const edits = tool.edits_for(rising_stroke(), scene::Scene {}).value();
         auto const& rule = edits.front().get<sketch::GrowAlongStroke>()->rule;
         EXPECT_EQ(rule.axis_twist_deg, twists_deg[plants]);
         plants += scene::apply_edits(scene::Scene {}, edits).value().plants.size();
@@ -67,7 +67,7 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
 sketch::GrowAlongStroke drawn_with(SketchTool::Card card, scene::Scene const& scene = {})
 {
     auto const edits
-        = tools::Tool(SketchTool { .card = card }).mean(rising_stroke(), scene).value();
+        = tools::Tool(SketchTool { .card = card }).edits_for(rising_stroke(), scene).value();
     return *edits.front().get<sketch::GrowAlongStroke>();
 }
 
@@ -86,8 +86,8 @@ TEST(SketchTool, GrowsAModelInARulesPlace)
         ASSERT_GE(axis_mm.size(), nodes_mm.size()) << words.arguments;
         for (std::size_t i = 0; i < nodes_mm.size(); ++i)
             EXPECT_NEAR((scene.placement.world_of_plant(axis_mm[i]) - nodes_mm[i]).norm(), 0, 0.01);
-        EXPECT_FALSE(tool.glyph().lines.empty());
-        EXPECT_TRUE(tool.glyph().handles.empty());
+        EXPECT_FALSE(tool.gizmo().lines.empty());
+        EXPECT_TRUE(tool.gizmo().handles.empty());
     }
     auto const one = scene::apply_edit(scene::Scene {}, drawn_with(SketchTool::Card::Vine)).value();
     EXPECT_EQ(drawn_with(SketchTool::Card::Vine, one).model.seed, 2u) << "another one";
@@ -99,7 +99,7 @@ TEST(SketchTool, ShowsAModelUnderThePen)
     auto const scene = std::make_shared<scene::Scene const>(small_scene());
     auto const stroke = rising_stroke();
     auto const lines = sketch_previewer()->show({ scene, tool, stroke.tips.vector(), 99 });
-    auto const after = scene::apply_edits(*scene, tool.mean(stroke, *scene).value()).value();
+    auto const after = scene::apply_edits(*scene, tool.edits_for(stroke, *scene).value()).value();
     EXPECT_EQ(lines.size(), after.base->axes.size());
 }
 
@@ -108,9 +108,9 @@ TEST(SketchTool, ChangesRulesIntoModels)
 {
     SketchTool const rule;
     SketchTool const vine { .card = SketchTool::Card::Vine };
-    auto const grown
-        = scene::apply_edits(scene::Scene {}, tools::Tool(rule).mean(rising_stroke(), {}).value())
-              .value();
+    auto const grown = scene::apply_edits(scene::Scene {},
+                                          tools::Tool(rule).edits_for(rising_stroke(), {}).value())
+                           .value();
     auto const to_vine = SketchTool::kKind.follow(tools::Tool(rule), tools::Tool(vine), grown);
     ASSERT_EQ(to_vine.size(), 1u);
     auto const changed = scene::apply_edits(grown, to_vine).value();
@@ -131,7 +131,8 @@ TEST(SketchTool, HasTheCompoundLeafAsACard)
     auto const card = tools::ready_cards(tools::Tool(SketchTool {}))[8].tool;
     // Lengths of 60 + 30 + 15 + 7.5 mm.
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 113 } });
-    auto const scene = scene::apply_edits(scene::Scene {}, card.mean(stroke, {}).value()).value();
+    auto const scene
+        = scene::apply_edits(scene::Scene {}, card.edits_for(stroke, {}).value()).value();
     auto const& plant = *scene.base;
     EXPECT_EQ(plant.segment_count(), 40u);
     auto const main_mm = plant.positions(plant.axes.front());
@@ -184,13 +185,13 @@ TEST(SketchTool, GrowsTheRuleOfThePlant)
     EXPECT_TRUE(SketchTool::kKind.follow(of_plant, plain, scene).empty());
     tools::Tool const change
         = SketchTool { .card = SketchTool::Card::Plant, .place = SketchTool::Place::Change };
-    EXPECT_FALSE(change.mean({}, scene));
+    EXPECT_FALSE(change.edits_for({}, scene));
 }
 
 TEST(SketchTool, RefusesAPlantThatCannotGrowAnew)
 {
     tools::Tool const of_plant = SketchTool { .card = SketchTool::Card::Plant };
-    auto const refused = of_plant.mean(rising_stroke(), scene::Scene {});
+    auto const refused = of_plant.edits_for(rising_stroke(), scene::Scene {});
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("neither from a rule nor from a model"),
               std::string::npos);
@@ -254,19 +255,19 @@ TEST(SketchTool, DrawsAStrokeAgain)
     SketchTool tool { .laterals = 3 };
     auto const scene
         = scene::apply_edits(scene::Scene {},
-                             tools::Tool(tool).mean(rising_stroke(), scene::Scene {}).value())
+                             tools::Tool(tool).edits_for(rising_stroke(), scene::Scene {}).value())
               .value();
     tool.place = SketchTool::Place::Again;
     tool.laterals = 5; // The plant must keep its own rule.
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 150 }, { 60, 0, 200 } });
-    auto const edits = tools::Tool(tool).mean(stroke, scene).value();
+    auto const edits = tools::Tool(tool).edits_for(stroke, scene).value();
     ASSERT_EQ(edits.size(), 1u);
     auto const again = scene::apply_edits(scene, edits).value();
     ASSERT_EQ(again.plants.size(), 1u);
     auto const* const grown = sketch::newest_grown(*again.drawn)->sketch;
     EXPECT_EQ(grown->rule.laterals, 3);
     EXPECT_EQ(grown->stroke.tips.vector().size(), stroke.tips.vector().size());
-    EXPECT_FALSE(tools::Tool(tool).mean(stroke, small_scene()))
+    EXPECT_FALSE(tools::Tool(tool).edits_for(stroke, small_scene()))
         << "nothing has grown along a stroke";
     auto const preview = sketch_previewer();
     auto const ink = stroke.tips.vector();
@@ -282,13 +283,13 @@ TEST(SketchTool, DrawsAStrokeAgain)
 TEST(SketchTool, AddsAPlantInTheDocumentsScale)
 {
     tools::Tool const tool = SketchTool {};
-    auto const alone = tool.mean(rising_stroke(), scene::Scene {}).value();
+    auto const alone = tool.edits_for(rising_stroke(), scene::Scene {}).value();
     auto const* const first = alone.front().get<sketch::GrowAlongStroke>();
     ASSERT_NE(first, nullptr);
     EXPECT_EQ(first->scale, 0.1);
     EXPECT_EQ(first->surface, StrokeSurface::Space);
     auto const scene = small_scene();
-    auto const beside = tool.mean(rising_stroke(), scene).value();
+    auto const beside = tool.edits_for(rising_stroke(), scene).value();
     EXPECT_EQ(beside.front().get<sketch::GrowAlongStroke>()->scale, scene.placement.scale);
     auto const both = scene::apply_edits(scene, beside).value();
     ASSERT_EQ(both.plants.size(), 2u);
@@ -302,7 +303,7 @@ TEST(SketchTool, ShowsThePlantThatItWillGrow)
     auto const scene = std::make_shared<scene::Scene const>(small_scene());
     auto const stroke = rising_stroke();
     auto const lines = sketch_previewer()->show({ scene, tool, stroke.tips.vector(), 99 });
-    auto const after = scene::apply_edits(*scene, tool.mean(stroke, *scene).value()).value();
+    auto const after = scene::apply_edits(*scene, tool.edits_for(stroke, *scene).value()).value();
     ASSERT_EQ(lines.size(), after.base->axes.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
         auto const nodes_mm = after.base->positions(after.base->axes[i]);
@@ -349,7 +350,7 @@ void expect_shown(scene::Scene const& scene, tools::Tool const& tool, Stroke con
 {
     auto const shared = std::make_shared<scene::Scene const>(scene);
     auto const lines = sketch_previewer()->show({ shared, tool, stroke.tips.vector(), 99 });
-    auto const after = scene::apply_edits(scene, tool.mean(stroke, scene).value()).value();
+    auto const after = scene::apply_edits(scene, tool.edits_for(stroke, scene).value()).value();
     ASSERT_EQ(lines.size(), after.base->axes.size() - first);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         auto const nodes_mm = after.base->positions(after.base->axes[first + i]);
@@ -377,22 +378,22 @@ TEST(SketchTool, GrowsOnTheBranchWhereTheStrokeBegins)
         = SketchTool { .leaves = sketch::Leaves::Bare, .place = SketchTool::Place::Branch };
     for (auto const& off_mm : { Vec3(2, -1, 3), Vec3(1, 1, 25) }) {
         auto const stroke = from(end_mm + off_mm);
-        auto const after = scene::apply_edits(scene, tool.mean(stroke, scene).value()).value();
+        auto const after = scene::apply_edits(scene, tool.edits_for(stroke, scene).value()).value();
         ASSERT_EQ(after.plants.size(), 1u);
         EXPECT_EQ(after.base->axes[3].parent_segment, 7u);
         EXPECT_EQ(after.placement.scale, scene.placement.scale);
         expect_shown(scene, tool, stroke, 3);
     }
     auto const flat = stroke_through({ end_mm, end_mm + Vec3(90, 60, 0) });
-    auto const level = scene::apply_edits(scene, tool.mean(flat, scene).value()).value();
+    auto const level = scene::apply_edits(scene, tool.edits_for(flat, scene).value()).value();
     EXPECT_EQ(level.base->axes[3].parent_segment, 7u) << "in space, as the pad shows the branch";
     auto const& radii_mm = level.base->node_radius_mm;
     double const first_mm = 2 * scene.placement.scale * radii_mm[level.base->axes[3].first_node];
     double const parent_mm = 2 * scene.placement.scale * radii_mm[node];
     EXPECT_LE(first_mm, std::max(parent_mm, 0.0201 * 30)) << "as thin as a rule can be";
-    EXPECT_FALSE(tool.mean(from({ 0, 300, 0 }), scene)) << "no branch there";
-    EXPECT_FALSE(tool.mean(from(end_mm + Vec3(0, 0, 60)), scene)) << "far below";
-    EXPECT_FALSE(tool.mean(from({ 0, 0, 0 }), scene::Scene {})) << "no plant at all";
+    EXPECT_FALSE(tool.edits_for(from({ 0, 300, 0 }), scene)) << "no branch there";
+    EXPECT_FALSE(tool.edits_for(from(end_mm + Vec3(0, 0, 60)), scene)) << "far below";
+    EXPECT_FALSE(tool.edits_for(from({ 0, 0, 0 }), scene::Scene {})) << "no plant at all";
 }
 
 // A stroke on a branch that was bent by another stroke: the new branch must be where it was drawn.
@@ -410,14 +411,14 @@ TEST(SketchTool, GrowsOnWhatStrokesHaveBent)
     double const height_mm = 6 * 100 * scene.placement.scale;
     Vec3 const end_mm = Vec3(90, 0, 60).normalized() * height_mm;
     auto const stroke = from(end_mm);
-    auto const after = scene::apply_edits(scene, tool.mean(stroke, scene).value()).value();
+    auto const after = scene::apply_edits(scene, tool.edits_for(stroke, scene).value()).value();
     scene::SceneShaper shaper;
     ASSERT_TRUE(shaper.set_plant(after));
     std::vector<Vec3> nodes_mm;
     variation::place_nodes(*after.base, *after.rest, shaper.shape(), nodes_mm);
     auto const alone = scene::apply_edits(scene,
                                           tools::Tool(SketchTool { .leaves = sketch::Leaves::Bare })
-                                              .mean(stroke, scene)
+                                              .edits_for(stroke, scene)
                                               .value())
                            .value();
     auto const& drawn = alone.base->axes[0];
@@ -437,7 +438,8 @@ TEST(SketchTool, GrowsInThePlaceOfABranch)
     auto const node = nodes_of(*scene.base, 7).tip;
     Vec3 const end_mm = scene.placement.world_of_plant(scene.base->node_position_mm[node]);
     tools::Tool const tool = SketchTool { .laterals = 0, .place = SketchTool::Place::InPlace };
-    auto const after = scene::apply_edits(scene, tool.mean(from(end_mm), scene).value()).value();
+    auto const after
+        = scene::apply_edits(scene, tool.edits_for(from(end_mm), scene).value()).value();
     ASSERT_EQ(after.plants.size(), 1u);
     ASSERT_EQ(after.base->axes.size(), 3u) << "the trunk, the other branch and what was drawn";
     EXPECT_EQ(after.base->axes[2].parent_segment, scene.base->axes[1].parent_segment);
@@ -448,19 +450,19 @@ TEST(SketchTool, ChangesWhatHasGrownAtOnce)
 {
     tools::Tool const draws = SketchTool { .leaves = sketch::Leaves::Bare };
     auto const scene
-        = scene::apply_edits(small_scene(), draws.mean(rising_stroke(), small_scene()).value())
+        = scene::apply_edits(small_scene(), draws.edits_for(rising_stroke(), small_scene()).value())
               .value();
     tools::Tool const changes = SketchTool { .laterals = 4,
                                              .leaves = sketch::Leaves::Bare,
                                              .place = SketchTool::Place::Change };
     EXPECT_TRUE(changes.can_be_done_at_once());
-    auto const after = scene::apply_edits(scene, changes.mean({}, scene).value()).value();
+    auto const after = scene::apply_edits(scene, changes.edits_for({}, scene).value()).value();
     tools::Tool const four = SketchTool { .laterals = 4, .leaves = sketch::Leaves::Bare };
     auto const drawn
-        = scene::apply_edits(small_scene(), four.mean(rising_stroke(), small_scene()).value())
+        = scene::apply_edits(small_scene(), four.edits_for(rising_stroke(), small_scene()).value())
               .value();
     EXPECT_EQ(after.base->node_position_mm, drawn.base->node_position_mm);
-    EXPECT_FALSE(changes.mean({}, small_scene())) << "that one has not grown along a stroke";
+    EXPECT_FALSE(changes.edits_for({}, small_scene())) << "that one has not grown along a stroke";
 }
 
 TEST(SketchTool, LetsLateralsGoOnByARuleOfTheirOwn)
@@ -474,9 +476,10 @@ TEST(SketchTool, LetsLateralsGoOnByARuleOfTheirOwn)
               tool);
     auto const forks = scene::apply_edits({},
                                           tools::Tool(SketchTool { .leaves = sketch::Leaves::Bare })
-                                              .mean(rising_stroke(), {})
+                                              .edits_for(rising_stroke(), {})
                                               .value());
-    auto const goes_on = scene::apply_edits({}, tool.mean(rising_stroke(), {}).value()).value();
+    auto const goes_on
+        = scene::apply_edits({}, tool.edits_for(rising_stroke(), {}).value()).value();
     // The drawn axis is the same; its laterals have several internodes.
     auto const& axes = goes_on.base->axes;
     EXPECT_EQ(axes[0].segment_count, forks->base->axes[0].segment_count);
@@ -500,7 +503,7 @@ TEST(ShortenSketchTool, TakesTheEndAwayWhereItRunsOverTheAxis)
 {
     tools::Tool const draws = SketchTool { .leaves = sketch::Leaves::Bare };
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 100, 40, 60 } });
-    auto const scene = scene::apply_edits({}, draws.mean(stroke, {}).value()).value();
+    auto const scene = scene::apply_edits({}, draws.edits_for(stroke, {}).value()).value();
     auto const whole = scene.base->axes[0].segment_count;
     ASSERT_GE(whole, 3u);
     auto const middle_mm = tools::BentPlant(scene).begin_of(1);
@@ -510,11 +513,12 @@ TEST(ShortenSketchTool, TakesTheEndAwayWhereItRunsOverTheAxis)
     auto const across = [](Vec3 const& place_mm) {
         return stroke_through({ place_mm - Vec3(3, -6, 0), place_mm + Vec3(3, -6, 0) });
     };
-    auto const after = scene::apply_edits(scene, tool.mean(across(at_mm), scene).value()).value();
+    auto const after
+        = scene::apply_edits(scene, tool.edits_for(across(at_mm), scene).value()).value();
     EXPECT_EQ(after.base->axes[0].segment_count, 1u);
-    EXPECT_FALSE(tool.mean(across({ 0, 0, 0 }), scene)) << "nothing would be left";
-    EXPECT_FALSE(tool.mean(across({ 0, 300, 0 }), scene));
-    EXPECT_FALSE(tool.mean(across({ 0, 0, 50 }), small_scene()));
+    EXPECT_FALSE(tool.edits_for(across({ 0, 0, 0 }), scene)) << "nothing would be left";
+    EXPECT_FALSE(tool.edits_for(across({ 0, 300, 0 }), scene));
+    EXPECT_FALSE(tool.edits_for(across({ 0, 0, 50 }), small_scene()));
 }
 
 // Undo, redo and a replay must work as for any other tool.

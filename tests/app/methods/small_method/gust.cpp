@@ -81,7 +81,7 @@ constexpr tools::ToolKind GustTool::kKind {
     .group = "Gust",
     .key = 'G',
     .options = tools::options_type<GustTool, visit>(),
-    .mean = blow,
+    .edits_for = blow,
 };
 
 constexpr tools::Layer kGustLayer { .label = "gusts",

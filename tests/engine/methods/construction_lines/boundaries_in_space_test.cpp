@@ -106,10 +106,10 @@ TEST(BoundariesInSpace, AMirroredSketchGivesTheMirroredPlant)
     auto const others = tips_of(mirrored(sketch), { .kind = Kind::Whorled, .whorl = 4 });
     ASSERT_EQ(tips.size(), others.size());
     for (auto const& tip : tips) {
-        double least_mm = 1e9;
+        double min_mm = 1e9;
         for (auto const& other : others)
-            least_mm = std::min(least_mm, (tip - Vec3(-other.x(), other.y(), other.z())).norm());
-        EXPECT_LT(least_mm, 2e-2);
+            min_mm = std::min(min_mm, (tip - Vec3(-other.x(), other.y(), other.z())).norm());
+        EXPECT_LT(min_mm, 2e-2);
     }
 }
 
@@ -244,7 +244,7 @@ TEST(BoundariesInSpace, AreDrawnWhileTheSurfaceMoves)
     auto drawing = whole_sketch();
     drawing.apply(drawn_in_space(drawing, in_front(40)));
     EXPECT_EQ(drawing.newest_role(), Role::Around);
-    EXPECT_EQ(said_of(drawing.sketch()),
+    EXPECT_EQ(describe_result(drawing.sketch()),
               "This is a boundary in space, in front, 270 degrees around the stem");
     drawing.apply(drawn_in_space(drawing, in_front(-30)));
     auto const construction = measured(line_sketch(drawing.sketch()).value());

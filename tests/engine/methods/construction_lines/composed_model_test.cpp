@@ -85,10 +85,10 @@ TEST(ComposedModel, AnOrgansTopIsWhereTheLeafsTipWouldBe)
             auto const tops = tops_of(plant);
             ASSERT_EQ(tops.size(), 1 + tips.size());
             for (auto const& tip : tips) {
-                double least_mm = 1e9;
+                double min_mm = 1e9;
                 for (auto const& top : tops)
-                    least_mm = std::min(least_mm, (top - tip).norm());
-                EXPECT_LT(least_mm, 0.05) << name_of(kind);
+                    min_mm = std::min(min_mm, (top - tip).norm());
+                EXPECT_LT(min_mm, 0.05) << name_of(kind);
             }
         }
 }

@@ -208,7 +208,7 @@ TEST(Construction, RefusesWhatIsNoSketchAtAll)
               "the stem has a point that is farther than 100000 mm away: give its "
               "points in millimetres");
     sketch = hand_sketch();
-    sketch.left.assign(kMostPoints + 1, Vec2(-50, 0));
+    sketch.left.assign(kMaxPoints + 1, Vec2(-50, 0));
     EXPECT_EQ(refusal(sketch).substr(0, 60),
               "the sketch's lines have 20011 points together, more than 200");
 }

@@ -49,7 +49,7 @@ TEST(DrawnLine, ScribblesDoNotFillTheMemory)
         upright.emplace_back(0.01 * i, i % 2 == 0 ? 0 : 100);
         level.emplace_back(i % 2 == 0 ? -10 : 110, 20 + 0.01 * i);
     }
-    EXPECT_EQ(crossings(DrawnLine(upright), DrawnLine(level)).size(), kMostCrossings);
+    EXPECT_EQ(crossings(DrawnLine(upright), DrawnLine(level)).size(), kMaxCrossings);
 }
 
 TEST(DrawnLine, ARayMeetsTheNearestPiece)

@@ -229,10 +229,10 @@ TEST(ExplainSketch, ALeaningPlantThatHangsStaysAsItWasDrawn)
 TEST(ExplainSketch, WhatSomebodySaysCounts)
 {
     auto strokes = plain_sketch();
-    strokes[4].said = Role::Unsure;
+    strokes[4].assigned = Role::Unsure;
     // A short stroke far from the stem.
     strokes.push_back(stroke({ { -60, 60, 0 }, { -80, 90, 0 } }));
-    strokes.back().said = Role::Left;
+    strokes.back().assigned = Role::Left;
     auto const explanation = explain_sketch(strokes).front();
     EXPECT_EQ(explanation.strokes[4].role, Role::Unsure);
     EXPECT_EQ(explanation.strokes[5].role, Role::Left);

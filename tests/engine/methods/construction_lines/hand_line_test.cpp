@@ -75,10 +75,10 @@ TEST(HandLine, CornersStaySharp)
         line.emplace_back(i, i, 0);
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         auto const cleaned = clean_hand_line(without_repeats(Hand(seed).draw(line, 0.2)));
-        double least_mm = 1e9;
+        double min_mm = 1e9;
         for (auto const& point : cleaned)
-            least_mm = std::min(least_mm, (point - Vec3(0, 0, 0)).norm());
-        EXPECT_LT(least_mm, 1.0) << seed;
+            min_mm = std::min(min_mm, (point - Vec3(0, 0, 0)).norm());
+        EXPECT_LT(min_mm, 1.0) << seed;
         // The line must be straight up to 3 mm before the corner.
         for (auto const& point : cleaned) {
             double const off_mm = std::fabs(point.y() - std::fabs(point.x())) / std::sqrt(2.0);

@@ -163,7 +163,7 @@ TEST(LayerOrgans, RefusesTooManySurfaces)
 {
     auto const model = write_composed_model(
         { .stems = { { .construction = measured(two_layers({ { .organ = 1 } })) } },
-          .organs = std::vector<LineOrgan>(kMostSurfaces + 1, square({ 1, 1, 1 })) },
+          .organs = std::vector<LineOrgan>(kMaxSurfaces + 1, square({ 1, 1, 1 })) },
         "plant");
     ASSERT_FALSE(model);
     EXPECT_EQ(model.error().message,

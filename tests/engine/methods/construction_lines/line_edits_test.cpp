@@ -66,7 +66,7 @@ TEST(AddLine, KeepsWhatItDoesNotKnowWithoutEffect)
     EXPECT_EQ(drawing.newest_role(), Role::Unsure);
     EXPECT_EQ(drawing.sketch().lines.size(), 6U);
     EXPECT_EQ(model_of(drawing.sketch())->functions, before);
-    EXPECT_EQ(said_of(drawing.sketch()),
+    EXPECT_EQ(describe_result(drawing.sketch()),
               "It has no effect: this line neither crosses the stem nor goes along it: draw an "
               "inclination line across it, or a boundary along at least half of it");
 }
@@ -265,7 +265,7 @@ TEST(SaidOf, NamesTheLineAndWhatIsMissing)
     for (auto const& stroke :
          { stem(), left_boundary(), low_line(), high_line(), right_boundary() }) {
         drawing.draw(stroke);
-        said.push_back(said_of(drawing.sketch()));
+        said.push_back(describe_result(drawing.sketch()));
     }
     EXPECT_EQ(said,
               (std::vector<std::string> {

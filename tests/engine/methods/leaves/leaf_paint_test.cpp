@@ -345,7 +345,7 @@ TEST(LeafLarvae, EatTheUnionOfTheirDiscs)
     std::vector<float> const protection(kSide * kSide, 0);
     LarvaGround const ground { kSide, coverage, protection };
     Larvae const larvae {
-        .count = 1, .least_radius = 0.03, .most_radius = 0.03, .least_bites = 1, .most_bites = 1
+        .count = 1, .min_radius = 0.03, .most_radius = 0.03, .min_bites = 1, .most_bites = 1
     };
     double const radius = 0.03 * kSide;
     int whole = 0;

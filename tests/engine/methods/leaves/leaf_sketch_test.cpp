@@ -142,7 +142,7 @@ TEST(LeafSketch, HasItsOutlineAloneFirst)
     ASSERT_TRUE(sketch->seen);
     EXPECT_TRUE(sketch->seen->is_midrib_guessed);
     EXPECT_NEAR(sketch->seen->fit.leaf.size_mm, 80, 1);
-    EXPECT_NE(said_of(*sketch).find("draw its midrib"), std::string::npos);
+    EXPECT_NE(describe_result(*sketch).find("draw its midrib"), std::string::npos);
     sketch = with_line(
         *sketch,
         { .id = 2, .stroke = stroke_of({ { 0, -60, 100 }, { 0, 0, 100 }, { 0, 39, 100 } }) });

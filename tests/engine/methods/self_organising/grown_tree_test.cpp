@@ -229,7 +229,7 @@ TEST(GrownTree, SaysWhatItRefuses)
     edit.habit.whorl = 2.5;
     EXPECT_EQ(refusal({ edit }), "whorl is 2.5: give a whole number from 0 to 8");
     edit = along_stroke();
-    edit.first.least_radius_mm = edit.first.most_radius_mm = 0;
+    edit.first.min_radius_mm = edit.first.most_radius_mm = 0;
     EXPECT_EQ(refusal({ edit }), "the brush has no radius: give one above 0 mm");
     auto const plant = after({ by_itself(5) }).state.active;
     EXPECT_EQ(refusal({ by_itself(150), GrowOn { plant, { .years = 60 } } }),

@@ -223,7 +223,7 @@ TEST(PruneEdit, CutsWhatTheStrokeTouchesAndLetsItGrowBack)
     double const height_mm = bounds(*before.base).max_mm.z();
     LifePart const cut { .kind = LifePart::Kind::Prune,
                          .stroke = level_stroke(0.05 * height_mm, 0.2 * height_mm),
-                         .least_radius_mm = 0.1 * height_mm,
+                         .min_radius_mm = 0.1 * height_mm,
                          .most_radius_mm = 0.1 * height_mm };
     auto const after = pruned_in_steps({ planted, GrowOn { before.state.active, cut } });
     check_plant(*after.base);
@@ -246,7 +246,7 @@ TEST(PruneEdit, CutsWhatTheStrokeTouchesAndLetsItGrowBack)
 TEST(ClearEdit, IsAsIfTheBrushHadNotBeenThere)
 {
     LifePart const brushed {
-        .years = 20, .stroke = upright_stroke(200), .least_radius_mm = 40, .most_radius_mm = 40
+        .years = 20, .stroke = upright_stroke(200), .min_radius_mm = 40, .most_radius_mm = 40
     };
     scene::Edit const planted
         = PlantTree { .habit = hedge(), .seed = 3, .scale = 0.1, .first = brushed };
@@ -254,7 +254,7 @@ TEST(ClearEdit, IsAsIfTheBrushHadNotBeenThere)
     double const top_mm = bounds(*before.base).max_mm.z();
     LifePart const cleared { .kind = LifePart::Kind::Clear,
                              .stroke = level_stroke(160, 60),
-                             .least_radius_mm = 60,
+                             .min_radius_mm = 60,
                              .most_radius_mm = 60 };
     scene::Edit const clear = GrowOn { before.state.active, cleared };
     auto const after = pruned_in_steps({ planted, clear });
@@ -268,7 +268,7 @@ TEST(ClearEdit, IsAsIfTheBrushHadNotBeenThere)
 TEST(ClearEdit, HoldsForAnotherHabitInTheSameVolume)
 {
     LifePart const brushed {
-        .years = 20, .stroke = upright_stroke(200), .least_radius_mm = 40, .most_radius_mm = 40
+        .years = 20, .stroke = upright_stroke(200), .min_radius_mm = 40, .most_radius_mm = 40
     };
     scene::Edit const planted
         = PlantTree { .habit = hedge(), .seed = 3, .scale = 0.1, .first = brushed };
@@ -276,7 +276,7 @@ TEST(ClearEdit, HoldsForAnotherHabitInTheSameVolume)
     scene::Edit const clear = GrowOn { id,
                                        { .kind = LifePart::Kind::Clear,
                                          .stroke = level_stroke(160, 60),
-                                         .least_radius_mm = 60,
+                                         .min_radius_mm = 60,
                                          .most_radius_mm = 60 } };
     auto other = hedge();
     other.name = "other";
@@ -308,7 +308,7 @@ TEST(PruneEdit, RefusesWhatMeansNothing)
               std::string::npos);
     EXPECT_NE(
         refusal(
-            { .kind = LifePart::Kind::Prune, .stroke = level_stroke(10, 10), .least_radius_mm = 0 })
+            { .kind = LifePart::Kind::Prune, .stroke = level_stroke(10, 10), .min_radius_mm = 0 })
             .find("no radius"),
         std::string::npos);
     auto const first = scene::fold(std::vector<scene::Edit> {

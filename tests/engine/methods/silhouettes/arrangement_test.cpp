@@ -107,7 +107,7 @@ TEST(SilhouetteArrangement, PerfectPatternsHaveNoMisfit)
                               { Pattern::Whorls, 3, 60 },
                               { Pattern::TwoRows, 1, 180 },
                               { Pattern::Horizontal, 2, 0 } };
-    for (int whorl = kLeastWhorl; whorl <= kMostWhorl; ++whorl)
+    for (int whorl = kMinWhorl; whorl <= kMaxWhorl; ++whorl)
         cases.push_back({ Pattern::whorls_of(whorl), whorl, 180.0 / whorl });
     for (auto const& [pattern, whorl, turn_deg] : cases) {
         constexpr int kNodes = 12;

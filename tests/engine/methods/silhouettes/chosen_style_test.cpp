@@ -160,7 +160,7 @@ TEST(ChosenStyle, IsCarriedByALine)
         if (branch.origin == Branch::Origin::Apex || target == source)
             continue;
         std::vector const line { from, branch.path.curve.at(0.9) };
-        auto const carried = carried_by(skeleton, line).value();
+        auto const carried = copied_by(skeleton, line).value();
         EXPECT_EQ(carried.at(target), source) << target;
         // The branch must cross exactly the branches that it reports.
         for (auto const& other : branches) {
@@ -175,9 +175,9 @@ TEST(ChosenStyle, IsCarriedByALine)
         EXPECT_LT(carried.size(), branches.size() - 2);
     }
     auto const alone
-        = carried_by(skeleton, std::vector { from, Vec2(from + Vec2(0.1, 0.1)) }).value();
+        = copied_by(skeleton, std::vector { from, Vec2(from + Vec2(0.1, 0.1)) }).value();
     EXPECT_EQ(alone, (ChosenStyles { { source, "" } }));
-    EXPECT_FALSE(carried_by(skeleton, std::vector { Vec2(0, 0), from })) << "from the trunk";
+    EXPECT_FALSE(copied_by(skeleton, std::vector { Vec2(0, 0), from })) << "from the trunk";
 }
 
 TEST(ChosenStyle, IsWhatASourceHasItself)

@@ -226,7 +226,7 @@ TEST(DeeperLevels, AStyleIsCarriedAmongThem)
     ASSERT_EQ(drawing.own_branches[0].branch, name(0));
     auto const source = skeleton_of_lines(drawing);
     auto const carried
-        = carried_by(source, std::vector { twig[0], children[1].path.curve.at(0.9) }).value();
+        = copied_by(source, std::vector { twig[0], children[1].path.curve.at(0.9) }).value();
     EXPECT_EQ(carried.at(name(1)), name(0));
     for (auto const& [target, from] : carried)
         EXPECT_EQ(parent_in(target), drawing.own_outlines[0].branch) << "of this level alone";

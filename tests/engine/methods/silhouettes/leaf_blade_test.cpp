@@ -3,7 +3,7 @@
 #include "engine/methods/silhouettes/chosen_style.h"
 #include "engine/methods/silhouettes/own_outline.h"
 #include "engine/methods/silhouettes/sibling_style.h"
-#include "engine/scene/dressed_plant.h"
+#include "engine/scene/foliated_plant.h"
 #include "tests/engine/methods/silhouettes/refined.h"
 
 #include <memory>
@@ -222,7 +222,7 @@ TEST(LeafBlade, WearsGrownLeaves)
     auto const plant = tree_of(crown_with_leaf(StyleTo::Siblings)).plant;
     auto const grown = std::make_shared<CutLeaf const>(
         CutLeaf { .corners = { { -0.3, 0 }, { 0.3, 0 }, { 0, 1 } }, .triangles = { { 0, 1, 2 } } });
-    auto const worn = scene::dressed(plant, { .leaves = { grown } });
+    auto const worn = scene::foliated(plant, { .leaves = { grown } });
     for (std::size_t i = 0; i < plant.organs.size(); ++i) {
         auto const& shape = worn.organ_shapes[worn.organs[i].shape];
         ASSERT_TRUE(shape.cut);

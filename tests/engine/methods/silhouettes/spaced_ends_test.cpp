@@ -153,7 +153,7 @@ TEST(SpacedEnds, AreNoneInTreesFromBefore)
     auto const options = skeleton_options({});
     EXPECT_EQ(options.tree.branches, 0U);
     EXPECT_EQ(options.tree.bumps.ends, BumpThresholds::Ends::OfTriangles);
-    EXPECT_FALSE(check_form({ .plane_branches = kMostPlaneBranches + 1 }));
+    EXPECT_FALSE(check_form({ .plane_branches = kMaxPlaneBranches + 1 }));
     EXPECT_FALSE(check_form({ .base_angle_deg = 190 }));
 }
 

@@ -188,7 +188,7 @@ TEST(ModelRule, GoesOnByTheLastRatio)
     EXPECT_DOUBLE_EQ(lengths.first_mm[4], 5.12);
     EXPECT_GE(lengths.first_mm.back(), 0.4) << "none is shorter than a fiftieth of the first";
     EXPECT_EQ(lengths.most, static_cast<int>(lengths.first_mm.size()));
-    EXPECT_EQ(lengths_on_desk({ .lengths = { 3 } }, 0.1).most, kMostModelSegments);
+    EXPECT_EQ(lengths_on_desk({ .lengths = { 3 } }, 0.1).most, kMaxModelSegments);
 }
 
 TEST(ModelRule, IsVariedByItsChanceAlone)

@@ -65,7 +65,7 @@ TEST(SketchRule, CountsLateralsThatGoOn)
     EXPECT_EQ(count_internodes(rule, 4, kUncutDepth),
               4 + 3 * (of_lateral(3) + of_lateral(2) + of_lateral(1)));
     EXPECT_EQ(count_internodes(rule, 4, 1), 4 + 3 * 3) << "at depth 1 none goes on";
-    rule.lateral_rules.assign(kMostLateralRules + 1, {});
+    rule.lateral_rules.assign(kMaxLateralRules + 1, {});
     EXPECT_FALSE(check_rule(rule));
     rule.lateral_rules = { { .angle_deg = 151 } };
     EXPECT_EQ(check_rule(rule).error().message,

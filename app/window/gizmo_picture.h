@@ -1,13 +1,13 @@
 #pragma once
 
-#include "app/tools/glyph.h"
+#include "app/tools/gizmo.h"
 
 #include <imgui.h>
 
 namespace tractus::window {
 
 // Position of a gizmo's square in the window, in pixels.
-struct GlyphSquare {
+struct GizmoSquare {
     ImVec2 middle { 0, 0 };
     float half = 1;
 
@@ -16,6 +16,6 @@ struct GlyphSquare {
 };
 
 // Draws the gizmo's lines into the current ImGui window; `scale` is the display's scale factor.
-void draw_glyph(tools::Glyph const& glyph, GlyphSquare const& square, float scale);
+void draw_gizmo(tools::Gizmo const& gizmo, GizmoSquare const& square, float scale);
 
 } // namespace tractus::window

@@ -30,21 +30,21 @@ std::size_t leaves_of(Plant const& plant, std::string_view grammar)
         }));
 }
 
-scene::Scene dressed_in(scene::Scene const& scene, std::string const& leaves)
+scene::Scene foliated_in(scene::Scene const& scene, std::string const& leaves)
 {
-    auto const edits = methods::dressing_edits(scene, scene.state.active, { .leaves = leaves });
+    auto const edits = methods::foliage_edits(scene, scene.state.active, { .leaves = leaves });
     EXPECT_TRUE(edits) << edits.error().message;
     return edits ? scene::apply_edits(scene, *edits).value() : scene;
 }
 
-TEST(DressPlant, GivesAModelAnotherSpeciesLeaves)
+TEST(SetFoliage, GivesAModelAnotherSpeciesLeaves)
 {
     auto const own = our_plant("broadleaf");
-    auto const scene = dressed_in(own, "maple");
+    auto const scene = foliated_in(own, "maple");
     EXPECT_EQ(scene.in_season->organs.size(), own.base->organs.size());
     EXPECT_GT(leaves_of(*scene.in_season, "maple"), 100u);
     EXPECT_EQ(leaves_of(*own.in_season, "maple"), 0u);
-    EXPECT_EQ(leaves_of(*dressed_in(scene, "").in_season, "maple"), 0u) << "its own again";
+    EXPECT_EQ(leaves_of(*foliated_in(scene, "").in_season, "maple"), 0u) << "its own again";
     auto const autumn = batch::with_season(scene, scene::Season { .month = 10.5 }).value();
     EXPECT_GT(leaves_of(*autumn.in_season, "maple"), 10u) << "older ones";
     auto const& texture = autumn.in_season->materials.back().textures.base_color;
@@ -52,11 +52,11 @@ TEST(DressPlant, GivesAModelAnotherSpeciesLeaves)
 }
 
 // The user's own grammar must be stored in the document with its text, so that seasons find it.
-TEST(DressPlant, KeepsAGrammarOfOnesOwn)
+TEST(SetFoliage, KeepsAGrammarOfOnesOwn)
 {
     auto const file = fs::temp_directory_path() / fmt::format("my own {}.leaf", ::getpid());
     fs::copy_file(own_leaf_path("oak").value(), file, fs::copy_options::overwrite_existing);
-    auto const scene = dressed_in(our_plant("broadleaf"), file.string());
+    auto const scene = foliated_in(our_plant("broadleaf"), file.string());
     EXPECT_GT(leaves_of(*scene.in_season, "my-own-"), 100u);
     ASSERT_EQ(scene.state.leaf_grammars.size(), 1u);
     fs::remove(file);
@@ -65,14 +65,14 @@ TEST(DressPlant, KeepsAGrammarOfOnesOwn)
     EXPECT_GT(leaves_of(*autumn->in_season, "my-own-"), 10u);
 }
 
-TEST(DressPlant, SaysWhichLeavesThereAre)
+TEST(SetFoliage, SaysWhichLeavesThereAre)
 {
     auto const scene = our_plant("broadleaf");
-    auto const none = methods::dressing_edits(scene, scene.state.active, { .leaves = "mapel" });
+    auto const none = methods::foliage_edits(scene, scene.state.active, { .leaves = "mapel" });
     ASSERT_FALSE(none);
     EXPECT_NE(none.error().message.find("maple"), std::string::npos) << none.error().message;
     EXPECT_FALSE(
-        methods::dressing_edits(scene, scene.state.active, { .leaves = "/nowhere/my.leaf" }));
+        methods::foliage_edits(scene, scene.state.active, { .leaves = "/nowhere/my.leaf" }));
 }
 
 // A drawing over a grammar becomes a grammar, which a tree then wears.
@@ -104,7 +104,7 @@ TEST(SketchLeaf, MakesAGrammarThatPlantsWear)
     EXPECT_NE(made.out.find("\"midrib\""), std::string::npos) << made.out;
     auto const checked = commands::run({ "leaves", "check", grammar.string() });
     EXPECT_EQ(checked.exit_code, 0) << checked.err;
-    EXPECT_GT(leaves_of(*dressed_in(our_plant("broadleaf"), grammar.string()).in_season, "mine-"),
+    EXPECT_GT(leaves_of(*foliated_in(our_plant("broadleaf"), grammar.string()).in_season, "mine-"),
               100u);
     auto const wrong = commands::run(
         { "leaves", "fit", (folder / "none.json").string(), "-o", grammar.string() });

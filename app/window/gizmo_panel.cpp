@@ -1,4 +1,4 @@
-#include "app/window/glyph_panel.h"
+#include "app/window/gizmo_panel.h"
 
 #include "app/window/theme.h"
 
@@ -10,7 +10,7 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kLeastSide_px = 170;
+constexpr float kMinSide_px = 170;
 constexpr float kGreatestSide_px = 320;
 constexpr float kShareOfPad = 0.4f;
 constexpr float kTitle_px = 44; // Height at the top of the view that the view's title needs.
@@ -27,7 +27,7 @@ constexpr float kSmallReach_px = 14;
 using Slider = view::ChangeGrowth::Slider;
 
 // The index of the tool's number that the handle sets; nullopt if it sets none.
-std::optional<std::size_t> number_of(tools::Tool const& tool, tools::Glyph::Handle const& handle)
+std::optional<std::size_t> number_of(tools::Tool const& tool, tools::Gizmo::Handle const& handle)
 {
     auto const numbers = tools::chosen_numbers(tool);
     auto const found
@@ -41,41 +41,42 @@ std::optional<std::size_t> number_of(tools::Tool const& tool, tools::Glyph::Hand
 
 } // namespace
 
-std::optional<WindowPart> GlyphPanel::show(view::WindowModel& model, Workbench& bench,
+std::optional<WindowPart> GizmoPanel::show(view::WindowModel& model, Workspace& workspace,
                                            Controls const& controls, WindowPart const& pad)
 {
     auto const& state = model.state();
     auto const& kind = state.hand.kind();
-    bool const is_of_drawn = !kind.glyph && kind.drawn_glyph && state.drawn_glyph;
+    bool const is_of_drawn = !kind.gizmo && kind.drawn_gizmo && state.drawn_gizmo;
     float const room = kShareOfPad * std::min(pad.width, pad.height);
-    bench.glyph_is_seen = false;
-    if (!(kind.glyph || is_of_drawn) || !bench.draws(state) || room < kLeastSide_px * scale_)
+    workspace.gizmo_is_seen = false;
+    if (!(kind.gizmo || is_of_drawn) || !workspace.draws(state) || room < kMinSide_px * scale_)
         return std::nullopt;
     float const side = std::min(room, kGreatestSide_px * scale_);
-    auto& is_shown = is_of_drawn ? bench.drawn_glyph_is_shown : bench.glyph_is_shown;
-    bench.glyph_is_seen = kind.glyph && is_shown;
+    auto& is_shown = is_of_drawn ? workspace.drawn_gizmo_is_shown : workspace.gizmo_is_shown;
+    workspace.gizmo_is_seen = kind.gizmo && is_shown;
     float const air = kPanelAir_px * scale_;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { air, air });
     ImGui::SetNextWindowBgAlpha(kOpacity);
-    float const edge = bench.is_left_handed ? pad.left + air : pad.left + pad.width - air;
+    float const edge = workspace.is_left_handed ? pad.left + air : pad.left + pad.width - air;
     ImGui::SetNextWindowPos({ edge, pad.top + kTitle_px * scale_ }, ImGuiCond_Always,
-                            { bench.is_left_handed ? 0.0f : 1.0f, 0 });
+                            { workspace.is_left_handed ? 0.0f : 1.0f, 0 });
     ImGui::Begin("glyph", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
                      | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PopStyleVar();
     auto const top = ImGui::GetCursorScreenPos();
-    if (controls.button(is_of_drawn ? kind.drawn_glyph->title : kind.glyph->title, kButtonWidth_px,
+    if (controls.button(is_of_drawn ? kind.drawn_gizmo->title : kind.gizmo->title, kButtonWidth_px,
                         is_shown))
         is_shown = !is_shown;
     if (is_shown) {
-        auto const glyph = is_of_drawn ? *state.drawn_glyph : bench.hand(state).glyph();
+        auto const gizmo = is_of_drawn ? *state.drawn_gizmo : workspace.hand(state).gizmo();
         // A gizmo of curves fills the square; one of a rule leaves the corner free for the button.
         auto const corner = is_of_drawn ? ImGui::GetCursorScreenPos() : top;
-        show_glyph(model, bench, glyph, { { corner.x + side / 2, corner.y + side / 2 }, side / 2 });
+        show_gizmo(model, workspace, gizmo,
+                   { { corner.x + side / 2, corner.y + side / 2 }, side / 2 });
         ImGui::SetCursorScreenPos(corner);
         ImGui::Dummy({ side, side });
-        say_what_is_shown(glyph);
+        say_what_is_shown(gizmo);
     }
     auto const corner = ImGui::GetWindowPos();
     auto const size = ImGui::GetWindowSize();
@@ -83,34 +84,34 @@ std::optional<WindowPart> GlyphPanel::show(view::WindowModel& model, Workbench& 
     return WindowPart { corner.x, corner.y, size.x, size.y };
 }
 
-void GlyphPanel::say_what_is_shown(tools::Glyph const& glyph) const
+void GizmoPanel::say_what_is_shown(tools::Gizmo const& gizmo) const
 {
     auto const shown
-        = std::find_if(glyph.handles.begin(), glyph.handles.end(),
-                       [&](tools::Glyph::Handle const& handle) { return handle.id == shown_; });
+        = std::find_if(gizmo.handles.begin(), gizmo.handles.end(),
+                       [&](tools::Gizmo::Handle const& handle) { return handle.id == shown_; });
     ImGui::SetWindowFontScale(kSmall);
-    ImGui::TextUnformatted(shown == glyph.handles.end() ? glyph.hint : shown->says.c_str());
+    ImGui::TextUnformatted(shown == gizmo.handles.end() ? gizmo.hint : shown->says.c_str());
     ImGui::SetWindowFontScale(1);
 }
 
-void GlyphPanel::show_glyph(view::WindowModel& model, Workbench& bench, tools::Glyph const& glyph,
-                            GlyphSquare const& square)
+void GizmoPanel::show_gizmo(view::WindowModel& model, Workspace& workspace,
+                            tools::Gizmo const& gizmo, GizmoSquare const& square)
 {
-    draw_glyph(glyph, square, scale_);
-    draw_labels(glyph, square);
-    for (auto const& handle : glyph.handles) {
-        take_hand(model, bench, handle, square);
+    draw_gizmo(gizmo, square, scale_);
+    draw_labels(gizmo, square);
+    for (auto const& handle : gizmo.handles) {
+        take_hand(model, workspace, handle, square);
         draw_handle(handle, square);
     }
 }
 
-void GlyphPanel::draw_labels(tools::Glyph const& glyph, GlyphSquare const& square) const
+void GizmoPanel::draw_labels(tools::Gizmo const& gizmo, GizmoSquare const& square) const
 {
-    constexpr float kLeastHalf_px = 100;
-    if (square.half < kLeastHalf_px * scale_)
+    constexpr float kMinHalf_px = 100;
+    if (square.half < kMinHalf_px * scale_)
         return;
     float const letter = kSmallest * ImGui::GetFontSize();
-    for (auto const& label : glyph.labels) {
+    for (auto const& label : gizmo.labels) {
         auto const size = ImGui::GetFont()->CalcTextSizeA(letter, 1000, 0, label.text);
         auto const at = square.to_px(label.place);
         ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), letter, { at.x - size.x / 2, at.y },
@@ -119,8 +120,8 @@ void GlyphPanel::draw_labels(tools::Glyph const& glyph, GlyphSquare const& squar
 }
 
 // Handles hovering and dragging of a handle by pen or mouse in this frame.
-void GlyphPanel::take_hand(view::WindowModel& model, Workbench& bench,
-                           tools::Glyph::Handle const& handle, GlyphSquare const& square)
+void GizmoPanel::take_hand(view::WindowModel& model, Workspace& workspace,
+                           tools::Gizmo::Handle const& handle, GizmoSquare const& square)
 {
     auto const at = square.to_px(handle.place);
     float const reach = (handle.is_small ? kSmallReach_px : kReach_px) * scale_;
@@ -132,7 +133,7 @@ void GlyphPanel::take_hand(view::WindowModel& model, Workbench& bench,
         shown_ = handle.id;
     if (handle.is_button) {
         if (is_pressed)
-            press(model, bench, handle);
+            press(model, workspace, handle);
         return;
     }
     auto const pointer = ImGui::GetIO().MousePos;
@@ -145,50 +146,50 @@ void GlyphPanel::take_hand(view::WindowModel& model, Workbench& bench,
         return;
     if (ImGui::IsItemDeactivated()) {
         held_.reset();
-        return let_go(model, bench, handle);
+        return let_go(model, workspace, handle);
     }
     auto const& delta = ImGui::GetIO().MouseDelta;
     if (delta.x != 0 || delta.y != 0)
-        move(model, bench, handle,
+        move(model, workspace, handle,
              square.to_frame({ pointer.x + off_px_.x, pointer.y + off_px_.y }));
 }
 
-void GlyphPanel::press(view::WindowModel& model, Workbench& bench,
-                       tools::Glyph::Handle const& handle) const
+void GizmoPanel::press(view::WindowModel& model, Workspace& workspace,
+                       tools::Gizmo::Handle const& handle) const
 {
-    auto const& hand = bench.hand(model.state());
-    if (hand.kind().glyph)
-        return bench.adjust(model, hand.dragged(handle.id, handle.place), Slider::Released);
-    model.perform(view::DragDrawnGlyph { handle.id, handle.place });
+    auto const& hand = workspace.hand(model.state());
+    if (hand.kind().gizmo)
+        return workspace.adjust(model, hand.dragged(handle.id, handle.place), Slider::Released);
+    model.perform(view::DragDrawnGizmo { handle.id, handle.place });
 }
 
-void GlyphPanel::move(view::WindowModel& model, Workbench& bench,
-                      tools::Glyph::Handle const& handle, Vec2 const& to)
+void GizmoPanel::move(view::WindowModel& model, Workspace& workspace,
+                      tools::Gizmo::Handle const& handle, Vec2 const& to)
 {
-    auto const& hand = bench.hand(model.state());
+    auto const& hand = workspace.hand(model.state());
     moved_to_ = to;
-    if (!hand.kind().glyph)
-        model.perform(view::DragDrawnGlyph { handle.id, to, Slider::Moving });
+    if (!hand.kind().gizmo)
+        model.perform(view::DragDrawnGizmo { handle.id, to, Slider::Moving });
     else if (auto const dragged = hand.dragged(handle.id, to); dragged != hand)
-        bench.adjust(model, dragged, Slider::Moving);
+        workspace.adjust(model, dragged, Slider::Moving);
 }
 
-void GlyphPanel::let_go(view::WindowModel& model, Workbench& bench,
-                        tools::Glyph::Handle const& handle)
+void GizmoPanel::let_go(view::WindowModel& model, Workspace& workspace,
+                        tools::Gizmo::Handle const& handle)
 {
-    auto const& hand = bench.hand(model.state());
+    auto const& hand = workspace.hand(model.state());
     auto const to = std::exchange(moved_to_, std::nullopt);
-    if (!hand.kind().glyph) {
+    if (!hand.kind().gizmo) {
         if (to)
-            model.perform(view::DragDrawnGlyph { handle.id, *to });
-    } else if (bench.adjusted) {
-        bench.adjust(model, hand, Slider::Released);
+            model.perform(view::DragDrawnGizmo { handle.id, *to });
+    } else if (workspace.adjusted) {
+        workspace.adjust(model, hand, Slider::Released);
     } else if (auto const number = number_of(hand, handle)) {
-        bench.ask_number(*number);
+        workspace.ask_number(*number);
     }
 }
 
-void GlyphPanel::draw_handle(tools::Glyph::Handle const& handle, GlyphSquare const& square) const
+void GizmoPanel::draw_handle(tools::Gizmo::Handle const& handle, GizmoSquare const& square) const
 {
     auto* const draw = ImGui::GetWindowDrawList();
     auto const at = square.to_px(handle.place);

@@ -8,7 +8,7 @@
 namespace tractus::silhouette {
 
 // A child axis by its position on its parent.
-struct StandingChild {
+struct PositionedLateral {
     double u = 0;
     double angle_deg = 0;
     // Azimuth relative to a direction that is parallel transported along the parent.
@@ -18,17 +18,17 @@ struct StandingChild {
 
 // The children of an axis, given their ids, sorted by position from its base. A child that goes
 // straight on from the tip continues the axis and is left out, as is one without length.
-std::vector<StandingChild> children_of(Plant const& plant, AxisId parent,
-                                       std::span<AxisId const> ids);
+std::vector<PositionedLateral> children_of(Plant const& plant, AxisId parent,
+                                           std::span<AxisId const> ids);
 
 // Children that share one node of their parent.
 struct NodeOfChildren {
     double u = 0;
-    std::span<StandingChild const> children;
+    std::span<PositionedLateral const> children;
 };
 
 // Groups children, at least one and sorted by position, into nodes: those within a fifth of the
 // mean distance share a node. The result refers to the given children.
-std::vector<NodeOfChildren> nodes_of(std::span<StandingChild const> children);
+std::vector<NodeOfChildren> nodes_of(std::span<PositionedLateral const> children);
 
 } // namespace tractus::silhouette

@@ -19,7 +19,7 @@ enum class ViewDrag { Turn, Move };
 constexpr double kZoomStep = 1.12;
 
 // State of the user interface that belongs neither to the document nor to the station.
-struct Workbench {
+struct Workspace {
     enum class Shown {
         All, // Pad, skeleton and plant side by side, with the strokes below the pad if they fit.
         // Pad and the values below fill the window, or the tablet's own display, with one view.
@@ -81,9 +81,9 @@ struct Workbench {
     };
     std::optional<AskedName> asked_name {};
     // Shows the gizmo of the current tool, if its kind has one.
-    bool glyph_is_shown = true;
-    bool drawn_glyph_is_shown = false; // Shows the gizmo of what was last drawn with the tool.
-    bool glyph_is_seen = false; // A gizmo was shown in the last frame and needs room in this one.
+    bool gizmo_is_shown = true;
+    bool drawn_gizmo_is_shown = false; // Shows the gizmo of what was last drawn with the tool.
+    bool gizmo_is_seen = false; // A gizmo was shown in the last frame and needs room in this one.
     // The current tool with the value that a moving slider or handle has now.
     std::optional<tools::Tool> adjusted {};
     bool wants_to_close = false;
@@ -129,10 +129,10 @@ private:
                                                  // method.
 };
 
-// The words of Workbench::Shown for the command line, in its order: "all", "pad" and so on.
+// The words of Workspace::Shown for the command line, in its order: "all", "pad" and so on.
 std::span<std::string_view const> shown_words();
 
 // No value for another word.
-std::optional<Workbench::Shown> shown_of_word(std::string_view word);
+std::optional<Workspace::Shown> shown_of_word(std::string_view word);
 
 } // namespace tractus::window

@@ -1,4 +1,4 @@
-#include "app/methods/silhouettes/said_of_tree.h"
+#include "app/methods/silhouettes/describe_tree.h"
 
 #include "app/methods/silhouettes/outline_tool.h"
 
@@ -37,7 +37,7 @@ std::optional<std::size_t> count_on(OutlinedTree on_trunk, std::string const& pa
 }
 
 // Sentence about the branch that the last edit drew on; empty if the last line was of another kind.
-std::string said_of_branch(OutlinedTree const& tree, std::uint64_t last_edit)
+std::string describe_branch(OutlinedTree const& tree, std::uint64_t last_edit)
 {
     auto const* const own = drawn_by(tree.own_outlines, last_edit);
     auto const* const drawn = own ? own : drawn_by(tree.own_branches, last_edit);
@@ -61,7 +61,7 @@ std::string said_of_branch(OutlinedTree const& tree, std::uint64_t last_edit)
 }
 
 // Sentence about lines that were drawn on branches which the tree no longer has.
-std::string said_of_waiting(OutlinedTree const& tree)
+std::string describe_waiting(OutlinedTree const& tree)
 {
     auto const waiting = count_waiting(tree);
     if (!waiting || *waiting == 0)
@@ -72,19 +72,19 @@ std::string said_of_waiting(OutlinedTree const& tree)
 }
 
 // Sentence about how many branches have a style that the user chose.
-std::string said_of_styles(OutlinedTree const& tree)
+std::string describe_styles(OutlinedTree const& tree)
 {
     return tree.styles.empty()
         ? std::string("Each branch has its own style, or that of all")
         : fmt::format("{} the style of another one{}",
                       tree.styles.size() == 1 ? "1 branch has"
                                               : fmt::format("{} branches have", tree.styles.size()),
-                      said_of_waiting(tree));
+                      describe_waiting(tree));
 }
 
 } // namespace
 
-std::string said_of_tree(tools::Tool const& tool, scene::Scene const& after)
+std::string describe_tree(tools::Tool const& tool, scene::Scene const& after)
 {
     auto const* const tree = outlined_tree(*after.drawn);
     if (!tree)
@@ -94,14 +94,14 @@ std::string said_of_tree(tools::Tool const& tool, scene::Scene const& after)
     if (tree->is_leaf)
         return "The crown is a leaf: touch it once more as a leaf, and it has branches again";
     if (tool.get<OutlineTool>()->what == OutlineTool::What::Carry)
-        return said_of_styles(*tree);
-    if (auto said = said_of_branch(*tree, after.state.last_edit); !said.empty())
+        return describe_styles(*tree);
+    if (auto said = describe_branch(*tree, after.state.last_edit); !said.empty())
         return said;
     auto const& axes = after.base->axes;
     auto const on_trunk
         = std::count_if(axes.begin(), axes.end(), [](Axis const& axis) { return axis.order == 1; });
     return fmt::format("The tree has {} branches on its trunk, {} in all{}", on_trunk,
-                       axes.size() - 1, said_of_waiting(*tree));
+                       axes.size() - 1, describe_waiting(*tree));
 }
 
 } // namespace tractus::silhouette

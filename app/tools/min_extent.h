@@ -11,31 +11,31 @@
 namespace tractus::tools {
 
 // Least extent of a stroke for each kind of tool to have an effect, in mm on the desk, by the
-// kind's word. Kinds not listed have none. At most kGreatestLeastExtent_mm. A log's line "least",
+// kind's word. Kinds not listed have none. At most kMaxMinExtent_mm. A log's line "least",
 // with words such as "draw=6", sets the extents from there on. Logs from before this line existed
 // have none.
-using LeastExtents = std::map<std::string, double, std::less<>>;
-constexpr double kGreatestLeastExtent_mm = 100;
-constexpr std::string_view kLeastExtentsLine = "least";
+using MinExtents = std::map<std::string, double, std::less<>>;
+constexpr double kMaxMinExtent_mm = 100;
+constexpr std::string_view kMinExtentsLine = "least";
 
-// Default extents of the kinds (ToolKind::least_extent_mm).
-LeastExtents usual_least_extents(ToolKinds kinds);
+// Default extents of the kinds (ToolKind::min_extent_mm).
+MinExtents usual_min_extents(ToolKinds kinds);
 
-// Formats extents for a log: "draw=6 indicate=5". The inverse is parse_least_extents().
-std::string print_least_extents(LeastExtents const& extents);
+// Formats extents for a log: "draw=6 indicate=5". The inverse is parse_min_extents().
+std::string print_min_extents(MinExtents const& extents);
 
 // Parses extents. Kinds that this program does not know are kept. Fails with a user error for a
 // word that is not "TOOL=MM" or a number out of range.
-Result<LeastExtents> parse_least_extents(std::string_view words);
+Result<MinExtents> parse_min_extents(std::string_view words);
 
 // The extent of a kind, or 0 if it has none.
-double least_extent_mm(LeastExtents const& extents, ToolKind const& kind);
+double min_extent_mm(MinExtents const& extents, ToolKind const& kind);
 
 // Extent of a stroke: the greatest distance of any tip from the first one, in mm. Zero for a stroke
 // without tips.
 double extent_mm(Stroke const& stroke);
 
 // Message for a stroke that was too short.
-std::string describe_dab(ToolKind const& kind, double least_mm);
+std::string describe_dab(ToolKind const& kind, double min_mm);
 
 } // namespace tractus::tools

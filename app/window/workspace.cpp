@@ -1,4 +1,4 @@
-#include "app/window/workbench.h"
+#include "app/window/workspace.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace tractus::window {
 
-void Workbench::choose(view::WindowModel& model, tools::Tool tool)
+void Workspace::choose(view::WindowModel& model, tools::Tool tool)
 {
     bool const is_select = tool.kind().surface == tools::Surface::Skeleton;
     if (is_select)
@@ -23,13 +23,13 @@ void Workbench::choose(view::WindowModel& model, tools::Tool tool)
     model.perform(view::ChooseTool { tool });
 }
 
-tools::Tool const& Workbench::hand(view::WindowState const& state) const
+tools::Tool const& Workspace::hand(view::WindowState const& state) const
 {
     bool const is_same_kind = adjusted && &adjusted->kind() == &state.hand.kind();
     return is_same_kind ? *adjusted : state.hand;
 }
 
-void Workbench::adjust(view::WindowModel& model, tools::Tool tool,
+void Workspace::adjust(view::WindowModel& model, tools::Tool tool,
                        view::ChangeGrowth::Slider slider)
 {
     if (slider == view::ChangeGrowth::Slider::Moving) {
@@ -41,7 +41,7 @@ void Workbench::adjust(view::WindowModel& model, tools::Tool tool,
     model.perform(view::AdjustTool { std::move(tool), slider });
 }
 
-void Workbench::remember(tools::Tool const& tool)
+void Workspace::remember(tools::Tool const& tool)
 {
     if (*tool.kind().method == 0)
         return;
@@ -53,14 +53,14 @@ void Workbench::remember(tools::Tool const& tool)
     tools.push_back(tool);
 }
 
-std::vector<tools::Tool> Workbench::remembered(view::WindowState const& state) const
+std::vector<tools::Tool> Workspace::remembered(view::WindowState const& state) const
 {
     auto tools = state.remembered;
     tools.insert(tools.end(), chosen_methods_.begin(), chosen_methods_.end());
     return tools;
 }
 
-void Workbench::choose_view_tool()
+void Workspace::choose_view_tool()
 {
     turns_views = true;
     close_panels();
@@ -76,25 +76,25 @@ std::span<std::string_view const> shown_words()
     return kShownWords;
 }
 
-std::optional<Workbench::Shown> shown_of_word(std::string_view word)
+std::optional<Workspace::Shown> shown_of_word(std::string_view word)
 {
     auto const found = std::find(kShownWords.begin(), kShownWords.end(), word);
     if (found == kShownWords.end())
         return std::nullopt;
-    return Workbench::Shown(static_cast<int>(found - kShownWords.begin()));
+    return Workspace::Shown(static_cast<int>(found - kShownWords.begin()));
 }
 
-void Workbench::show_next()
+void Workspace::show_next()
 {
     shown = shown == Shown::Collection ? Shown::All : Shown(static_cast<int>(shown) + 1);
 }
 
-void Workbench::turn_full_screen()
+void Workspace::turn_full_screen()
 {
     full_screen_wished = FullScreen { !will_fill_display() };
 }
 
-void Workbench::enter_stage()
+void Workspace::enter_stage()
 {
     is_on_stage = true;
     close_menu();
@@ -104,44 +104,44 @@ void Workbench::enter_stage()
         turn_full_screen();
 }
 
-bool Workbench::will_fill_display() const
+bool Workspace::will_fill_display() const
 {
     return full_screen_wished ? full_screen_wished->is_on : filled_display.has_value();
 }
 
-void Workbench::close_panels()
+void Workspace::close_panels()
 {
     asked_number.reset();
     cards_are_shown = false;
     asked_name.reset();
 }
 
-void Workbench::ask_number(std::size_t number)
+void Workspace::ask_number(std::size_t number)
 {
     close_panels();
     asked_number = number;
 }
 
-void Workbench::show_cards()
+void Workspace::show_cards()
 {
     close_panels();
     cards_are_shown = true;
 }
 
-void Workbench::ask_name(AskedName name)
+void Workspace::ask_name(AskedName name)
 {
     close_panels();
     close_menu();
     asked_name = std::move(name);
 }
 
-void Workbench::open_menu(MenuPage page)
+void Workspace::open_menu(MenuPage page)
 {
     menu = page;
     last_menu = page;
 }
 
-bool Workbench::draws(view::WindowState const& state) const
+bool Workspace::draws(view::WindowState const& state) const
 {
     if (!state.is_live || turns_views)
         return false;

@@ -1,4 +1,4 @@
-#include "app/tools/least_extent.h"
+#include "app/tools/min_extent.h"
 
 #include <algorithm>
 #include <charconv>
@@ -12,21 +12,20 @@ static std::optional<double> read_extent(std::string_view text)
     double mm = 0;
     auto const* const end = text.data() + text.size();
     auto const [read, error] = std::from_chars(text.data(), end, mm);
-    bool const is_good
-        = error == std::errc() && read == end && mm >= 0 && mm <= kGreatestLeastExtent_mm;
+    bool const is_good = error == std::errc() && read == end && mm >= 0 && mm <= kMaxMinExtent_mm;
     return is_good ? std::optional(mm) : std::nullopt;
 }
 
-LeastExtents usual_least_extents(ToolKinds kinds)
+MinExtents usual_min_extents(ToolKinds kinds)
 {
-    LeastExtents extents;
+    MinExtents extents;
     for (auto const* const kind : kinds)
-        if (kind->least_extent_mm > 0)
-            extents[kind->word] = kind->least_extent_mm;
+        if (kind->min_extent_mm > 0)
+            extents[kind->word] = kind->min_extent_mm;
     return extents;
 }
 
-std::string print_least_extents(LeastExtents const& extents)
+std::string print_min_extents(MinExtents const& extents)
 {
     std::string words;
     for (auto const& [kind, mm] : extents)
@@ -34,9 +33,9 @@ std::string print_least_extents(LeastExtents const& extents)
     return words;
 }
 
-Result<LeastExtents> parse_least_extents(std::string_view words)
+Result<MinExtents> parse_min_extents(std::string_view words)
 {
-    LeastExtents extents;
+    MinExtents extents;
     while (!words.empty()) {
         auto const word = words.substr(0, words.find(' '));
         words.remove_prefix(std::min(word.size() + 1, words.size()));
@@ -50,13 +49,13 @@ Result<LeastExtents> parse_least_extents(std::string_view words)
             return fail(Fault::User,
                         fmt::format("\"{}\" is no least extent of a tool: write its word and "
                                     "millimetres from 0 to {:g}, for example draw=6",
-                                    word, kGreatestLeastExtent_mm));
+                                    word, kMaxMinExtent_mm));
         extents[std::string(word.substr(0, equals))] = *mm;
     }
     return extents;
 }
 
-double least_extent_mm(LeastExtents const& extents, ToolKind const& kind)
+double min_extent_mm(MinExtents const& extents, ToolKind const& kind)
 {
     auto const found = extents.find(std::string_view(kind.word));
     return found == extents.end() ? 0 : found->second;
@@ -71,10 +70,10 @@ double extent_mm(Stroke const& stroke)
     return farthest_mm;
 }
 
-std::string describe_dab(ToolKind const& kind, double least_mm)
+std::string describe_dab(ToolKind const& kind, double min_mm)
 {
     return fmt::format("A stroke of less than {:g} mm says nothing to \"{}\": nothing is done",
-                       least_mm, kind.title);
+                       min_mm, kind.title);
 }
 
 } // namespace tractus::tools

@@ -1,6 +1,6 @@
-#include "app/methods/sketch_lsystem/rule_glyph.h"
+#include "app/methods/sketch_lsystem/rule_gizmo.h"
 
-#include "app/methods/sketch_lsystem/model_glyph.h"
+#include "app/methods/sketch_lsystem/model_gizmo.h"
 #include "app/methods/sketch_lsystem/sketch_options.h"
 #include "engine/base/vectors.h"
 
@@ -75,24 +75,24 @@ struct Places {
 
 // Adds the ring of laterals at the end of a part with direction `ahead`; `length` is that part's
 // length.
-void add_ring(tools::Glyph& glyph, sketch::Rule const& rule, Vec2 const& end, Vec3 const& ahead,
+void add_ring(tools::Gizmo& gizmo, sketch::Rule const& rule, Vec2 const& end, Vec3 const& ahead,
               Vec3 const& aside, double length, double twist_deg)
 {
     for (int i = 0; i < rule.laterals; ++i) {
         double const around = radians(twist_deg + 360.0 * i / rule.laterals);
         Vec3 const way = turned(ahead, aside, radians(rule.angle_deg), around);
-        glyph.lines.push_back({ { end, end + kRing * rule.lateral_length * length * seen(way) },
+        gizmo.lines.push_back({ { end, end + kRing * rule.lateral_length * length * seen(way) },
                                 0.3 * kWidth,
                                 Color::Grey });
     }
 }
 
-void add_parts(tools::Glyph& glyph, sketch::Rule const& rule)
+void add_parts(tools::Gizmo& gizmo, sketch::Rule const& rule)
 {
     Places const at(rule);
-    glyph.lines.push_back({ { kBase, kNode }, kWidth, Color::Grey });
-    glyph.lines.push_back({ { kNode, at.top_end }, kWidth * rule.width_ratio, Color::Green });
-    add_ring(glyph, rule, at.top_end, Vec3::UnitY(), Vec3::UnitX(), kParent * rule.length_ratio,
+    gizmo.lines.push_back({ { kBase, kNode }, kWidth, Color::Grey });
+    gizmo.lines.push_back({ { kNode, at.top_end }, kWidth * rule.width_ratio, Color::Green });
+    add_ring(gizmo, rule, at.top_end, Vec3::UnitY(), Vec3::UnitX(), kParent * rule.length_ratio,
              rule.axis_twist_deg);
     double const length = kParent * rule.lateral_length;
     for (int i = 0; i < rule.laterals; ++i) {
@@ -101,17 +101,17 @@ void add_parts(tools::Glyph& glyph, sketch::Rule const& rule)
         Vec3 const ahead = turned(Vec3::UnitY(), Vec3::UnitX(), at.angle, around);
         Vec3 const aside = std::cos(at.angle) * out - std::sin(at.angle) * Vec3::UnitY();
         Vec2 const end = kNode + length * seen(ahead);
-        glyph.lines.push_back(
+        gizmo.lines.push_back(
             { { kNode, end }, kWidth * rule.lateral_width, i == 0 ? Color::Blue : Color::Grey });
-        add_ring(glyph, rule, end, ahead, aside, length, rule.lateral_twist_deg);
+        add_ring(gizmo, rule, end, ahead, aside, length, rule.lateral_twist_deg);
     }
 }
 
 // An arc around a point that spans `angle` ± `half`.
-tools::Glyph::Line arc(Vec2 const& middle, double radius, double angle, double half)
+tools::Gizmo::Line arc(Vec2 const& middle, double radius, double angle, double half)
 {
     constexpr int kSteps = 8;
-    tools::Glyph::Line line { {}, kSpreadWidth, Color::Grey };
+    tools::Gizmo::Line line { {}, kSpreadWidth, Color::Grey };
     for (int i = -kSteps; i <= kSteps; ++i)
         line.points.push_back(middle + radius * from_up(angle + half * i / kSteps));
     return line;
@@ -119,22 +119,22 @@ tools::Glyph::Line arc(Vec2 const& middle, double radius, double angle, double h
 
 // Shows how much the plants of a collection vary: the sector in which a lateral stays, with its
 // greatest length, and arcs for the twists outside the letters at both ends.
-void add_spread(tools::Glyph& glyph, sketch::Rule const& rule)
+void add_spread(tools::Gizmo& gizmo, sketch::Rule const& rule)
 {
     if (rule.laterals == 0)
         return;
     Places const at(rule);
     constexpr double kOutside = 1.75; // Radius of an arc as a multiple of the dial's radius.
-    auto const most = [](double deviation) { return sketch::kMostDeviations * deviation; };
+    auto const most = [](double deviation) { return sketch::kMaxDeviations * deviation; };
     double const reach = (1 + most(sketch::kRuleSpread.share)) * (at.lateral_end - kNode).norm();
     auto edge = arc(kNode, reach, at.angle, radians(most(sketch::kRuleSpread.angle_deg)));
     for (Vec2 const& end : { edge.points.front(), edge.points.back() })
-        glyph.lines.push_back({ { kNode, end }, kSpreadWidth, Color::Grey });
-    glyph.lines.push_back(std::move(edge));
+        gizmo.lines.push_back({ { kNode, end }, kSpreadWidth, Color::Grey });
+    gizmo.lines.push_back(std::move(edge));
     double const twist = radians(most(sketch::kRuleSpread.twist_deg));
-    glyph.lines.push_back(
+    gizmo.lines.push_back(
         arc(at.lateral_end, kOutside * kDial, at.angle + radians(rule.lateral_twist_deg), twist));
-    glyph.lines.push_back(arc(at.top_end, kOutside * kDial, radians(rule.axis_twist_deg), twist));
+    gizmo.lines.push_back(arc(at.top_end, kOutside * kDial, radians(rule.axis_twist_deg), twist));
 }
 
 std::string share(char const* name, double value)
@@ -142,12 +142,12 @@ std::string share(char const* name, double value)
     return fmt::format("{} {:.3g}", name, value);
 }
 
-void add_handles(tools::Glyph& glyph, sketch::Rule const& rule)
+void add_handles(tools::Gizmo& gizmo, sketch::Rule const& rule)
 {
     Places const at(rule);
     auto const add = [&](HandleId id, Vec2 const& place, char const* sign, char const* number,
                          std::string says) {
-        glyph.handles.push_back({ id, place, std::move(says), sign, false, number });
+        gizmo.handles.push_back({ id, place, std::move(says), sign, false, number });
     };
     add(TopEnd, at.top_end, "D", "ratio", share("Lengthening", rule.length_ratio));
     add(TopWidth, (kNode + at.top_end) / 2 - Vec2(kAside * rule.width_ratio, 0), "F", "width",
@@ -165,27 +165,27 @@ void add_handles(tools::Glyph& glyph, sketch::Rule const& rule)
             fmt::format("Twist {:.3g}\u00b0", rule.axis_twist_deg));
     }
     auto const laterals = fmt::format("{} lateral{}", rule.laterals, rule.laterals == 1 ? "" : "s");
-    glyph.handles.push_back({ Fewer, { 0.58, -0.86 }, laterals, "-", true });
-    glyph.handles.push_back({ More, { 0.86, -0.86 }, laterals, "+", true });
+    gizmo.handles.push_back({ Fewer, { 0.58, -0.86 }, laterals, "-", true });
+    gizmo.handles.push_back({ More, { 0.86, -0.86 }, laterals, "+", true });
 }
 
-tools::Glyph show_rule(void const* options)
+tools::Gizmo show_rule(void const* options)
 {
     auto const& tool = *static_cast<SketchTool const*>(options);
     if (auto const model = model_of(tool); model.is_set())
         return show_model(model);
     auto const rule = rule_of(tool);
-    tools::Glyph glyph;
-    add_parts(glyph, rule);
+    tools::Gizmo gizmo;
+    add_parts(gizmo, rule);
     // This preset stands for any plant; its rule cannot be edited here.
     if (tool.card == SketchTool::Card::Plant)
-        for (auto& line : glyph.lines)
+        for (auto& line : gizmo.lines)
             line.color = Color::Grey;
     if (tool.card == SketchTool::Card::Plant)
-        return glyph;
-    add_spread(glyph, rule);
-    add_handles(glyph, rule);
-    return glyph;
+        return gizmo;
+    add_spread(gizmo, rule);
+    add_handles(gizmo, rule);
+    return gizmo;
 }
 
 // Rounds to the nearest multiple of `coarse` if that is close, otherwise to a multiple of `fine` (a
@@ -208,9 +208,9 @@ double snapped_share(double value, double least, double greatest)
     return snapped(value, 0.05, 0.01, least, greatest);
 }
 
-double snapped_deg(double angle, double least_deg, double greatest_deg)
+double snapped_deg(double angle, double min_deg, double greatest_deg)
 {
-    return snapped(angle / radians(1), 5, 1, least_deg, greatest_deg);
+    return snapped(angle / radians(1), 5, 1, min_deg, greatest_deg);
 }
 
 // Angle between up and a direction, positive to the right.
@@ -258,6 +258,6 @@ void drag_rule(void* options, std::size_t handle, Vec2 const& to)
 
 } // namespace
 
-constexpr tools::GlyphKind kRuleGlyph { .title = "Rule", .show = show_rule, .drag = drag_rule };
+constexpr tools::GizmoKind kRuleGizmo { .title = "Rule", .show = show_rule, .drag = drag_rule };
 
 } // namespace tractus::sketch

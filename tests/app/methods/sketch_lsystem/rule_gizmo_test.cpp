@@ -13,29 +13,29 @@
 namespace tractus::sketch {
 namespace {
 
-tools::Glyph::Handle const& handle_of(tools::Glyph const& glyph, std::string_view sign)
+tools::Gizmo::Handle const& handle_of(tools::Gizmo const& gizmo, std::string_view sign)
 {
-    return *std::find_if(glyph.handles.begin(), glyph.handles.end(),
-                         [&](tools::Glyph::Handle const& handle) { return handle.sign == sign; });
+    return *std::find_if(gizmo.handles.begin(), gizmo.handles.end(),
+                         [&](tools::Gizmo::Handle const& handle) { return handle.sign == sign; });
 }
 
 SketchTool dragged(SketchTool const& tool, std::string_view sign, Vec2 const& to)
 {
     auto const& hand = tools::Tool(tool);
-    auto const glyph = hand.glyph();
-    return *hand.dragged(handle_of(glyph, sign).id, to).get<SketchTool>();
+    auto const gizmo = hand.gizmo();
+    return *hand.dragged(handle_of(gizmo, sign).id, to).get<SketchTool>();
 }
 
 Vec2 place_of_handle(SketchTool const& tool, std::string_view sign)
 {
-    auto const glyph = tools::Tool(tool).glyph();
-    return handle_of(glyph, sign).place;
+    auto const gizmo = tools::Tool(tool).gizmo();
+    return handle_of(gizmo, sign).place;
 }
 
 // Returns the end of the parent, which is the glyph's first line.
 Vec2 node_of(SketchTool const& tool)
 {
-    return tools::Tool(tool).glyph().lines.front().points.back();
+    return tools::Tool(tool).gizmo().lines.front().points.back();
 }
 
 class AnyRule {
@@ -72,13 +72,13 @@ private:
 
 // Around the lateral, the variation in a collection is shown: 12 degrees to both sides, and 12 %
 // longer.
-TEST(RuleGlyph, ShowsHowFarPlantsDiffer)
+TEST(RuleGizmo, ShowsHowFarPlantsDiffer)
 {
     SketchTool const tool { .angle_deg = 40 };
     Vec2 const node = node_of(tool);
     double const reach = (place_of_handle(tool, "A") - node).norm();
     bool is_shown = false;
-    for (auto const& line : tools::Tool(tool).glyph().lines) {
+    for (auto const& line : tools::Tool(tool).gizmo().lines) {
         auto const angle_deg = [&](Vec2 const& point) {
             return degrees(std::atan2(point.x() - node.x(), point.y() - node.y()));
         };
@@ -93,7 +93,7 @@ TEST(RuleGlyph, ShowsHowFarPlantsDiffer)
     EXPECT_TRUE(is_shown);
 }
 
-TEST(RuleGlyph, SetsWhatAHandleIsDraggedTo)
+TEST(RuleGizmo, SetsWhatAHandleIsDraggedTo)
 {
     SketchTool const tool;
     Vec2 const node = node_of(tool);
@@ -119,7 +119,7 @@ TEST(RuleGlyph, SetsWhatAHandleIsDraggedTo)
     EXPECT_EQ(rule_of(dragged(tool, "+", {})).axis_twist_deg, 60) << "rings still alternate";
 }
 
-TEST(RuleGlyph, ComesToRestInWholeSteps)
+TEST(RuleGizmo, ComesToRestInWholeSteps)
 {
     SketchTool const tool;
     Vec2 const node = node_of(tool);
@@ -132,14 +132,14 @@ TEST(RuleGlyph, ComesToRestInWholeSteps)
 }
 
 // However a handle is dragged, the rule must remain valid, and the tool's words must contain it.
-TEST(RuleGlyph, StaysWithinTheRangesOfRules)
+TEST(RuleGizmo, StaysWithinTheRangesOfRules)
 {
     AnyRule any(4711);
     auto const tools = methods::all_methods().tools;
     for (int i = 0; i < 1000; ++i) {
         auto const tool = any.tool();
         SCOPED_TRACE(tools::words_for(tools::Tool(tool)).arguments);
-        for (auto const& handle : tools::Tool(tool).glyph().handles) {
+        for (auto const& handle : tools::Tool(tool).gizmo().handles) {
             auto const after
                 = tools::Tool(tool).dragged(handle.id, { any.number(-3, 3), any.number(-3, 3) });
             auto const rule = rule_of(*after.get<SketchTool>());
@@ -150,16 +150,16 @@ TEST(RuleGlyph, StaysWithinTheRangesOfRules)
     }
 }
 
-TEST(RuleGlyph, LeavesAHandleWhereItWasPut)
+TEST(RuleGizmo, LeavesAHandleWhereItWasPut)
 {
     AnyRule any(12);
     for (int i = 0; i < 300; ++i) {
         auto const tool = any.tool();
-        for (auto const& handle : tools::Tool(tool).glyph().handles) {
+        for (auto const& handle : tools::Tool(tool).gizmo().handles) {
             if (handle.is_button)
                 continue;
             auto const once = tools::Tool(tool).dragged(handle.id, handle.place);
-            for (auto const& moved : once.glyph().handles)
+            for (auto const& moved : once.gizmo().handles)
                 if (moved.id == handle.id) {
                     EXPECT_LT((moved.place - handle.place).norm(), 0.03) << handle.sign;
                     EXPECT_TRUE(says_rule(*once.dragged(moved.id, moved.place).get<SketchTool>(),
@@ -170,7 +170,7 @@ TEST(RuleGlyph, LeavesAHandleWhereItWasPut)
     }
 }
 
-TEST(RuleGlyph, TakesARuleIntoTheHand)
+TEST(RuleGizmo, TakesARuleIntoTheHand)
 {
     AnyRule any(5);
     for (int i = 0; i < 300; ++i) {
@@ -186,19 +186,20 @@ scene::Scene two_plants_and_another(SketchTool const& tool)
     auto scene = scene::apply_edits(
                      scene::Scene {},
                      tools::Tool(tool)
-                         .mean(stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } }), scene::Scene {})
+                         .edits_for(stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } }), scene::Scene {})
                          .value())
                      .value();
     auto other = tool;
     other.angle_deg = 70;
     for (auto const& next : { tool, other }) {
         auto const stroke = stroke_through({ { 50, 0, 0 }, { 50, 10, 100 } });
-        scene = scene::apply_edits(scene, tools::Tool(next).mean(stroke, scene).value()).value();
+        scene
+            = scene::apply_edits(scene, tools::Tool(next).edits_for(stroke, scene).value()).value();
     }
     return scene;
 }
 
-TEST(RuleGlyph, LetsAllThatGrewByTheRuleFollow)
+TEST(RuleGizmo, LetsAllThatGrewByTheRuleFollow)
 {
     SketchTool const before { .laterals = 3 };
     auto after = before;
@@ -217,16 +218,17 @@ TEST(RuleGlyph, LetsAllThatGrewByTheRuleFollow)
     EXPECT_TRUE(SketchTool::kKind.follow(tools::Tool(before), tools::Tool(after), scene).empty());
 }
 
-TEST(RuleGlyph, TakesWhatThePlantWasDrawnWith)
+TEST(RuleGizmo, TakesWhatThePlantWasDrawnWith)
 {
     SketchTool drawn { .laterals = 5, .leaves = sketch::Leaves::Bare };
     drawn.axis_twist_deg = 20;
-    auto const scene = scene::apply_edits(scene::Scene {},
-                                          tools::Tool(drawn)
-                                              .mean(stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } }),
-                                                    scene::Scene {})
-                                              .value())
-                           .value();
+    auto const scene
+        = scene::apply_edits(
+              scene::Scene {},
+              tools::Tool(drawn)
+                  .edits_for(stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } }), scene::Scene {})
+                  .value())
+              .value();
     auto const taken = SketchTool::kKind.like_drawn(tools::Tool(SketchTool {}), scene);
     ASSERT_TRUE(taken);
     EXPECT_TRUE(says_rule(*taken->get<SketchTool>(), rule_of(drawn)));

@@ -1,4 +1,4 @@
-#include "app/methods/sketch_lsystem/model_glyph.h"
+#include "app/methods/sketch_lsystem/model_gizmo.h"
 
 #include "engine/methods/sketch_lsystem/grow_edit.h"
 #include "engine/plant/join_axes.h"
@@ -52,41 +52,41 @@ private:
     Vec3 middle_mm_ = Vec3::Zero();
 };
 
-tools::Glyph draw_model(sketch::ModelRule const& model)
+tools::Gizmo draw_model(sketch::ModelRule const& model)
 {
-    constexpr std::size_t kMostLines = 200;
-    tools::Glyph glyph;
-    glyph.hint = "A plant of this model";
+    constexpr std::size_t kMaxLines = 200;
+    tools::Gizmo gizmo;
+    gizmo.hint = "A plant of this model";
     sketch::GrowAlongStroke edit;
     edit.stroke = short_stroke();
     edit.model = model;
     auto const built = sketch::build_sketch(edit, {});
     if (!built)
-        return glyph;
+        return gizmo;
     auto const& plant = built->plant;
     FrontView const view(plant);
     auto order = axes_in_drawing_order(plant);
-    order.resize(std::min(order.size(), kMostLines));
+    order.resize(std::min(order.size(), kMaxLines));
     // Reversed, so that the trunk is drawn last, above all others.
     std::reverse(order.begin(), order.end());
     for (auto const id : order) {
-        tools::Glyph::Line line;
+        tools::Gizmo::Line line;
         for (auto const& node_mm : plant.positions(plant.axes[id]))
             line.points.push_back(view.seen(node_mm));
         bool const is_drawn = id == 0;
         line.width = is_drawn ? 0.04 : 0.012;
         line.color = is_drawn ? tools::LayerStyle::Color::Grey : tools::LayerStyle::Color::Green;
-        glyph.lines.push_back(std::move(line));
+        gizmo.lines.push_back(std::move(line));
     }
-    return glyph;
+    return gizmo;
 }
 
 } // namespace
 
-tools::Glyph show_model(sketch::ModelRule const& model)
+tools::Gizmo show_model(sketch::ModelRule const& model)
 {
     static std::mutex mutex;
-    static std::map<std::string, tools::Glyph> drawn;
+    static std::map<std::string, tools::Gizmo> drawn;
     std::lock_guard const lock(mutex);
     auto const found = drawn.find(model.source.name);
     if (found != drawn.end())

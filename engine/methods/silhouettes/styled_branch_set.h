@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/methods/silhouettes/crowd.h"
+#include "engine/methods/silhouettes/branch_set.h"
 #include "engine/methods/silhouettes/styled_places.h"
 
 #include <cstddef>
@@ -12,10 +12,10 @@ namespace tractus::silhouette {
 
 // Places the branches of all parents of one level so that together they match the level's style.
 // The constructor arguments must outlive it.
-class StyledCrowdMaker {
+class StyledBranchSetMaker {
 public:
-    StyledCrowdMaker(CrowdMaker const& crowds, Skeleton const& skeleton, TreeOptions const& options,
-                     std::uint32_t level);
+    StyledBranchSetMaker(BranchSetMaker const& branch_sets, Skeleton const& skeleton,
+                         TreeOptions const& options, std::uint32_t level);
 
     struct Parent {
         std::size_t system = 0; // The system whose trunk this parent is.
@@ -24,10 +24,10 @@ public:
         std::uint32_t number = 0; // Number of the parent, which selects its random numbers.
     };
     // Places the branches of the next parent; no value if it has none.
-    std::optional<Crowd> next(Parent const& parent);
+    std::optional<BranchSet> next(Parent const& parent);
 
 private:
-    using Model = CrowdMaker::Model;
+    using Model = BranchSetMaker::Model;
 
     // One of the positions given by a style.
     struct StyledPlace {
@@ -44,10 +44,11 @@ private:
                                    std::vector<std::optional<std::size_t>> const& branch_at,
                                    std::uint32_t id) const;
     bool keeps_end(Parent const& parent, Model const& model, StyledPlace const& place) const;
-    void stand(Parent const& parent, Crowd& crowd, Model const& model, StyledPlace const& place);
+    void stand(Parent const& parent, BranchSet& branch_set, Model const& model,
+               StyledPlace const& place);
     Vec2 way_of(std::size_t index, std::size_t i) const;
 
-    CrowdMaker const& crowds_;
+    BranchSetMaker const& set_maker_;
     Skeleton const& skeleton_;
     TreeOptions const& options_;
     LevelOptions const& level_;

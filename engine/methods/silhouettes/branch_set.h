@@ -14,7 +14,7 @@
 namespace tractus::silhouette {
 
 // A branch of a system, placed around its parent.
-struct Standing {
+struct PositionedBranch {
     // Index in the system of the branch itself, or of the branch that it copies.
     std::size_t branch = 0;
     std::string name;
@@ -24,16 +24,16 @@ struct Standing {
 };
 
 // The branches of a system, placed in space.
-struct Crowd {
+struct BranchSet {
     Line parent { { Vec2::Zero(), Vec2::UnitY() } };
-    std::vector<Standing> branches; // Branches sorted by u.
+    std::vector<PositionedBranch> branches; // Branches sorted by u.
 };
 
 // Distributes the branches of systems around their parents and adds others that end at the crown's
 // surface. Both constructor arguments must outlive the object.
-class CrowdMaker {
+class BranchSetMaker {
 public:
-    CrowdMaker(Skeleton const& skeleton, TreeOptions const& options)
+    BranchSetMaker(Skeleton const& skeleton, TreeOptions const& options)
         : skeleton_(skeleton)
         , options_(options)
     {
@@ -43,7 +43,7 @@ public:
     CrownSurface surface_of(std::size_t index) const;
 
     // Distributes a system's branches; every parent with this system gets the same arrangement.
-    Crowd make(std::size_t index, LevelOptions const& level) const;
+    BranchSet make(std::size_t index, LevelOptions const& level) const;
 
     // A system with the positions of its visible branches, without the apex.
     struct Model {
@@ -57,7 +57,7 @@ public:
     static std::optional<std::size_t> nearest_drawn(Model const& model, Place const& place);
 
     // Adds the visible branch `i`, at the base where it was inferred or at `moves_to`.
-    static void stand(Crowd& crowd, Model const& model, std::size_t i, Place const& place,
+    static void stand(BranchSet& branch_set, Model const& model, std::size_t i, Place const& place,
                       double moves_to);
 
     // Direction in which an added branch leaves its parent, and the smallest allowed scale relative
@@ -69,11 +69,11 @@ public:
         double least = 0.15;
         enum class Smaller { LeftOut, Least } smaller = Smaller::LeftOut;
     };
-    static void stand_added(Crowd& crowd, Model const& model, Place const& place,
+    static void stand_added(BranchSet& branch_set, Model const& model, Place const& place,
                             std::size_t nearest, Lean const& lean);
 
     // Sorts the branches, with the trunk's end last.
-    static void finish(Crowd& crowd, BranchingSystem const& system);
+    static void finish(BranchSet& branch_set, BranchingSystem const& system);
 
     // The similarity that moves a branch's base to `from` and leaves its end where it is.
     static Similarity way_to_end(Branch const& branch, Vec2 const& from);
@@ -82,9 +82,10 @@ public:
     std::vector<Vec2> line_of(Branch const& model, std::size_t below) const;
 
 private:
-    void stand_in_plane(Crowd& crowd, Model const& model, std::size_t i, Place const& place) const;
+    void stand_in_plane(BranchSet& branch_set, Model const& model, std::size_t i,
+                        Place const& place) const;
     Lean lean_of(Branch const& branch, Place const& place, Lean::Smaller smaller) const;
-    static std::string name_of_added(Crowd const& crowd, Place const& place);
+    static std::string name_of_added(BranchSet const& branch_set, Place const& place);
 
     Skeleton const& skeleton_;
     TreeOptions const& options_;

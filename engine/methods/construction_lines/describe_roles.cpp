@@ -133,7 +133,7 @@ std::string describe_reading(PenSketch const& sketch, PenReading const& reading)
 
 } // namespace
 
-std::string said_of(PenSketch const& sketch)
+std::string describe_result(PenSketch const& sketch)
 {
     if (sketch.lines.empty())
         return "";

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/tools/glyph.h"
+#include "app/tools/gizmo.h"
 
 namespace tractus::sketch {
 
@@ -8,6 +8,6 @@ namespace tractus::sketch {
 // laterals and the top internode, each followed by the next ring. Handles set a lateral's angle and
 // length (A), the twist of the rings from node to node (B) and the lateral's width (C), and for the
 // top its length (D), twist (E) and width (F). Minus and plus change the number of laterals.
-extern tools::GlyphKind const kRuleGlyph;
+extern tools::GizmoKind const kRuleGizmo;
 
 } // namespace tractus::sketch

@@ -15,7 +15,7 @@ namespace tractus::tools {
 
 // A gizmo: a small drawing of a tool's options, with handles that set them. Its frame is a square
 // from -1 to 1, x to the right and y up.
-struct Glyph {
+struct Gizmo {
     struct Line {
         std::vector<Vec2> points;
         double width = 0.02;
@@ -44,20 +44,20 @@ struct Glyph {
 
 // Gizmo of a kind of tool, for its options. Functions are called once per frame, with options of
 // that kind.
-struct GlyphKind {
+struct GizmoKind {
     char const* title;
-    Glyph (*show)(void const* options);
+    Gizmo (*show)(void const* options);
     // Applies the user's drag or press of a handle to the options, which stay within their ranges.
     void (*drag)(void* options, std::size_t handle, Vec2 const& to);
 };
 
 // Gizmo of a kind of tool, for the numbers of the active plant that was drawn with it; same frame
-// as Glyph.
-struct DrawnGlyphKind {
+// as Gizmo.
+struct DrawnGizmoKind {
     char const* title;
     // Returns the gizmo, or no value if the active plant has no such numbers. Called when the plant
     // has changed.
-    std::optional<Glyph> (*show)(scene::Scene const& scene);
+    std::optional<Gizmo> (*show)(scene::Scene const& scene);
     // Edits for the drag or press of a handle by the user. Fails with a user error if that is
     // impossible.
     Result<std::vector<scene::Edit>> (*drag)(scene::Scene const& scene, std::size_t handle,

@@ -1,4 +1,4 @@
-#include "engine/scene/dressed_plant.h"
+#include "engine/scene/foliated_plant.h"
 
 #include "engine/scene/scene.h"
 
@@ -44,10 +44,10 @@ lsystem::LeafSheet small_sheet()
     return sheet;
 }
 
-TEST(Dressed, HasGrownLeavesInThePlaceOfItsOwn)
+TEST(Foliated, HasGrownLeavesInThePlaceOfItsOwn)
 {
     auto const plant = small_plant();
-    auto const other = dressed(plant, small_sheet());
+    auto const other = foliated(plant, small_sheet());
     ASSERT_EQ(other.organs.size(), plant.organs.size());
     std::set<int> numbers;
     for (std::size_t i = 0; i < plant.organs.size(); ++i) {
@@ -67,16 +67,16 @@ TEST(Dressed, HasGrownLeavesInThePlaceOfItsOwn)
 }
 
 // When grown leaves are replaced, the length of their blades stays.
-TEST(Dressed, CanBeDressedAgain)
+TEST(Foliated, CanBeDressedAgain)
 {
-    auto const once = dressed(small_plant(), small_sheet());
-    auto const twice = dressed(once, small_sheet());
+    auto const once = foliated(small_plant(), small_sheet());
+    auto const twice = foliated(once, small_sheet());
     auto const& shape = twice.organ_shapes[twice.organs[0].shape];
     EXPECT_DOUBLE_EQ(shape.length_mm, 40);
-    EXPECT_EQ(dressed(small_plant(), {}).organ_shapes.size(), 3u) << "by no leaves";
+    EXPECT_EQ(foliated(small_plant(), {}).organ_shapes.size(), 3u) << "by no leaves";
 }
 
-TEST(DressPlant, IsAnEditOfOnePlantThatAnotherModelEnds)
+TEST(SetFoliage, IsAnEditOfOnePlantThatAnotherModelEnds)
 {
     auto scene = apply_edit({},
                             LoadModel { .source = { .name = "one.l",
@@ -85,17 +85,17 @@ TEST(DressPlant, IsAnEditOfOnePlantThatAnotherModelEnds)
                                                             "Axiom: F(10)\nendlsystem\n" } })
                      .value();
     auto const plant = scene.state.active;
-    EXPECT_FALSE(apply_edit(scene, DressPlant { plant, "ours 4 0.5.leaf-sheet" }))
+    EXPECT_FALSE(apply_edit(scene, SetFoliage { plant, "ours 4 0.5.leaf-sheet" }))
         << "the document keeps none";
-    EXPECT_FALSE(apply_edit(scene, DressPlant { 77, "" }));
+    EXPECT_FALSE(apply_edit(scene, SetFoliage { 77, "" }));
     auto const sheet = lsystem::print_leaf_sheet(small_sheet());
     auto const edits = std::vector<Edit> { KeepLeaves { "ours 4 0.5.leaf-sheet", sheet },
-                                           DressPlant { plant, "ours 4 0.5.leaf-sheet" } };
+                                           SetFoliage { plant, "ours 4 0.5.leaf-sheet" } };
     auto const after = apply_edits(scene, edits).value();
     EXPECT_EQ(after.drawn->leaves, "ours 4 0.5.leaf-sheet");
-    EXPECT_NE(after.dressed, after.base);
-    EXPECT_EQ(after.in_season, after.dressed);
-    auto const own = apply_edit(after, DressPlant { plant, "" }).value();
+    EXPECT_NE(after.foliated, after.base);
+    EXPECT_EQ(after.in_season, after.foliated);
+    auto const own = apply_edit(after, SetFoliage { plant, "" }).value();
     EXPECT_EQ(own.in_season, own.base);
     EXPECT_FALSE(apply_edit(scene, KeepGrammar { "", "text" }));
 }

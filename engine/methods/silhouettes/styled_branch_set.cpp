@@ -1,4 +1,4 @@
-#include "engine/methods/silhouettes/styled_crowd.h"
+#include "engine/methods/silhouettes/styled_branch_set.h"
 
 #include <algorithm>
 #include <array>
@@ -13,9 +13,10 @@ static double angle_between_deg(Vec2 const& a, Vec2 const& b)
     return degrees(std::fabs(std::atan2(cross(a, b), a.dot(b))));
 }
 
-StyledCrowdMaker::StyledCrowdMaker(CrowdMaker const& crowds, Skeleton const& skeleton,
-                                   TreeOptions const& options, std::uint32_t level)
-    : crowds_(crowds)
+StyledBranchSetMaker::StyledBranchSetMaker(BranchSetMaker const& branch_sets,
+                                           Skeleton const& skeleton, TreeOptions const& options,
+                                           std::uint32_t level)
+    : set_maker_(branch_sets)
     , skeleton_(skeleton)
     , options_(options)
     , level_(options.levels[level])
@@ -23,17 +24,17 @@ StyledCrowdMaker::StyledCrowdMaker(CrowdMaker const& crowds, Skeleton const& ske
 {
 }
 
-std::optional<Crowd> StyledCrowdMaker::next(Parent const& parent)
+std::optional<BranchSet> StyledBranchSetMaker::next(Parent const& parent)
 {
     auto const& system = skeleton_.systems[parent.system];
     if (!styled_.next_bears())
         return std::nullopt;
-    Crowd crowd { .parent = parent.line, .branches = {} };
-    auto const surface = crowds_.surface_of(parent.system);
-    auto const drawn = CrowdMaker::drawn_places(crowd.parent, surface, system);
+    BranchSet branch_set { .parent = parent.line, .branches = {} };
+    auto const surface = set_maker_.surface_of(parent.system);
+    auto const drawn = BranchSetMaker::drawn_places(branch_set.parent, surface, system);
     // Branches of the trunk do not start below the crown. The crowns of branches are inferred, so
     // on branches the style alone decides.
-    double const crown_u = crowd.parent.place_of(system.trunk[system.inside.first]);
+    double const crown_u = branch_set.parent.place_of(system.trunk[system.inside.first]);
     double const style_u = level_.style.unbranched;
     auto const drawn_by_hand
         = std::count_if(system.branches.begin(), system.branches.end(), [](Branch const& branch) {
@@ -58,17 +59,17 @@ std::optional<Crowd> StyledCrowdMaker::next(Parent const& parent)
             double const share = (places[k] - places.front()) / extent;
             StyledPlace const place { branch_at[k], { places[k], thetas[k].theta_deg }, share };
             if (has_end == keeps_end(parent, model, place))
-                stand(parent, crowd, model, place);
+                stand(parent, branch_set, model, place);
         }
-    CrowdMaker::finish(crowd, system);
-    return crowd;
+    BranchSetMaker::finish(branch_set, system);
+    return branch_set;
 }
 
 // Selects as many visible branches as there are positions, evenly by position. Priority: drawn
 // branches, then those of bumps, then copies; the largest first within each group.
-std::vector<std::size_t> StyledCrowdMaker::kept_branches(BranchingSystem const& system,
-                                                         std::vector<DrawnPlace> const& drawn,
-                                                         std::size_t most)
+std::vector<std::size_t> StyledBranchSetMaker::kept_branches(BranchingSystem const& system,
+                                                             std::vector<DrawnPlace> const& drawn,
+                                                             std::size_t most)
 {
     // Priority by origin, in the order of Branch::Origin.
     constexpr std::array kRanks { 1, 2, 3, 0, 4 };
@@ -90,9 +91,9 @@ std::vector<std::size_t> StyledCrowdMaker::kept_branches(BranchingSystem const& 
 
 // Positions are mapped as if nodes were equally spaced, because the pattern works on node numbers.
 std::vector<Place>
-StyledCrowdMaker::arrangement(Model const& model,
-                              std::vector<std::optional<std::size_t>> const& branch_at,
-                              std::uint32_t id) const
+StyledBranchSetMaker::arrangement(Model const& model,
+                                  std::vector<std::optional<std::size_t>> const& branch_at,
+                                  std::uint32_t id) const
 {
     constexpr double kAnywhere_deg = 180;
     auto const count = branch_at.size();
@@ -119,61 +120,62 @@ StyledCrowdMaker::arrangement(Model const& model,
 // A branch that was drawn or ends in a bump still goes to its end from its new base, unless that
 // changes its length too much or takes it far from the style's angle. Other branches do not end on
 // the outline.
-bool StyledCrowdMaker::keeps_end(Parent const& parent, Model const& model,
-                                 StyledPlace const& place) const
+bool StyledBranchSetMaker::keeps_end(Parent const& parent, Model const& model,
+                                     StyledPlace const& place) const
 {
-    constexpr double kMostStretched = 1.5;
-    constexpr double kMostTurned_deg = 30;
+    constexpr double kMaxStretched = 1.5;
+    constexpr double kMaxTurned_deg = 30;
     if (!place.branch)
         return false;
     double const u = place.at.u;
     auto const& branch = model.system.branches[*place.branch];
     if (branch.is_of_hand() || branch.origin != Branch::Origin::Bump)
         return branch.is_of_hand();
-    auto const way = CrowdMaker::way_to_end(branch, parent.line.at(u));
+    auto const way = BranchSetMaker::way_to_end(branch, parent.line.at(u));
     double const size = way.turn.norm();
     double const angle_deg = angle_between_deg(parent.line.direction(u),
                                                way.vector(way_of(parent.system, *place.branch)));
     double const wanted_deg = level_.style.angle_at_deg(place.share);
-    return size < kMostStretched && 1 < kMostStretched * size
-        && std::fabs(angle_deg - wanted_deg) < kMostTurned_deg;
+    return size < kMaxStretched && 1 < kMaxStretched * size
+        && std::fabs(angle_deg - wanted_deg) < kMaxTurned_deg;
 }
 
-void StyledCrowdMaker::stand(Parent const& parent, Crowd& crowd, Model const& model,
-                             StyledPlace const& place)
+void StyledBranchSetMaker::stand(Parent const& parent, BranchSet& branch_set, Model const& model,
+                                 StyledPlace const& place)
 {
     auto const& branch = place.branch;
     if (keeps_end(parent, model, place)) {
         double const as_inferred = model.drawn[*branch].u;
         double const moves_to
             = model.system.branches[*branch].is_of_hand() ? as_inferred : place.at.u;
-        CrowdMaker::stand(crowd, model, *branch, { as_inferred, place.at.theta_deg }, moves_to);
-        auto const& way = crowd.branches.back().way;
+        BranchSetMaker::stand(branch_set, model, *branch, { as_inferred, place.at.theta_deg },
+                              moves_to);
+        auto const& way = branch_set.branches.back().way;
         styled_.take_angle(place.share,
-                           angle_between_deg(crowd.parent.direction(moves_to),
+                           angle_between_deg(branch_set.parent.direction(moves_to),
                                              way.vector(way_of(parent.system, *branch))));
         return;
     }
     double const angle_deg = styled_.next_angle_deg(place.share);
-    auto const copied = branch ? branch : CrowdMaker::nearest_drawn(model, place.at);
+    auto const copied = branch ? branch : BranchSetMaker::nearest_drawn(model, place.at);
     if (!copied)
         return;
-    CrowdMaker::stand_added(crowd, model, place.at, *copied,
-                            { .from = way_of(parent.system, *copied),
-                              .angle_deg = angle_deg,
-                              .smaller = CrowdMaker::Lean::Smaller::Least });
+    BranchSetMaker::stand_added(branch_set, model, place.at, *copied,
+                                { .from = way_of(parent.system, *copied),
+                                  .angle_deg = angle_deg,
+                                  .smaller = BranchSetMaker::Lean::Smaller::Least });
     if (branch)
-        crowd.branches.back().name = name_of(model.system.branches[*branch]);
+        branch_set.branches.back().name = name_of(model.system.branches[*branch]);
 }
 
 // Chord over the part of its axis from which angles are measured, in its system's plane.
-Vec2 StyledCrowdMaker::way_of(std::size_t index, std::size_t i) const
+Vec2 StyledBranchSetMaker::way_of(std::size_t index, std::size_t i) const
 {
     auto const& system = skeleton_.systems[index];
     auto const& branch = system.branches[i];
     auto const below = skeleton_.system_of[index][i];
     auto const& model = branch.model ? system.branches[*branch.model] : branch;
-    Line const line(crowds_.line_of(model, below));
+    Line const line(set_maker_.line_of(model, below));
     Vec2 const way = line.at(kAngleOver) - line.at(0);
     return branch.model ? branch.from_model.vector(way) : way;
 }

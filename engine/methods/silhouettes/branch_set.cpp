@@ -1,4 +1,4 @@
-#include "engine/methods/silhouettes/crowd.h"
+#include "engine/methods/silhouettes/branch_set.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 // Largest scale of an added branch relative to the branch that it copies.
 constexpr double kLargestAdded = 1.5;
 // Largest stretch of a visible branch as it rotates out of the plane.
-constexpr double kMostTurned = 1.41;
+constexpr double kMaxTurned = 1.41;
 // A visible branch may reach this multiple of the crown surface's distance.
 constexpr double kOverSurface = 1.02;
 constexpr double kOutlined_deg = 10; // Limit of rotation for a branch with a drawn outline, which
@@ -36,7 +36,7 @@ struct Scales {
 };
 
 // The largest scale at which the branch's crown is inside the crown's surface.
-double largest_inside(CrowdMaker::Model const& model, Branch const& branch, Similarity way,
+double largest_inside(BranchSetMaker::Model const& model, Branch const& branch, Similarity way,
                       double theta_deg, Scales scales)
 {
     auto section = model.surface.section(theta_deg);
@@ -65,7 +65,7 @@ double largest_inside(CrowdMaker::Model const& model, Branch const& branch, Simi
 
 // Ratio of the branch's largest crown size at an azimuth to that on its own side of the plane; only
 // used with a drawn surface.
-double widening(CrowdMaker::Model const& model, Branch const& branch, double theta_deg)
+double widening(BranchSetMaker::Model const& model, Branch const& branch, double theta_deg)
 {
     constexpr Scales kAny { 0.1, 6, kOverSurface };
     Vec2 const base = branch.path.curve.base;
@@ -93,9 +93,9 @@ double area_at(CrownSurface const& surface, double theta_deg)
 double most_off_deg_in(CrownSurface const& surface, double theta_deg, double most_deg)
 {
     // Minimum share of the sector's area at theta_deg; 0.87 of the width.
-    constexpr double kLeast = 0.75;
+    constexpr double kMin = 0.75;
     constexpr double kStep_deg = 4;
-    double const least = kLeast * area_at(surface, theta_deg);
+    double const least = kMin * area_at(surface, theta_deg);
     double off_deg = 0;
     while (off_deg + kStep_deg <= most_deg
            && area_at(surface, theta_deg + off_deg + kStep_deg) >= least
@@ -132,19 +132,19 @@ private:
 
 } // namespace
 
-CrownSurface CrowdMaker::surface_of(std::size_t index) const
+CrownSurface BranchSetMaker::surface_of(std::size_t index) const
 {
     auto const& system = skeleton_.systems[index];
     return index == 0 && !skeleton_.surface.empty() ? CrownSurface(skeleton_.surface, system.trunk)
                                                     : CrownSurface(system.outline, system.trunk);
 }
 
-Crowd CrowdMaker::make(std::size_t index, LevelOptions const& options) const
+BranchSet BranchSetMaker::make(std::size_t index, LevelOptions const& options) const
 {
     auto const& system = skeleton_.systems[index];
-    Crowd crowd { .parent = Line(system.whole_trunk()), .branches = {} };
+    BranchSet branch_set { .parent = Line(system.whole_trunk()), .branches = {} };
     auto const surface = surface_of(index);
-    auto const drawn = drawn_places(crowd.parent, surface, system);
+    auto const drawn = drawn_places(branch_set.parent, surface, system);
     double first_u = 1;
     for (auto const& place : drawn)
         first_u = std::min(first_u, place.u);
@@ -170,31 +170,33 @@ Crowd CrowdMaker::make(std::size_t index, LevelOptions const& options) const
     for (std::size_t i = 0; i < arrangement.places.size(); ++i) {
         auto place = arrangement.places[i];
         if (i < drawn.size()) {
-            stand_in_plane(crowd, model, i, place);
+            stand_in_plane(branch_set, model, i, place);
             continue;
         }
         if (spread)
             place.theta_deg = spread->theta_deg(place.theta_deg);
         if (auto const nearest = nearest_drawn(model, place))
-            stand_added(crowd, model, place, *nearest,
+            stand_added(branch_set, model, place, *nearest,
                         lean_of(system.branches[*nearest], place, smaller));
     }
-    finish(crowd, system);
-    return crowd;
+    finish(branch_set, system);
+    return branch_set;
 }
 
 // Sorts by u, with the trunk's end last.
-void CrowdMaker::finish(Crowd& crowd, BranchingSystem const& system)
+void BranchSetMaker::finish(BranchSet& branch_set, BranchingSystem const& system)
 {
     if (system.has_apex_branch())
-        crowd.branches.push_back({ system.branches.size() - 1, "apex", 1, 0, {} });
-    std::stable_sort(crowd.branches.begin(), crowd.branches.end(),
-                     [](Standing const& a, Standing const& b) { return a.u < b.u; });
+        branch_set.branches.push_back({ system.branches.size() - 1, "apex", 1, 0, {} });
+    std::stable_sort(
+        branch_set.branches.begin(), branch_set.branches.end(),
+        [](PositionedBranch const& a, PositionedBranch const& b) { return a.u < b.u; });
 }
 
 // Positions of all branches visible in the plane except the apex.
-std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& parent, CrownSurface const& surface,
-                                                 BranchingSystem const& system)
+std::vector<DrawnPlace> BranchSetMaker::drawn_places(Line const& parent,
+                                                     CrownSurface const& surface,
+                                                     BranchingSystem const& system)
 {
     std::array<double, 2> greatest {};
     auto const span = [&](Branch const& branch) {
@@ -226,18 +228,18 @@ std::vector<DrawnPlace> CrowdMaker::drawn_places(Line const& parent, CrownSurfac
 }
 
 // Adds a visible branch, at the base where it was inferred or at `moves_to`.
-void CrowdMaker::stand(Crowd& crowd, Model const& model, std::size_t i, Place const& place,
-                       double moves_to)
+void BranchSetMaker::stand(BranchSet& branch_set, Model const& model, std::size_t i,
+                           Place const& place, double moves_to)
 {
     auto const& branch = model.system.branches[i];
     Vec2 const base = branch.path.curve.base;
     double const off = radians(place.theta_deg - model.drawn[i].theta_deg);
-    double const longer = std::min(kMostTurned, 1 / std::max(0.1, std::cos(off)));
+    double const longer = std::min(kMaxTurned, 1 / std::max(0.1, std::cos(off)));
     Similarity way { .from = base, .to = base, .turn = Vec2(longer, 0) };
     Vec2 as_it_is = Vec2::UnitX();
     if (moves_to != place.u) {
         // The end stays on the outline.
-        way = way_to_end(branch, crowd.parent.at(moves_to));
+        way = way_to_end(branch, branch_set.parent.at(moves_to));
         as_it_is = way.turn;
         way.turn *= longer;
     }
@@ -256,48 +258,50 @@ void CrowdMaker::stand(Crowd& crowd, Model const& model, std::size_t i, Place co
                                   { size, longer * size, kOverSurface })
             * direction_of(as_it_is);
     }
-    crowd.branches.push_back({ i, name_of(branch), moves_to, place.theta_deg, way });
+    branch_set.branches.push_back({ i, name_of(branch), moves_to, place.theta_deg, way });
 }
 
 // Adds a visible branch that may have moved to a node. It still goes to its end, unless that would
 // change its length or direction too much; then it is placed like an added branch.
-void CrowdMaker::stand_in_plane(Crowd& crowd, Model const& model, std::size_t i,
-                                Place const& place) const
+void BranchSetMaker::stand_in_plane(BranchSet& branch_set, Model const& model, std::size_t i,
+                                    Place const& place) const
 {
-    constexpr double kMostStretched = 1.3;
-    constexpr double kMostTurned_deg = 25;
+    constexpr double kMaxStretched = 1.3;
+    constexpr double kMaxTurned_deg = 25;
     auto const& branch = model.system.branches[i];
     double const as_inferred = model.drawn[i].u;
-    auto const way = way_to_end(branch, crowd.parent.at(place.u));
+    auto const way = way_to_end(branch, branch_set.parent.at(place.u));
     double const size = way.turn.norm();
     double const turned_deg = degrees(std::fabs(std::atan2(way.turn.y(), way.turn.x())));
     bool const keeps_end = place.u == as_inferred
-        || (size < kMostStretched && 1 < kMostStretched * size && turned_deg < kMostTurned_deg);
+        || (size < kMaxStretched && 1 < kMaxStretched * size && turned_deg < kMaxTurned_deg);
     if (keeps_end) {
-        stand(crowd, model, i, { as_inferred, place.theta_deg }, place.u);
+        stand(branch_set, model, i, { as_inferred, place.theta_deg }, place.u);
         return;
     }
-    stand_added(crowd, model, place, i, lean_of(branch, place, Lean::Smaller::Least));
-    crowd.branches.back().name = name_of(branch);
+    stand_added(branch_set, model, place, i, lean_of(branch, place, Lean::Smaller::Least));
+    branch_set.branches.back().name = name_of(branch);
 }
 
-CrowdMaker::Lean CrowdMaker::lean_of(Branch const& branch, Place const& place,
-                                     Lean::Smaller smaller) const
+BranchSetMaker::Lean BranchSetMaker::lean_of(Branch const& branch, Place const& place,
+                                             Lean::Smaller smaller) const
 {
     return { .from = branch.path.curve.base_tangent,
              .angle_deg = options_.angles.at_deg(place.u),
              .smaller = smaller };
 }
 
-void CrowdMaker::stand_added(Crowd& crowd, Model const& model, Place const& place,
-                             std::size_t nearest, Lean const& lean)
+void BranchSetMaker::stand_added(BranchSet& branch_set, Model const& model, Place const& place,
+                                 std::size_t nearest, Lean const& lean)
 {
     auto const& branch = model.system.branches[nearest];
-    Vec2 const along = crowd.parent.direction(place.u);
+    Vec2 const along = branch_set.parent.direction(place.u);
     Vec2 const start = turned(along, sign_of(branch.path.side) * radians(lean.angle_deg));
     Vec2 const from = direction_of(lean.from);
     Vec2 const unit(start.dot(from), cross(from, start));
-    Similarity way { .from = branch.path.curve.base, .to = crowd.parent.at(place.u), .turn = unit };
+    Similarity way { .from = branch.path.curve.base,
+                     .to = branch_set.parent.at(place.u),
+                     .turn = unit };
     double largest = kLargestAdded;
     if (model.surface.is_drawn())
         largest *= std::max(1.0, widening(model, branch, place.theta_deg));
@@ -306,20 +310,20 @@ void CrowdMaker::stand_added(Crowd& crowd, Model const& model, Place const& plac
         return;
     size = std::max(size, lean.least);
     way.turn = size * unit;
-    crowd.branches.push_back(
-        { nearest, name_of_added(crowd, place), place.u, place.theta_deg, way });
+    branch_set.branches.push_back(
+        { nearest, name_of_added(branch_set, place), place.u, place.theta_deg, way });
 }
 
 // Names an added branch after its rounded position. Added branches are redistributed as a whole
 // after a change; the one that is then at this position gets the same name.
-std::string CrowdMaker::name_of_added(Crowd const& crowd, Place const& place)
+std::string BranchSetMaker::name_of_added(BranchSet const& branch_set, Place const& place)
 {
     constexpr double kSteps = 12; // Resolution of the names, along the parent and around it.
     auto const name = fmt::format("a{}.{}", std::lround(place.u * kSteps),
                                   std::lround(place.theta_deg / 360 * kSteps) % 12);
     auto const taken = [&](std::string const& other) {
-        return std::any_of(crowd.branches.begin(), crowd.branches.end(),
-                           [&](Standing const& one) { return one.name == other; });
+        return std::any_of(branch_set.branches.begin(), branch_set.branches.end(),
+                           [&](PositionedBranch const& one) { return one.name == other; });
     };
     auto unique = name;
     for (int n = 2; taken(unique); ++n)
@@ -327,7 +331,7 @@ std::string CrowdMaker::name_of_added(Crowd const& crowd, Place const& place)
     return unique;
 }
 
-std::optional<std::size_t> CrowdMaker::nearest_drawn(Model const& model, Place const& place)
+std::optional<std::size_t> BranchSetMaker::nearest_drawn(Model const& model, Place const& place)
 {
     bool const is_right = std::cos(radians(place.theta_deg)) >= 0;
     std::optional<std::size_t> best;
@@ -344,7 +348,7 @@ std::optional<std::size_t> CrowdMaker::nearest_drawn(Model const& model, Place c
 }
 
 // The similarity that moves a branch's base to `from` and leaves its end where it is.
-Similarity CrowdMaker::way_to_end(Branch const& branch, Vec2 const& from)
+Similarity BranchSetMaker::way_to_end(Branch const& branch, Vec2 const& from)
 {
     auto const& curve = branch.path.curve;
     Vec2 const before = curve.end - curve.base;
@@ -355,7 +359,7 @@ Similarity CrowdMaker::way_to_end(Branch const& branch, Vec2 const& from)
              .turn = turn / std::max(before.squaredNorm(), 1e-300) };
 }
 
-std::vector<Vec2> CrowdMaker::line_of(Branch const& model, std::size_t below) const
+std::vector<Vec2> BranchSetMaker::line_of(Branch const& model, std::size_t below) const
 {
     return below == kNoSystem ? model.line(9) : skeleton_.systems[below].whole_trunk();
 }

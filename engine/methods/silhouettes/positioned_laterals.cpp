@@ -1,4 +1,4 @@
-#include "engine/methods/silhouettes/standing_children.h"
+#include "engine/methods/silhouettes/positioned_laterals.h"
 
 #include "engine/methods/silhouettes/branch_style.h"
 
@@ -54,8 +54,8 @@ private:
 
 } // namespace
 
-std::vector<StandingChild> children_of(Plant const& plant, AxisId parent,
-                                       std::span<AxisId const> ids)
+std::vector<PositionedLateral> children_of(Plant const& plant, AxisId parent,
+                                           std::span<AxisId const> ids)
 {
     auto const& axis = plant.axes[parent];
     AxisLine const line(plant.positions(axis));
@@ -65,7 +65,7 @@ std::vector<StandingChild> children_of(Plant const& plant, AxisId parent,
         places.emplace_back(line.length_to_mm(std::min<std::size_t>(node, axis.segment_count)), id);
     }
     std::sort(places.begin(), places.end());
-    std::vector<StandingChild> children;
+    std::vector<PositionedLateral> children;
     Vec3 before = line.direction(0);
     Vec3 across = before.unitOrthogonal();
     for (auto const& [at_mm, id] : places) {
@@ -88,7 +88,7 @@ std::vector<StandingChild> children_of(Plant const& plant, AxisId parent,
     return children;
 }
 
-std::vector<NodeOfChildren> nodes_of(std::span<StandingChild const> children)
+std::vector<NodeOfChildren> nodes_of(std::span<PositionedLateral const> children)
 {
     std::vector<NodeOfChildren> nodes;
     double const mean_gap = (children.back().u - children.front().u)

@@ -1,4 +1,4 @@
-#include "engine/scene/dressed_plant.h"
+#include "engine/scene/foliated_plant.h"
 
 #include "engine/base/random.h"
 
@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::uint32_t kLeafStream = 0x1eaf;
 
-class Dresser {
+class FoliageSetter {
 public:
-    Dresser(Plant const& plant, lsystem::LeafSheet const& sheet)
+    FoliageSetter(Plant const& plant, lsystem::LeafSheet const& sheet)
         : sheet_(sheet)
         , plant_(plant)
     {
@@ -85,9 +85,9 @@ bool is_leaf(Plant const& plant, OrganShape const& shape)
         && shape.kind != OrganShape::Kind::Disc;
 }
 
-Plant dressed(Plant const& plant, lsystem::LeafSheet const& sheet)
+Plant foliated(Plant const& plant, lsystem::LeafSheet const& sheet)
 {
-    return sheet.leaves.empty() ? plant : Dresser(plant, sheet).run();
+    return sheet.leaves.empty() ? plant : FoliageSetter(plant, sheet).run();
 }
 
 } // namespace tractus::scene

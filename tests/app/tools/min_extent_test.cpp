@@ -1,4 +1,4 @@
-#include "app/tools/least_extent.h"
+#include "app/tools/min_extent.h"
 
 #include "app/methods/all_methods.h"
 #include "app/tools/draw_tool.h"
@@ -18,7 +18,7 @@ Stroke through(std::initializer_list<Vec3> places)
     return stroke;
 }
 
-TEST(LeastExtent, IsHowFarTheHandGetsFromWhereItBegan)
+TEST(MinExtent, IsHowFarTheHandGetsFromWhereItBegan)
 {
     EXPECT_EQ(extent_mm({}), 0);
     EXPECT_EQ(extent_mm(through({ { 1, 2, 3 } })), 0);
@@ -30,26 +30,26 @@ TEST(LeastExtent, IsHowFarTheHandGetsFromWhereItBegan)
     EXPECT_EQ(extent_mm(tremor), 0.5);
 }
 
-TEST(LeastExtent, IsReadAndWrittenAsWords)
+TEST(MinExtent, IsReadAndWrittenAsWords)
 {
-    auto const usual = usual_least_extents(methods::all_methods().tools);
-    EXPECT_EQ(parse_least_extents(print_least_extents(usual)).value(), usual);
-    EXPECT_TRUE(parse_least_extents("").value().empty());
-    EXPECT_EQ(parse_least_extents(" draw=2.5  indicate=0").value(),
-              (LeastExtents { { "draw", 2.5 }, { "indicate", 0 } }));
+    auto const usual = usual_min_extents(methods::all_methods().tools);
+    EXPECT_EQ(parse_min_extents(print_min_extents(usual)).value(), usual);
+    EXPECT_TRUE(parse_min_extents("").value().empty());
+    EXPECT_EQ(parse_min_extents(" draw=2.5  indicate=0").value(),
+              (MinExtents { { "draw", 2.5 }, { "indicate", 0 } }));
     for (auto const* const odd : { "draw", "=3", "draw=", "draw=x", "draw=-1", "draw=101",
                                    "draw=nan", "draw=inf", "draw=3mm" })
-        EXPECT_FALSE(parse_least_extents(odd)) << odd;
+        EXPECT_FALSE(parse_min_extents(odd)) << odd;
 }
 
-TEST(LeastExtent, IsNoneForToolsThatAreTouchedWith)
+TEST(MinExtent, IsNoneForToolsThatAreTouchedWith)
 {
-    auto const usual = usual_least_extents(methods::all_methods().tools);
-    EXPECT_EQ(least_extent_mm(usual, SelectTool::kKind), 0);
-    EXPECT_EQ(least_extent_mm(usual, DrawTool::kKind), 6);
+    auto const usual = usual_min_extents(methods::all_methods().tools);
+    EXPECT_EQ(min_extent_mm(usual, SelectTool::kKind), 0);
+    EXPECT_EQ(min_extent_mm(usual, DrawTool::kKind), 6);
     for (auto const* const kind : methods::all_methods().tools)
         if (kind->at_once || kind->surface == Surface::Skeleton) {
-            EXPECT_EQ(least_extent_mm(usual, *kind), 0) << kind->word;
+            EXPECT_EQ(min_extent_mm(usual, *kind), 0) << kind->word;
         }
 }
 
