@@ -1,6 +1,7 @@
 #include "app/window/collection_view.h"
 
 #include "app/window/theme.h"
+#include "engine/mesh/mesh_measures.h"
 
 #include <algorithm>
 #include <fmt/core.h>
@@ -11,11 +12,41 @@ namespace tractus::window {
 
 namespace {
 
-constexpr int kSheetColumns = 4;
-constexpr int kSheetRows = 3;
 constexpr render::ViewAngles kSheetAngles { .azimuth_rad = 0.45, .elevation_rad = 0.22 };
 
+// The plants' width as a share of their height; each may be turned about the vertical.
+double shape_of(std::vector<view::VariationView> const& plants)
+{
+    Bounds all;
+    for (auto const& plant : plants)
+        if (auto const box = mesh::bounds(*plant.mesh); !box.empty()) {
+            all.add(box.min_mm);
+            all.add(box.max_mm);
+        }
+    if (all.empty())
+        return 1;
+    Vec3 const size_mm = all.max_mm - all.min_mm;
+    return std::clamp(size_mm.head<2>().maxCoeff() / std::max(1.0, size_mm.z()), 0.2, 5.0);
+}
+
 } // namespace
+
+std::size_t sheet_columns(std::size_t count, ImVec2 const& size_px, double shape)
+{
+    std::size_t best = 1;
+    double best_px = 0;
+    for (std::size_t columns = 1; columns <= count; ++columns) {
+        auto const rows = (count + columns - 1) / columns;
+        double const width_px = static_cast<double>(size_px.x) / static_cast<double>(columns);
+        double const height_px = static_cast<double>(size_px.y) / static_cast<double>(rows);
+        double const plant_px = std::min(height_px, width_px / shape);
+        if (plant_px > best_px) {
+            best_px = plant_px;
+            best = columns;
+        }
+    }
+    return best;
+}
 
 void CollectionView::draw(view::WindowState const& state, view::VariationView const& variation,
                           Picture& picture, render::Renderer& renderer, ImVec2 const& size_px) const
@@ -60,13 +91,19 @@ void CollectionView::show(view::WindowModel& model, render::Renderer& renderer,
     });
     ImVec2 const corner = ImGui::GetCursorScreenPos();
     float const gap = ImGui::GetStyle().ItemSpacing.x;
-    ImVec2 const cell((size_px.x - gap * (kSheetColumns + 1)) / kSheetColumns,
-                      (size_px.y - gap * (kSheetRows + 1)) / kSheetRows);
+    if (std::exchange(shape_revision_, state.collection_revision) != state.collection_revision)
+        shape_ = shape_of(state.collection);
+    auto const columns = sheet_columns(kVariations, size_px, shape_);
+    auto const rows = (kVariations + columns - 1) / columns;
+    auto const cell_px = [gap](float room_px, std::size_t cells) {
+        return (room_px - gap) / static_cast<float>(cells) - gap;
+    };
+    ImVec2 const cell(cell_px(size_px.x, columns), cell_px(size_px.y, rows));
     std::optional<std::uint64_t> picked;
     for (std::size_t i = 0; i < state.collection.size() && i < kVariations; ++i) {
         auto const& variation = state.collection[i];
-        auto const column = static_cast<float>(i % kSheetColumns);
-        auto const row = static_cast<float>(i / kSheetColumns);
+        auto const column = static_cast<float>(i % columns);
+        auto const row = static_cast<float>(i / columns);
         ImVec2 const place(corner.x + gap + column * (cell.x + gap),
                            corner.y + gap + row * (cell.y + gap));
         auto& picture = pictures_[variation.seed];
@@ -77,13 +114,15 @@ void CollectionView::show(view::WindowModel& model, render::Renderer& renderer,
         auto const name = fmt::format("seed {}", variation.seed);
         if (ImGui::InvisibleButton(name.c_str(), cell))
             picked = variation.seed;
-        bool const is_marked = ImGui::IsItemHovered() || variation.seed == state.seed;
+        bool const is_hovered = ImGui::IsItemHovered();
+        bool const is_marked = is_hovered || variation.seed == state.seed;
         auto* const paint = ImGui::GetWindowDrawList();
         if (is_marked)
             paint->AddRect(place, { place.x + cell.x, place.y + cell.y },
                            theme::packed(theme::palette().selected), 8, 0, 3);
         paint->AddText({ place.x + gap, place.y + gap }, ImGui::GetColorU32(ImGuiCol_Text),
-                       name.c_str());
+                       is_hovered ? fmt::format("{} of {}, {}", i + 1, kVariations, name).c_str()
+                                  : name.c_str());
     }
     if (picked)
         model.perform(view::PickVariation { *picked });

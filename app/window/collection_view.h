@@ -9,6 +9,10 @@
 
 namespace tractus::window {
 
+// Returns the number of columns in which `count` pictures side by side fill a sheet of `size_px`
+// best: plants of that shape, their width as a share of their height, are then largest.
+std::size_t sheet_columns(std::size_t count, ImVec2 const& size_px, double shape);
+
 // A sheet of variations of the plant at one scale, each with its seed; pressing one makes it the
 // plant. They arrive one by one.
 class CollectionView {
@@ -33,6 +37,8 @@ private:
               Picture& picture, render::Renderer& renderer, ImVec2 const& size_px) const;
 
     std::map<std::uint64_t, Picture> pictures_; // Pictures of the variations, by seed.
+    double shape_ = 1;                 // Width of the variations as a share of their height.
+    std::uint64_t shape_revision_ = 0; // Revision of the collection that has this shape.
     bool is_light_ = false;
 };
 
