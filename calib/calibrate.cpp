@@ -58,7 +58,7 @@ Rig with_height(Rig rig, HeightCalibration const& calibration, std::string const
     record.captures = calibration.captures;
     record.ruler_error_mm = calibration.options.ruler_error_mm;
     record.linearity_percent = calibration.options.linearity_percent;
-    record.asked_kind = calibration.options.kind;
+    record.requested_kind = calibration.options.kind;
     record.reason = fit.reason;
     for (auto const& parameter : fit.parameters)
         record.errors.push_back(rounded(parameter.standard_error, kErrorDigits));
@@ -149,7 +149,7 @@ Result<HeightFit> refit_height(Rig const& rig)
                     "the rig's height was not calibrated: use \"tractus calibrate "
                     "height\"");
     auto fit = TRY(fit_height(record->captures,
-                              { .kind = record->asked_kind,
+                              { .kind = record->requested_kind,
                                 .ruler_error_mm = record->ruler_error_mm,
                                 .linearity_percent = record->linearity_percent }));
     return fit;

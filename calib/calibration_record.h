@@ -33,7 +33,7 @@ struct HeightRecord {
     // Linearity of the potentiometer's track from its data sheet; 0: the track is taken to be
     // straight.
     double linearity_percent = 0;
-    std::optional<HeightModelKind> asked_kind {};
+    std::optional<HeightModelKind> requested_kind {};
 
     // Results of the fit.
     std::string reason {};

@@ -81,7 +81,8 @@ Result<HeightRecord> parse_height(TomlTable& table)
     if (table.has("linearity_percent"))
         record.linearity_percent = TRY(table.number("linearity_percent", NumberRange::NotNegative));
     if (table.has("asked_model"))
-        record.asked_kind = static_cast<HeightModelKind>(TRY(table.word("asked_model", kKinds)));
+        record.requested_kind
+            = static_cast<HeightModelKind>(TRY(table.word("asked_model", kKinds)));
     for (auto& capture : TRY(table.tables("captures")))
         record.captures.push_back(TRY(parse_capture(capture)));
     record.slipped = TRY(parse_slipped(table, record.captures.size()));
@@ -188,8 +189,8 @@ noise_counts = {}             # Standard deviation of readings at rest.
         text += fmt::format("shifted_counts = {}           # Shift of all readings since then, "
                             "because the string slipped.\n",
                             record.shifted_counts);
-    if (record.asked_kind)
-        text += fmt::format("asked_model = \"{}\"\n", name_of(*record.asked_kind));
+    if (record.requested_kind)
+        text += fmt::format("asked_model = \"{}\"\n", name_of(*record.requested_kind));
     auto slipped = record.slipped;
     for (auto& index : slipped)
         ++index;

@@ -11,7 +11,7 @@ namespace tractus::calib {
 // A rig's calibration record in the rig file: the table [calibration] with one table for each
 // procedure performed.
 
-// Parses the record. Fails, as the user's fault, naming file, line and key.
+// Parses the record. Fails with a user error naming file, line and key.
 Result<CalibrationRecord> parse_calibration_record(TomlTable& table);
 
 // Prints the tables; parse_calibration_record() restores an equal record. Empty for an empty

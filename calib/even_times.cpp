@@ -171,7 +171,7 @@ void EvenTimes::judge()
     auto const first = std::find_if(samples_.begin(), samples_.end(),
                                     [](Sample const& one) { return one.is_last_of_burst; });
     bool const is_short = count < kFewestSamples || bursts_ < kFewestBursts
-        || samples_.back().arrival - first->arrival < to_learn_ns_;
+        || samples_.back().arrival - first->arrival < learning_time_ns_;
     bool const steps_often = counted_anew_ > 2 + count / kOneCountedAnew;
     bool const has_bursts = is_short ? is_evened_ : joined_ * kOneInBurst >= count;
     bool const was_evened = std::exchange(is_evened_, has_bursts && !steps_often);
@@ -183,8 +183,8 @@ void EvenTimes::judge()
     if (has_bursts && !is_evened_) {
         is_line_known_ = false;
         if (was_evened)
-            to_learn_ns_ = std::min(2 * to_learn_ns_, kLongestLearning_ns);
-        auto const kept_ns = was_evened ? 0 : to_learn_ns_ * kKeptTenths / 10;
+            learning_time_ns_ = std::min(2 * learning_time_ns_, kLongestLearning_ns);
+        auto const kept_ns = was_evened ? 0 : learning_time_ns_ * kKeptTenths / 10;
         while (samples_.size() > 1 && samples_.back().arrival - samples_.front().arrival >= kept_ns)
             forget_oldest();
     }

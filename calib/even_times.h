@@ -81,7 +81,7 @@ private:
 
     static constexpr std::int64_t kShortestFit_ns = 500'000'000;
     // Learning time in nanoseconds; doubles whenever counting has failed.
-    std::int64_t to_learn_ns_ = kShortestFit_ns;
+    std::int64_t learning_time_ns_ = kShortestFit_ns;
     bool is_line_known_ = false; // True if the period is known, from now or from before a silence.
     double period_ns_ = 0;
     double offset_ns_ = 0; // Height of the line at index 0.

@@ -23,7 +23,7 @@ Fuser::Fuser(Rig const& rig, ScriptedHeight const& height)
 }
 
 // Replaces the device's pressure by the rig's pressure response.
-drivers::PenSample Fuser::as_felt(drivers::PenSample pen)
+drivers::PenSample Fuser::apply_pressure_response(drivers::PenSample pen)
 {
     if (!pen.pressure)
         return pen;
@@ -215,7 +215,7 @@ static void lift_after_gap(TipSample& tip, bool& gap)
 
 std::optional<TipSample> Fuser::push(drivers::PenSample const& reported)
 {
-    auto pen = as_felt(reported);
+    auto pen = apply_pressure_response(reported);
     if (has_times_evened())
         pen.time = pen_times_.add(pen.time);
     if (!rig_.coil_height_mm.isZero(0))

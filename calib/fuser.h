@@ -135,7 +135,7 @@ private:
     };
 
     bool has_times_evened() const { return rig_.sample_times == SampleTimes::Evened && !scripted_; }
-    drivers::PenSample as_felt(drivers::PenSample pen);
+    drivers::PenSample apply_pressure_response(drivers::PenSample pen);
     TipSample tip(Moment const& moment, HeightTrack::Estimate const& height) const;
     Timestamp instant(drivers::PenSample const& pen) const
     {

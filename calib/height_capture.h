@@ -78,7 +78,7 @@ std::optional<HeightReading> summarize(std::span<drivers::HeightSample const> sa
 
 // Makes a capture from readings at rest; the caller fills in `from`. Fails with one sentence that
 // says what to do:
-// - as the device's fault: fewer than 20 readings, or a gap longer than a quarter of a second;
+// - with a device error: fewer than 20 readings, or a gap longer than a quarter of a second;
 // - as the user's: readings at either end of the converter's range, erratic readings (a loose
 //   wire), rising or falling readings (the carriage moves or swings).
 //

@@ -126,7 +126,7 @@ Result<void> check_order(Captures captures, std::vector<std::size_t> const& orde
     auto const rising = longest_in_order(captures, order, 1);
     auto const falling = longest_in_order(captures, order, -1);
     auto const& kept = rising.size() >= falling.size() ? rising : falling;
-    if (captures.size() - kept.size() <= most_slips(captures.size()) && kept.size() >= 2)
+    if (captures.size() - kept.size() <= max_slips(captures.size()) && kept.size() >= 2)
         return {};
     std::vector<std::string> stray;
     for (std::size_t i = 0; i < captures.size(); ++i)
@@ -141,7 +141,7 @@ Result<void> check_order(Captures captures, std::vector<std::size_t> const& orde
 
 } // namespace
 
-std::size_t most_slips(std::size_t captures)
+std::size_t max_slips(std::size_t captures)
 {
     return std::max<std::size_t>(1, captures / 5);
 }

@@ -24,7 +24,7 @@ struct HeightCheck {
     std::vector<double> outside_mm {};
 };
 
-// Compares the rig with captures. Fails, as the user's fault, for no captures, for another
+// Compares the rig with captures. Fails with a user error for no captures, for another
 // converter than the rig's, and for readings outside the rig's model.
 Result<HeightCheck> check_height(std::span<HeightCapture const> captures,
                                  std::int32_t full_scale_counts, Rig const& rig);
@@ -32,10 +32,10 @@ Result<HeightCheck> check_height(std::span<HeightCapture const> captures,
 // Prints a check's result: "within 0.6 mm over 60–380 mm".
 std::string quote(HeightCheck const& check);
 
-// Fails, as the user's fault, if a height sensor has another full scale than the rig's.
+// Fails with a user error if a height sensor has another full scale than the rig's.
 Result<void> check_converter(std::int32_t full_scale_counts, Rig const& rig);
 
-// Returns the height of a reading by the rig's model. Fails, as the user's fault, if the model has
+// Returns the height of a reading by the rig's model. Fails with a user error if the model has
 // none there.
 Result<double> height_of(HeightCapture const& capture, Rig const& rig);
 

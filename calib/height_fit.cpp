@@ -31,7 +31,7 @@ constexpr std::size_t kMaxKnots = 12;
 // Factor on a variance estimated from one to three surplus captures, which is as often too small:
 // the square of Student's quantile for one standard error at three degrees of freedom over the
 // normal one.
-constexpr double kFewOverTellTooLittle = 1.43;
+constexpr double kSmallSampleFactor = 1.43;
 constexpr double kUsualLinearity_percent
     = 0.25; // Linearity of a spool's potentiometer in usual data sheets.
 constexpr std::size_t kFewestForBend
@@ -87,7 +87,7 @@ std::optional<RobustFit> fit_robustly(HeightModelKind kind, Captures captures,
     double const error_mm
         = error_beside_bend_mm(captures, options.ruler_error_mm, options.linearity_percent);
     RobustFit present { kind, *whole, {}, captures.size() };
-    while (present.slipped.size() < most_slips(captures.size()) && present.freedom() > 1) {
+    while (present.slipped.size() < max_slips(captures.size()) && present.freedom() > 1) {
         auto const rest = leave_one_out(captures, present, fitter);
         if (!rest)
             break;
@@ -220,7 +220,7 @@ HeightCandidate candidate_of(RobustFit const& fit)
              .rms_mm = fit.rms_mm() };
 }
 
-std::string reason_for(Choice const& choice)
+std::string explain_no_role(Choice const& choice)
 {
     auto const name = name_of(choice.fit.kind);
     if (choice.candidates.size() == 1)
@@ -263,7 +263,7 @@ Result<Choice> choose_model(Captures captures, HeightFitOptions const& options)
         return fail(Fault::User,
                     "no model fits the captures: check what was typed and capture them again");
     choice->candidates = std::move(candidates);
-    choice->reason = reason_for(*choice);
+    choice->reason = explain_no_role(*choice);
     return *choice;
 }
 
@@ -400,7 +400,7 @@ void bend_track(Captures captures, HeightFitOptions const& options, HeightFit& f
     double variance_mm2 = likely_mm2;
     if (freedom >= 1)
         variance_mm2
-            = std::max(variance_mm2, kFewOverTellTooLittle * bent->sum_of_squares_mm2 / freedom);
+            = std::max(variance_mm2, kSmallSampleFactor * bent->sum_of_squares_mm2 / freedom);
     fit.model = bent->model;
     fit.capture_error_mm = std::sqrt(variance_mm2);
     fit.covariance = bent->covariance * variance_mm2 / likely_mm2;
@@ -466,7 +466,7 @@ HeightCapture::From direction(std::optional<double> before_mm, double ruler_mm)
                                  : HeightCapture::From::Nowhere;
 }
 
-void tell_directions(std::vector<HeightCapture>& captures)
+void assign_directions(std::vector<HeightCapture>& captures)
 {
     std::optional<double> before_mm;
     for (auto& capture : captures) {

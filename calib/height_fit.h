@@ -127,7 +127,7 @@ double height_error_mm(HeightFit const& fit, double counts);
 // or two surplus captures count twice, as in Student's quantiles. A ruler read worse than stated is
 // detected only as far as seven captures can show it, which is not far.
 //
-// Fails, as the user's fault, with a sentence that says what to do: fewer than two captures, or
+// Fails with a user error with a sentence that says what to do: fewer than two captures, or
 // fewer than parameters; equal heights; heights that do not follow one direction; readings that
 // stay the same while the ruler rises (a slack string).
 Result<HeightFit> fit_height(std::span<HeightCapture const> captures,
@@ -138,7 +138,7 @@ Result<HeightFit> fit_height(std::span<HeightCapture const> captures,
 HeightCapture::From direction(std::optional<double> before_mm, double ruler_mm);
 
 // Fills in each capture's `from`, from the order of the heights.
-void tell_directions(std::vector<HeightCapture>& captures);
+void assign_directions(std::vector<HeightCapture>& captures);
 
 // Returns "linear", "string" or "monotone".
 std::string_view name_of(HeightModelKind kind);

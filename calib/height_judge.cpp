@@ -53,7 +53,7 @@ void HeightJudge::learn(Reading const& reading)
         auto sorted = std::vector(bends_mm_.begin(), bends_mm_.end());
         auto const quarter = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 4);
         std::nth_element(sorted.begin(), quarter, sorted.end());
-        usual_bend_mm_ = is_new() ? kUnknownBend_mm : kMedianPerQuartile * *quarter;
+        usual_bend_mm_ = is_new() ? kInitialBend_mm : kMedianPerQuartile * *quarter;
     }
     heights_mm_.push_back(reading.height_mm);
     keep_last(heights_mm_, 2);
@@ -110,8 +110,8 @@ double HeightJudge::noise_mm() const
     return std::max(kMinDoubted_mm, kNoiseCounts * count_mm_) + kNoises * usual_bend_mm_;
 }
 
-// Returns how far off a reading may be because it was not taken at the time that it seems to have
-// been.
+// Returns the height error that sampling jitter can cause at this speed: readings are not taken at
+// exactly the times assumed.
 double HeightJudge::jitter_mm(double mm_per_s) const
 {
     double const jitter_s = longest_interval_s_ - usual_interval_s_;
@@ -133,7 +133,8 @@ bool HeightJudge::goes_on(Reading const& reading) const
     double const unseen_s = this->unseen_s();
     double const square_s
         = line.span_s * line.span_s / 6 + line.span_s * unseen_s + unseen_s * unseen_s;
-    double slack_mm = noise_mm() + jitter_mm(line.mm_per_s) + kQuickest_mm_per_ss / 2 * square_s;
+    double slack_mm
+        = noise_mm() + jitter_mm(line.mm_per_s) + kMaxAcceleration_mm_per_ss / 2 * square_s;
     if (!line.is_known || is_new())
         slack_mm += kFastest_mm_per_s * unseen_s;
     return std::abs(reading.height_mm - expected_mm) <= slack_mm;
@@ -150,7 +151,7 @@ bool HeightJudge::continues_run(Reading const& reading) const
     double const bend_mm = step_mm - (last.height_mm - run_[run_.size() - 2].height_mm);
     auto const line = line_through(run_);
     return std::abs(bend_mm) <= 2 * noise_mm() + 2 * jitter_mm(line.mm_per_s)
-        + kQuickest_mm_per_ss * unseen_s * unseen_s;
+        + kMaxAcceleration_mm_per_ss * unseen_s * unseen_s;
 }
 
 // True if the doubted run leads back to the track: with a steady acceleration in between, both
@@ -178,7 +179,7 @@ void HeightJudge::believe(Reading const& reading)
     keep_last(track_, kMaxReadings);
 }
 
-void HeightJudge::believe_run(std::vector<Reading>& believed)
+void HeightJudge::accept_run(std::vector<Reading>& believed)
 {
     track_.clear();
     for (auto const& reading : run_)
@@ -210,11 +211,11 @@ HeightJudge::Verdict HeightJudge::judge(Reading const& reading, double count_mm,
     run_.push_back(reading);
     ++doubted_in_a_row_;
     if (run_.size() >= kFewInRun && run_leads_back()) {
-        believe_run(believed);
+        accept_run(believed);
         return Verdict::Believed;
     }
     if (run_.size() > kMaxWrong && reading.arrival - run_.front().arrival >= kMinStep) {
-        believe_run(believed);
+        accept_run(believed);
         return Verdict::Step;
     }
     return Verdict::Doubted;

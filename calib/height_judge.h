@@ -33,7 +33,7 @@ public:
     // Limits of hands: the greatest speed of a surface, and the greatest sustained acceleration,
     // while drawing on it.
     static constexpr double kFastest_mm_per_s = 2000;
-    static constexpr double kQuickest_mm_per_ss = 4000;
+    static constexpr double kMaxAcceleration_mm_per_ss = 4000;
 
     struct Reading {
         Timestamp arrival {}; // Arrival or, with evened times, the time of sampling by EvenTimes.
@@ -63,7 +63,7 @@ public:
 
 private:
     using Readings = std::deque<Reading>;
-    static constexpr double kUnknownBend_mm = 0.5; // Assumed until enough readings have come.
+    static constexpr double kInitialBend_mm = 0.5; // Assumed until enough readings have come.
 
     // A line through the last readings of a track, evaluated at the last one.
     struct Line {
@@ -83,7 +83,7 @@ private:
     bool continues_run(Reading const& reading) const;
     bool run_leads_back() const;
     void believe(Reading const& reading);
-    void believe_run(std::vector<Reading>& believed);
+    void accept_run(std::vector<Reading>& believed);
 
     Readings track_; // The last believed readings.
     Readings run_;   // The last doubted readings that agree with each other.
@@ -98,7 +98,7 @@ private:
     double longest_interval_s_ = 0; // Longest of the last intervals but one.
     double interval_s_ = 0;         // Interval before the newest reading.
     double usual_bend_mm_
-        = kUnknownBend_mm; // Median of the second differences of correct readings.
+        = kInitialBend_mm; // Median of the second differences of correct readings.
     double count_mm_ = 0;
 };
 

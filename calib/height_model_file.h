@@ -10,7 +10,7 @@ namespace tractus::calib {
 
 // A height model in a rig file: the key `model` and, in the same table, the model's parameters.
 
-// Parses a model. Fails, as the user's fault, naming file, line and key.
+// Parses a model. Fails with a user error naming file, line and key.
 Result<HeightModel> parse_height_model(TomlTable& table);
 
 // Prints the lines of a model, with comments that explain its numbers.

@@ -98,7 +98,7 @@ void HeightMonitor::close_old(HeightFaultKind kind, Duration lasts, Timestamp no
         close(kind);
 }
 
-void HeightMonitor::begin_anew()
+void HeightMonitor::restart_after_reconnection()
 {
     for (auto const kind : { HeightFaultKind::Rail, HeightFaultKind::Stuck })
         close(kind);

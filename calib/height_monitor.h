@@ -88,7 +88,7 @@ public:
     bool is_on_rail(drivers::HeightSample const& sample) const;
 
     // Restarts after the sensor was disconnected: its later readings are unrelated to earlier ones.
-    void begin_anew();
+    void restart_after_reconnection();
 
     // True if the last reading is implausible so far.
     bool doubts_last() const { return doubts_last_; }

@@ -29,7 +29,7 @@ struct HeightScenario {
     double constant_mm = 0; // Height of the Constant kind.
 };
 
-// Parses a scenario's name (see above), or a number of millimetres. Fails as the user's fault.
+// Parses a scenario's name (see above), or a number of millimetres. Fails with a user error.
 Result<HeightScenario> parse_height_scenario(std::string_view text);
 
 // Returns the height at `since_first` after a log's first pen sample. Times before the first and

@@ -68,7 +68,7 @@ Timestamp HeightTrack::newest() const
 double HeightTrack::without_spike_mm(Place const& reading) const
 {
     constexpr double kMinSpike_mm = 1; // Smaller deviations are noise, which the fit smooths.
-    constexpr double kQuickest_mm_per_ss
+    constexpr double kMaxAcceleration_mm_per_ss
         = 20000; // Acceleration of a hand that reverses its movement.
     if (reading == readings_.begin() || std::next(reading) == readings_.end())
         return reading->height_mm;
@@ -78,7 +78,7 @@ double HeightTrack::without_spike_mm(Place const& reading) const
     double const nearer_mm = std::clamp(reading->height_mm, low, high);
     double const seconds
         = to_seconds(std::max(reading->time - before.time, after.time - reading->time));
-    double const most_mm = kMinSpike_mm + kQuickest_mm_per_ss / 2 * seconds * seconds;
+    double const most_mm = kMinSpike_mm + kMaxAcceleration_mm_per_ss / 2 * seconds * seconds;
     return std::abs(reading->height_mm - nearer_mm) > most_mm ? nearer_mm : reading->height_mm;
 }
 
@@ -195,7 +195,7 @@ Duration HeightTrack::usual_spacing() const
 
 // Returns a reading far enough before another one for a speed that is not mostly noise. It is two
 // readings earlier, unless readings are so rare that two of them span an outdated movement.
-HeightTrack::Place HeightTrack::some_time_before(Place const& reading) const
+HeightTrack::Place HeightTrack::earlier_reading_for_speed(Place const& reading) const
 {
     constexpr Duration kMinApart = std::chrono::milliseconds(6);
     constexpr Duration kMaxApart = std::chrono::milliseconds(25);
@@ -225,10 +225,10 @@ double HeightTrack::newest_speed_mm_per_s() const
     constexpr double kFastest_mm_per_s = 600; // A faster reading is a spike or a slip.
     constexpr double kPlainly_mm_per_s = 40;
     auto const last = std::prev(readings_.end());
-    auto const middle = some_time_before(last);
+    auto const middle = earlier_reading_for_speed(last);
     double const speed
         = std::clamp(speed_mm_per_s(middle, last), -kFastest_mm_per_s, kFastest_mm_per_s);
-    double const before = speed_mm_per_s(some_time_before(middle), middle);
+    double const before = speed_mm_per_s(earlier_reading_for_speed(middle), middle);
     // Each speed applies to the middle of its interval: extrapolates from there to the middle of
     // the next interval.
     double const span_s = to_seconds(last->time - middle->time);

@@ -110,7 +110,7 @@ private:
     std::optional<LineAt> slope_at(Timestamp side, Timestamp gap_begin, Timestamp gap_end) const;
     double across_mm(Place const& before, Timestamp time) const;
     Duration usual_spacing() const;
-    Place some_time_before(Place const& reading) const;
+    Place earlier_reading_for_speed(Place const& reading) const;
     static double speed_mm_per_s(Place const& from, Place const& to);
     double newest_speed_mm_per_s() const;
 

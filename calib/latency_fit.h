@@ -40,7 +40,7 @@ struct LatencyFit {
 // hands vary their speed. The rig's own latencies are ignored, and times are always evened
 // (EvenTimes).
 //
-// Fails, as the user's fault, with what to do: fewer than 200 touches with a height, less than 50
+// Fails with a user error with what to do: fewer than 200 touches with a height, less than 50
 // mm of rise or 20 mm along the tablet, fewer than two turns between up and down, position and
 // height that do not correlate (below 0.9), a delay at the limit of the search.
 Result<LatencyFit> fit_latency(std::span<drivers::PenSample const> pens,

@@ -9,10 +9,10 @@ namespace tractus::calib {
 namespace {
 
 constexpr Duration kRests = std::chrono::milliseconds(300);
-constexpr double kRestsWithin_mm = 0.5;
+constexpr double kRestTolerance_mm = 0.5;
 constexpr double kComesFrom_mm
     = 10; // The surface must come from at least this height above the rest.
-constexpr double kOnePlace_mm = 0.3;
+constexpr double kSamePositionTolerance_mm = 0.3;
 constexpr double kBelow_mm = 1;   // A reading lower than a place by this much was below it.
 constexpr double kMinMove_mm = 2; // Least movement of the stop that is reported.
 constexpr double kMaxMove_mm
@@ -27,7 +27,7 @@ constexpr std::size_t kTimesLower
 
 bool LowestStop::Place::is_at(double height_mm) const
 {
-    return std::abs(height_mm - mm) <= kOnePlace_mm;
+    return std::abs(height_mm - mm) <= kSamePositionTolerance_mm;
 }
 
 void LowestStop::Place::add(double height_mm)
@@ -40,19 +40,19 @@ std::optional<LowestStop::Moved> LowestStop::push(Timestamp time, double height_
     if (!rests_since_)
         highest_mm_ = lowest_mm_ = height_mm;
     bool const goes_on = rests_since_ && time >= *rests_since_
-        && std::abs(height_mm - rest_mm_) <= kRestsWithin_mm;
+        && std::abs(height_mm - rest_mm_) <= kRestTolerance_mm;
     if (!goes_on) {
         rests_since_ = time;
         rest_mm_ = height_mm;
         rest_count_ = 0;
-        is_rest_told_ = false;
+        is_rest_reported_ = false;
     }
     rest_mm_ += (height_mm - rest_mm_) / static_cast<double>(++rest_count_);
     highest_mm_ = std::max(highest_mm_, height_mm);
     lowest_mm_ = std::min(lowest_mm_, height_mm);
-    if (is_rest_told_ || time - *rests_since_ < kRests)
+    if (is_rest_reported_ || time - *rests_since_ < kRests)
         return std::nullopt;
-    is_rest_told_ = true;
+    is_rest_reported_ = true;
     double const highest_mm = std::exchange(highest_mm_, rest_mm_);
     if (highest_mm - rest_mm_ < kComesFrom_mm)
         return std::nullopt;

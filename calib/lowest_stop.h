@@ -44,7 +44,7 @@ private:
     std::optional<Timestamp> rests_since_ {};
     double rest_mm_ = 0; // Mean height since rests_since_.
     std::size_t rest_count_ = 0;
-    bool is_rest_told_ = false;
+    bool is_rest_reported_ = false;
     double highest_mm_ = 0; // Greatest height since the surface was last lowered to rest.
     double lowest_mm_ = 0;  // Least height since the surface was last lowered to rest.
 

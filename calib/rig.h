@@ -79,7 +79,7 @@ std::optional<HeightRange> calibrated_heights(Rig const& rig);
 // Limits for the sides of a tablet's active area.
 inline constexpr double kMinSurfaceSide_mm = 20;
 inline constexpr double kMaxSurfaceSide_mm = 2000;
-inline bool is_tablets_surface(Vec2 const& sides_mm)
+inline bool is_tablet_area(Vec2 const& sides_mm)
 {
     return sides_mm.minCoeff() >= kMinSurfaceSide_mm && sides_mm.maxCoeff() <= kMaxSurfaceSide_mm;
 }

@@ -95,7 +95,7 @@ static Result<Vec2> surface_mm(TomlTable& table)
 {
     constexpr std::string_view kKey = "surface_mm";
     Vec2 const sides_mm = TRY(table.vec2(kKey, NumberRange::Positive));
-    if (!is_tablets_surface(sides_mm))
+    if (!is_tablet_area(sides_mm))
         return table.wrong(kKey,
                            fmt::format("is [{}, {}], expected sides of {} to {}", sides_mm.x(),
                                        sides_mm.y(), kMinSurfaceSide_mm, kMaxSurfaceSide_mm));

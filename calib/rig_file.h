@@ -14,7 +14,7 @@ namespace tractus::calib {
 // older files), tablet.surface_mm, tablet.rotation_deg, tablet.travel_shear, height.max_age_ms,
 // [pen] and [calibration].
 
-// Parses a rig. Fails, as the user's fault, naming `file` and the line, for invalid TOML, a
+// Parses a rig. Fails with a user error naming `file` and the line, for invalid TOML, a
 // missing, unknown or wrong key, and a version later than this program's.
 Result<Rig> parse_rig(std::string_view text, std::string const& file);
 

@@ -37,7 +37,7 @@ struct TiltFit {
 // direction. Noise of the tilt reduces the heights by its variance over that of the leans, 1 % at
 // worst.
 //
-// Fails, as the user's fault, with what to do: a tablet without tilt, fewer than 200 touches, tilts
+// Fails with a user error with what to do: a tablet without tilt, fewer than 200 touches, tilts
 // that span less than 40 degrees along an axis, a nib that moved (by more than 1 mm on average over
 // half a second).
 Result<TiltFit> fit_tilt(std::span<drivers::PenSample const> pens);

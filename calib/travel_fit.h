@@ -34,7 +34,7 @@ struct TravelFit {
 // A pen that slips off for a moment has little effect, and the standard errors allow for the time
 // correlation of a hand's tremor (fit_plane_lines()).
 //
-// Fails, as the user's fault, with what to do: fewer than 100 touches with a height, less than 100
+// Fails with a user error with what to do: fewer than 100 touches with a height, less than 100
 // mm of rise, a pen that strayed by more than 3 mm on average.
 Result<TravelFit> fit_travel(std::span<drivers::PenSample const> pens,
                              std::span<drivers::HeightSample const> heights, Rig const& rig);

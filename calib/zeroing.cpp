@@ -14,7 +14,7 @@ namespace {
 using Captures = std::span<HeightCapture const>;
 
 constexpr std::array<std::string_view, 2> kCauseNames { "slipped", "moved" };
-constexpr double kTellingErrors = 4; // A difference beyond this many ruler errors is significant.
+constexpr double kSignificance = 4; // A difference beyond this many ruler errors is significant.
 
 // The rig corrected for one cause, and how well the captures fit then.
 struct Trial {
@@ -134,13 +134,13 @@ Result<Zeroing> zeroed(Rig const& rig, Captures captures, std::int32_t full_scal
         = rig.calibration.height ? rig.calibration.height->ruler_error_mm : 0.3;
     double const gain = moved.sum_of_squares_mm2 - slip->sum_of_squares_mm2;
     bool const captures_tell
-        = std::abs(gain) >= kTellingErrors * kTellingErrors * ruler_error_mm * ruler_error_mm;
+        = std::abs(gain) >= kSignificance * kSignificance * ruler_error_mm * ruler_error_mm;
     auto const chosen
         = cause.value_or(captures_tell && gain < 0 ? ZeroCause::Moved : ZeroCause::Slipped);
-    double const at_stake_mm = most_between_mm(slip->rig, moved.rig);
+    double const difference_if_other_cause_mm = most_between_mm(slip->rig, moved.rig);
     return Zeroing { .rig = chosen == ZeroCause::Slipped ? slip->rig : std::move(moved.rig),
                      .cause = chosen,
-                     .at_stake_mm = at_stake_mm,
+                     .difference_if_other_cause_mm = difference_if_other_cause_mm,
                      .is_told = cause || captures_tell };
 }
 

@@ -32,7 +32,7 @@ struct Zeroing {
 
     // Greatest difference of heights in the calibrated range if it had been the other cause; 0 if
     // both have the same effect.
-    double at_stake_mm = 0;
+    double difference_if_other_cause_mm = 0;
 
     // True if the cause was requested or determined from the captures; otherwise it is the usual
     // one.
@@ -44,7 +44,7 @@ struct Zeroing {
 // other by at least 4 ruler errors. Otherwise the string is assumed to have slipped, which is the
 // usual cause.
 //
-// Fails, as the user's fault, for no captures, for another converter than the rig's, and for
+// Fails with a user error for no captures, for another converter than the rig's, and for
 // heights or readings outside the rig's model.
 Result<Zeroing> zeroed(Rig const& rig, std::span<HeightCapture const> captures,
                        std::int32_t full_scale_counts, std::optional<ZeroCause> cause = {});

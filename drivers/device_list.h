@@ -21,7 +21,7 @@ std::vector<DeviceInfo> list_devices();
 std::vector<DeviceInfo> list_device_addresses();
 
 // Describes the device at an address (see drivers/reports/device_address.h). A device on GPIO lines
-// is described by its address alone. Fails, as the user's fault, if the text is not an address or
+// is described by its address alone. Fails with a user error if the text is not an address or
 // there is no device.
 //
 // An @ may be followed by settings, which some height sensors have:
@@ -35,7 +35,7 @@ std::vector<DeviceInfo> list_device_addresses();
 Result<DeviceInfo> find_device(std::string_view address);
 
 // Opens a device with the driver for its location and ids. Thread-safe: devices are opened one at a
-// time, because the underlying libraries are not thread-safe there. Fails, as the user's fault, for
+// time, because the underlying libraries are not thread-safe there. Fails with a user error for
 // a malformed location or for settings of a device that has none, and as the driver does.
 Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info);
 

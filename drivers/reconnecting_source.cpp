@@ -101,9 +101,9 @@ ReconnectingSource::~ReconnectingSource()
         reconnection_.open_locations->release(location_);
 }
 
-std::uint64_t ReconnectingSource::too_long_count() const
+std::uint64_t ReconnectingSource::oversized_count() const
 {
-    return too_long_before_ + (source_ ? source_->too_long_count() : 0);
+    return too_long_before_ + (source_ ? source_->oversized_count() : 0);
 }
 
 std::string ReconnectingSource::refusal() const
@@ -129,7 +129,7 @@ void ReconnectingSource::refuse(std::string reason)
 
 RawReport ReconnectingSource::lose()
 {
-    too_long_before_ += source_->too_long_count();
+    too_long_before_ += source_->oversized_count();
     source_.reset();
     refuse({});
     reconnection_.open_locations->release(location_);
@@ -152,11 +152,11 @@ Result<std::optional<RawReport>> ReconnectingSource::read(Duration timeout)
         auto report = source_->read(timeout);
         return report ? std::move(report) : std::optional(lose());
     }
-    wait_for_it(timeout);
+    wait_for_device(timeout);
     return std::optional<RawReport>();
 }
 
-void ReconnectingSource::wait_for_it(Duration timeout)
+void ReconnectingSource::wait_for_device(Duration timeout)
 {
     auto const wait = std::max(next_try_ - reconnection_.now(), Duration::zero());
     auto const rest = std::min(wait, timeout);
@@ -166,7 +166,7 @@ void ReconnectingSource::wait_for_it(Duration timeout)
     else
         std::this_thread::sleep_for(rest);
     if (has_come || wait <= timeout)
-        look_for_it();
+        search_for_device();
 }
 
 // True if an event will announce the device. No event announces a change of permissions of a device
@@ -174,18 +174,18 @@ void ReconnectingSource::wait_for_it(Duration timeout)
 bool ReconnectingSource::has_device_events() const
 {
     auto const address = parse_device_address(listed_.location);
-    return events_ && !refused_since_ && address && !is_only_named(*address);
+    return events_ && !refused_since_ && address && !needs_explicit_name(*address);
 }
 
-void ReconnectingSource::look_for_it()
+void ReconnectingSource::search_for_device()
 {
     next_try_ = reconnection_.now();
-    try_to_find_it();
+    try_to_reopen();
     next_try_
         += has_device_events() ? reconnection_.retry_beside_events : reconnection_.retry_every;
 }
 
-void ReconnectingSource::try_to_find_it()
+void ReconnectingSource::try_to_reopen()
 {
     auto found = reconnection_.list();
     std::erase_if(found, [this](DeviceInfo const& info) {
@@ -201,7 +201,7 @@ void ReconnectingSource::try_to_find_it()
     refuse({}); // The device is not present.
     // A device that cannot be listed is tried at its previous address.
     auto const address = parse_device_address(listed_.location);
-    if (address && is_only_named(*address))
+    if (address && needs_explicit_name(*address))
         try_to_open(listed_);
 }
 

@@ -82,7 +82,7 @@ public:
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
     // Includes reports from before the device was lost.
-    std::uint64_t too_long_count() const override;
+    std::uint64_t oversized_count() const override;
 
     bool is_connected() const { return is_connected_.load(std::memory_order_relaxed); }
 
@@ -97,9 +97,9 @@ private:
 
     RawReport lose();
     void refuse(std::string reason);
-    void wait_for_it(Duration timeout);
-    void look_for_it();
-    void try_to_find_it();
+    void wait_for_device(Duration timeout);
+    void search_for_device();
+    void try_to_reopen();
     bool has_device_events() const;
     void try_to_open(DeviceInfo const& info);
 

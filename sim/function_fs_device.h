@@ -50,7 +50,7 @@ public:
     static constexpr std::size_t kMaxReportBytes = 512;
 
     // Adds the function to `gadget`, which must not be plugged in yet and must outlive the
-    // function. Fails, as the user's fault, if the kernel refuses it.
+    // function. Fails with a user error if the kernel refuses it.
     static Result<std::unique_ptr<FunctionFsDevice>>
     add_to(UsbGadget& gadget, UsbFunctionDescriptors const& descriptors, UsbControlAnswers answers);
     ~FunctionFsDevice() override;
@@ -60,7 +60,7 @@ public:
     Result<void> send(std::span<std::byte const> report) override;
 
     bool is_read() const override { return is_read_; }
-    bool tells_readers_by_reports() const override { return true; }
+    bool detects_readers_by_reports() const override { return true; }
     std::uint64_t lost_count() const override { return lost_count_; }
     std::size_t waiting_count() const override { return waiting_count_; }
 

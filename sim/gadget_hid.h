@@ -38,7 +38,7 @@ public:
     Result<void> send(std::span<std::byte const> report) override;
 
     bool is_read() const override { return is_read_; }
-    bool tells_readers_by_reports() const override { return true; }
+    bool detects_readers_by_reports() const override { return true; }
     std::uint64_t lost_count() const override { return lost_count_; }
     std::size_t waiting_count() const override { return waiting_.size() + (in_flight_ ? 1 : 0); }
 

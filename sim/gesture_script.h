@@ -105,7 +105,7 @@ struct GestureScript {
     std::vector<Gesture> gestures; // The script has at least one gesture.
 };
 
-// Parses a script. Fails, as the user's fault, naming `file`, the line and the key.
+// Parses a script. Fails with a user error naming `file`, the line and the key.
 Result<GestureScript> parse_gesture_script(std::string_view text, std::string const& file);
 
 // Returns the branch with a rank as the user sees it: points in the tablet frame, in millimetres.
@@ -113,7 +113,7 @@ using AxisTracer = std::function<Result<std::vector<Vec2>>(std::size_t rank)>;
 
 // Converts a script into strokes for a Hand and simulate_rig(): one for each gesture with a path,
 // in order, with dabs and hooks as the script's unkindness has them. `tracer` provides the
-// branches. Fails, as the user's fault, if a gesture is outside the rig's reach, and with the
+// branches. Fails with a user error if a gesture is outside the rig's reach, and with the
 // tracer's error; both name the gesture's position.
 Result<std::vector<HandStroke>> strokes_of(GestureScript const& script, RigGeometry const& geometry,
                                            AxisTracer const& tracer);

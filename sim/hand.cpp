@@ -70,14 +70,14 @@ Hand::Hand(std::vector<HandStroke> strokes, HandOptions const& options)
     , strokes_(std::move(strokes))
 {
     CHECK(!strokes_.empty());
-    rest(Doing::Absent, strokes_.front().path.points_mm().front(), kAbsence, 0);
+    rest(HandPhase::Absent, strokes_.front().path.points_mm().front(), kAbsence, 0);
     for (std::size_t i = 0; i < strokes_.size(); ++i)
         draw(i);
-    rest(Doing::Absent, strokes_.back().path.points_mm().back(), kAbsence, strokes_.size() - 1);
+    rest(HandPhase::Absent, strokes_.back().path.points_mm().back(), kAbsence, strokes_.size() - 1);
     make_tremor();
 }
 
-void Hand::rest(Doing doing, Vec3 const& place_mm, Duration length, std::size_t stroke)
+void Hand::rest(HandPhase doing, Vec3 const& place_mm, Duration length, std::size_t stroke)
 {
     parts_.push_back({ .doing = doing,
                        .start = end_,
@@ -87,7 +87,7 @@ void Hand::rest(Doing doing, Vec3 const& place_mm, Duration length, std::size_t 
     end_ += length;
 }
 
-void Hand::go(Doing doing, Path path, double cruise_mm_s, std::size_t stroke)
+void Hand::go(HandPhase doing, Path path, double cruise_mm_s, std::size_t stroke)
 {
     SpeedProfile const profile(path.length_mm(), cruise_mm_s);
     parts_.push_back({ .doing = doing,
@@ -109,15 +109,15 @@ void Hand::draw(std::size_t stroke)
         Vec3 const from_mm = strokes_[stroke - 1].path.points_mm().back();
         if (from_mm != start_mm) {
             Path const way({ from_mm, start_mm });
-            go(Doing::Move, way, cruise_mm_s(way, kMoveSpeed_mm_s), stroke);
+            go(HandPhase::Move, way, cruise_mm_s(way, kMoveSpeed_mm_s), stroke);
         }
     }
     times.chosen += (end_ - times.chosen) / 2;
-    rest(Doing::Hover, start_mm, options_.pause, stroke);
+    rest(HandPhase::Hover, start_mm, options_.pause, stroke);
     times.down = end_;
-    go(Doing::Draw, path, cruise_mm_s(path, strokes_[stroke].speed_mm_s), stroke);
+    go(HandPhase::Draw, path, cruise_mm_s(path, strokes_[stroke].speed_mm_s), stroke);
     times.up = end_;
-    rest(Doing::Hover, path.points_mm().back(), options_.pause, stroke);
+    rest(HandPhase::Hover, path.points_mm().back(), options_.pause, stroke);
     stroke_times_.push_back(times);
 }
 
@@ -193,11 +193,11 @@ HandState Hand::at(Timestamp time) const
     }
     add_tremor(state, to_seconds(now));
 
-    bool const lifted = part.doing == Doing::Move && part.duration_s > kLongMove_s
+    bool const lifted = part.doing == HandPhase::Move && part.duration_s > kLongMove_s
         && seconds > kLowMoment_s && part.duration_s - seconds > kLowMoment_s;
-    state.in_range = part.doing != Doing::Absent && !lifted;
+    state.in_range = part.doing != HandPhase::Absent && !lifted;
     state.eraser = strokes_[part.stroke].eraser;
-    if (part.doing == Doing::Draw)
+    if (part.doing == HandPhase::Draw)
         press(state, part, seconds);
     double const sway = 0.05 * std::sin(2 * kPi * 0.3 * to_seconds(now));
     state.tilt_rad = options_.tilt_rad + Vec2(sway, -sway);

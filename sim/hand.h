@@ -111,7 +111,7 @@ public:
     bool is_dab(std::size_t stroke) const { return strokes_[stroke].is_dab; }
 
 private:
-    enum class Doing {
+    enum class HandPhase {
         Absent, // The hand rests out of range.
         Hover,  // The hand rests in range.
         Move,
@@ -119,7 +119,7 @@ private:
     };
 
     struct Part {
-        Doing doing = Doing::Absent;
+        HandPhase doing = HandPhase::Absent;
         Timestamp start {};
         double duration_s = 0;
         Vec3 rest_mm = Vec3::Zero(); // Position of the hand while it rests.
@@ -135,8 +135,8 @@ private:
         double phase_rad = 0;
     };
 
-    void rest(Doing doing, Vec3 const& place_mm, Duration length, std::size_t stroke);
-    void go(Doing doing, Path path, double cruise_mm_s, std::size_t stroke);
+    void rest(HandPhase doing, Vec3 const& place_mm, Duration length, std::size_t stroke);
+    void go(HandPhase doing, Path path, double cruise_mm_s, std::size_t stroke);
     void draw(std::size_t stroke);
     void make_tremor();
     void add_tremor(HandState& state, double seconds) const;

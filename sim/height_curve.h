@@ -14,8 +14,8 @@ namespace tractus::sim {
 // the last.
 class HeightCurve {
 public:
-    // Reads the first height sensor of the log; times count from the log's first report. Fails, as
-    // the user's fault, if there is none or it has sent nothing.
+    // Reads the first height sensor of the log; times count from the log's first report. Fails, with
+    // a user error if there is none or it has sent nothing.
     static Result<HeightCurve> read(drivers::Log const& log);
 
     // Returns the height as a share of full scale, 0 to 1.

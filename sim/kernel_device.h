@@ -31,7 +31,7 @@ public:
     virtual bool is_read() const = 0;
 
     // True if is_read() changes to true only when a report is taken.
-    virtual bool tells_readers_by_reports() const = 0;
+    virtual bool detects_readers_by_reports() const = 0;
 
     // Number of reports dropped because nobody read them in time or there was no host; reports
     // before the first reader do not count.

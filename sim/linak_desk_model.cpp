@@ -50,17 +50,17 @@ std::optional<std::vector<std::byte>> LinakDeskModel::get_feature(std::uint8_t i
     report[1] = std::byte { 0x38 };
     if (!is_ready())
         return report;
-    bool const is_moving = height_ != asked_height_;
+    bool const is_moving = height_ != requested_height_;
     report[2] = std::byte { 0x01 };
     report[4] = low_byte(height_);
     report[5] = high_byte(height_);
     report[6] = std::byte { 0xf0 };
     if (is_moving)
-        report[6] = height_ > asked_height_ ? std::byte { 0x10 } : std::byte { 0xe0 };
+        report[6] = height_ > requested_height_ ? std::byte { 0x10 } : std::byte { 0xe0 };
     report[7] = static_cast<std::byte>(is_moving);
     report[20] = std::byte { 0x01 };
     report[21] = std::byte { 0x80 };
-    asked_height_ = height_;
+    requested_height_ = height_;
     return report;
 }
 

@@ -20,7 +20,7 @@ public:
     void lose_power() { initialisation_ = Initialisation::None; }
 
     // Simulates an actuator that has lost its position and does not recover by initialisation.
-    void lose_place() { has_place_ = false; }
+    void lose_position() { has_place_ = false; }
 
     // Moves the desk as if with its own keys, to a height in tenths of a millimetre above its
     // lowest position.
@@ -47,7 +47,7 @@ private:
     Initialisation initialisation_ = Initialisation::None;
     bool has_place_ = true;
     std::int16_t height_ = 0;
-    std::int16_t asked_height_ = 0; // Height at the last request.
+    std::int16_t requested_height_ = 0; // Height at the last request.
     std::size_t movement_count_ = 0;
 };
 

@@ -21,7 +21,7 @@ class PtySerialPort final : public KernelDevice {
 public:
     // Creates the port. `link`, unless empty, is a symbolic link to the node, as udev makes them
     // for boards; it replaces a link that points to another pseudo-terminal, and is removed with
-    // the port. Fails, as the user's fault, if there are no pseudo-terminals, or if the link cannot
+    // the port. Fails with a user error if there are no pseudo-terminals, or if the link cannot
     // be made.
     static Result<std::unique_ptr<PtySerialPort>> create(std::filesystem::path link = {});
 
@@ -43,7 +43,7 @@ public:
     Result<void> send(std::span<std::byte const> bytes) override;
 
     bool is_read() const override { return is_read_; }
-    bool tells_readers_by_reports() const override { return false; }
+    bool detects_readers_by_reports() const override { return false; }
     std::uint64_t lost_count() const override { return lost_; }
     std::size_t waiting_count() const override { return 0; }
 

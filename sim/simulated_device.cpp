@@ -23,11 +23,11 @@ Timestamp DeviceClock::next_instant()
 Timestamp DeviceClock::arrival(Timestamp instant)
 {
     constexpr double kFarthest = 3; // Limit in standard deviations.
-    constexpr Duration kOnTheWire = std::chrono::microseconds(50);
+    constexpr Duration kTransferTime = std::chrono::microseconds(50);
     double const deviations = std::clamp(random_.normal(), -kFarthest, kFarthest);
     auto const arrival
         = instant + timing_.latency + from_seconds(deviations * to_seconds(timing_.jitter));
-    last_arrival_ = std::max({ arrival, instant, last_arrival_ + kOnTheWire });
+    last_arrival_ = std::max({ arrival, instant, last_arrival_ + kTransferTime });
     return last_arrival_;
 }
 

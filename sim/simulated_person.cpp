@@ -44,7 +44,7 @@ std::vector<calib::HeightCapture> simulate_captures(RigGeometry const& geometry,
         CHECK(capture);
         captures.push_back(*capture);
     }
-    calib::tell_directions(captures);
+    calib::assign_directions(captures);
     return captures;
 }
 

@@ -33,8 +33,8 @@ struct UhidAnswers {
 // has a hidraw node. It disappears with this object.
 class UhidDevice final : public KernelDevice {
 public:
-    // Creates a device with the name, path, bus, ids and report descriptor of `info`. Fails, as the
-    // user's fault, if /dev/uhid may not be used or the kernel refuses the descriptor.
+    // Creates a device with the name, path, bus, ids and report descriptor of `info`. Fails with a
+    // user error if /dev/uhid may not be used or the kernel refuses the descriptor.
     static Result<std::unique_ptr<UhidDevice>> create(drivers::DeviceInfo const& info,
                                                       UhidAnswers answers = {});
 
@@ -46,7 +46,7 @@ public:
     Result<void> send(std::span<std::byte const> report) override;
 
     bool is_read() const override { return is_open_; }
-    bool tells_readers_by_reports() const override { return false; }
+    bool detects_readers_by_reports() const override { return false; }
     std::uint64_t lost_count() const override { return 0; }
     std::size_t waiting_count() const override { return 0; }
 

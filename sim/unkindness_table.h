@@ -21,7 +21,7 @@ namespace tractus::sim {
 //     stall_every_ms = 700  # The computer stalls once in such a time,
 //     stall_ms = 80         # for so long.
 //
-// Fails as the user's fault, naming the key.
+// Fails with a user error, naming the key.
 Result<Unkindness> parse_unkindness(calib::TomlTable& table, std::uint64_t seed);
 
 } // namespace tractus::sim

@@ -40,7 +40,7 @@ struct UsbGadgetPlace {
 // has left behind is removed first. Needs root.
 class UsbGadget {
 public:
-    // Creates a gadget. Fails, as the user's fault and with the remedy, if the kernel does not
+    // Creates a gadget. Fails, with a user error and with the remedy, if the kernel does not
     // support gadgets, if the user lacks permission, or if another program has a gadget of that
     // name.
     static Result<std::unique_ptr<UsbGadget>> create(UsbGadgetIdentity const& identity,
@@ -56,20 +56,20 @@ public:
     };
 
     // Adds a function, named KIND.NAME in configfs ("hid.pen"), with its attributes, and returns
-    // its folder. Fails, as the user's fault, if configfs refuses it.
+    // its folder. Fails with a user error if configfs refuses it.
     Result<std::filesystem::path> add_function(std::string const& function,
                                                std::vector<Attribute> const& attributes = {});
 
     // Adds a FunctionFS function, mounts its file system and returns the mount point; the function
-    // is complete when its descriptors have been written to the file "ep0" there. Fails, as the
-    // user's fault, if the kernel refuses it.
+    // is complete when its descriptors have been written to the file "ep0" there. Fails with a
+    // user error if the kernel refuses it.
     Result<std::filesystem::path> add_file_system_function();
 
     // Binds the gadget to a port in /sys/class/udc (default: the first free one), so that the host
     // sees the device arrive. Fails if there is no port.
     Result<void> plug_in(std::string const& port = {});
 
-    // Unbinds the gadget, so that the host sees the device leave. Fails, as the user's fault, if
+    // Unbinds the gadget, so that the host sees the device leave. Fails with a user error if
     // configfs refuses it.
     Result<void> unplug();
 
@@ -83,7 +83,7 @@ private:
     FileDescriptor lock_; // Lock on the folder, held as long as the gadget exists.
 };
 
-// Writes an attribute of configfs or sysfs in one call. Fails, as the user's fault, naming the
+// Writes an attribute of configfs or sysfs in one call. Fails with a user error naming the
 // attribute.
 Result<void> write_attribute(std::filesystem::path const& path, std::string_view value);
 

@@ -71,7 +71,7 @@ private:
     Result<std::unique_ptr<Planned>> planned_for(variation::PlantKey const& key) const;
 
     double construction_ = 0;
-    scene::OwnSeeds own_seeds_ {};
+    scene::SeedAssignment own_seeds_ {};
     std::unique_ptr<Planned> varied_ {}; // Varied plant of the last key; null if variation failed.
     std::optional<variation::PlantKey> key_ {};
     std::size_t failed_count_ = 0;

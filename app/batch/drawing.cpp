@@ -67,7 +67,7 @@ private:
     Result<void> read_strokes();
     Result<void> replay();
     Result<void> play(station::LogReplay& replay);
-    Result<void> take_drawn();
+    Result<void> take_finished_strokes();
     void note_replay(station::Station const& station);
 
     DrawingOptions const& options_;
@@ -94,16 +94,16 @@ Result<void> DrawingReader::read_strokes()
             break;
         }
         document_.draw({ std::move(stroke), tools::Tool(*options_.methods.tools.front()) });
-        TRY(take_drawn());
+        TRY(take_finished_strokes());
     }
     report_.log = options_.log.string();
     report_.strokes = strokes_.size();
     return {};
 }
 
-Result<void> DrawingReader::take_drawn()
+Result<void> DrawingReader::take_finished_strokes()
 {
-    for (auto& drawn : document_.take_drawn())
+    for (auto& drawn : document_.take_finished_strokes())
         strokes_.push_back(std::move(drawn));
     while (auto const done = document_.take_done())
         if (!done->status)
@@ -121,8 +121,8 @@ Result<void> DrawingReader::play(station::LogReplay& replay)
     for (bool goes_on = true; goes_on;) {
         auto const time = options_.speed ? pace.data_time(pace.now()) : Timestamp::max();
         bool const is_stroke_end = replay.advance_to_stroke(time);
-        replay.hand_over(document_);
-        TRY(take_drawn());
+        replay.replay_into(document_);
+        TRY(take_finished_strokes());
         goes_on = !replay.is_over();
         if (goes_on && !is_stroke_end)
             pace.wait(kStep);

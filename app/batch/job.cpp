@@ -121,7 +121,7 @@ private:
 
     JobOptions const* options_;
     scene::Scene const* scene_;
-    scene::OwnSeeds own_seeds_;
+    scene::SeedAssignment own_seeds_;
     PlantGroup group_;
     std::optional<PlantGroup> own_; // The group of the last plant with a seed of its own.
     std::size_t underground_ = 0;

@@ -77,7 +77,7 @@ Plant const& PlantGroup::of_collection(std::size_t number, variation::PlantKey k
     return plant;
 }
 
-Plant PlantGroup::as_set()
+Plant PlantGroup::plant_as_displayed()
 {
     underground_ = 0;
     Plant all;
@@ -113,7 +113,7 @@ Result<Plant> shown_plants(scene::Scene const& scene, bool along_ground)
     auto group = TRY(PlantGroup::create(scene));
     if (along_ground)
         group.keep_above_ground();
-    return group.as_set();
+    return group.plant_as_displayed();
 }
 
 } // namespace tractus::batch

@@ -20,7 +20,7 @@ public:
     static Result<PlantGroup> create(scene::Scene const& scene);
 
     // The plants as the window shows them: as drawn, with their own growth and age.
-    Plant as_set();
+    Plant plant_as_displayed();
 
     // Enables bending growth along the ground instead of into it (bend_along_ground()).
     void keep_above_ground() { is_above_ground_ = true; }
@@ -57,8 +57,8 @@ private:
     variation::Individuality individuality_ {};
 };
 
-// PlantGroup::as_set() of a document, with `along_ground` bent along the ground. Fails like
-// PlantGroup::create().
+// PlantGroup::plant_as_displayed() of a document, with `along_ground` bent along the ground. Fails
+// like PlantGroup::create().
 Result<Plant> shown_plants(scene::Scene const& scene, bool along_ground = false);
 
 } // namespace tractus::batch

@@ -35,7 +35,7 @@ Result<std::vector<scene::Edit>> season_edits(scene::Scene const& scene,
 std::vector<scene::Edit> following_edits(scene::Scene const& scene,
                                          std::vector<scene::Edit> const& step)
 {
-    auto following = methods::edits_that_follow(scene, step);
+    auto following = methods::dependent_edits(scene, step);
     if (!following.has_leaves || !scene.state.season)
         return following.edits;
     auto all = step;

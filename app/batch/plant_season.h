@@ -15,7 +15,7 @@ namespace tractus::batch {
 Result<std::vector<scene::Edit>> season_edits(scene::Scene const& scene,
                                               std::optional<scene::Season> const& season);
 
-// Edits that must follow a step, as in edits_that_follow(); leaves that follow a drawing are grown
+// Edits that must follow a step, as in dependent_edits(); leaves that follow a drawing are grown
 // for the document's season.
 std::vector<scene::Edit> following_edits(scene::Scene const& scene,
                                          std::vector<scene::Edit> const& step);

@@ -118,7 +118,7 @@ void CalibrationController::push_pen(drivers::PenSample const& sample)
         touch_.reset();
     else if (!touch_ || (sample.position_mm - touch_->position_mm).norm() > kPenStill_mm) {
         touch_ = sample;
-        is_rest_told_ = false;
+        is_rest_reported_ = false;
     }
     if (!takes_captures(procedure()) && is_moving_ && !is_pressing_) {
         pens_.push_back(sample);
@@ -167,9 +167,9 @@ void CalibrationController::close_capture(Timestamp now)
 
 bool CalibrationController::take_pen_rest()
 {
-    if (!touch_ || is_pressing_ || is_rest_told_ || pen_->time - touch_->time < kPenRest)
+    if (!touch_ || is_pressing_ || is_rest_reported_ || pen_->time - touch_->time < kPenRest)
         return false;
-    is_rest_told_ = true;
+    is_rest_reported_ = true;
     return true;
 }
 
@@ -363,12 +363,13 @@ Result<CalibrationOutcome> CalibrationController::finish_tilt(std::string const&
 
 std::optional<calib::Zeroing> CalibrationController::open_question() const
 {
-    constexpr double kWorthAsking_mm = 0.2;
+    constexpr double kMinDifferenceToAsk_mm = 0.2;
     if (procedure() != CalibrationProcedure::Zero)
         return std::nullopt;
     auto const zeroing = calib::zeroed(options_.rig, captures_, height_decoder_->full_scale(),
                                        options_.zero_cause);
-    if (!zeroing || zeroing->is_told || zeroing->at_stake_mm < kWorthAsking_mm)
+    if (!zeroing || zeroing->is_told
+        || zeroing->difference_if_other_cause_mm < kMinDifferenceToAsk_mm)
         return std::nullopt;
     return *zeroing;
 }

@@ -172,7 +172,7 @@ private:
 
     std::optional<drivers::PenSample> pen_;
     std::optional<drivers::PenSample> touch_; // First sample of the current touch.
-    bool is_rest_told_ = false;
+    bool is_rest_reported_ = false;
     bool is_pressing_ = false; // The current touch does not belong to the calibration.
 
     bool is_moving_ = true; // True during a movement; always true in a log without begin and end.

@@ -177,7 +177,7 @@ std::string describe_question(calib::Zeroing const& zeroing)
     return fmt::format("  if the table, the spool's stand or the ruler moved instead, heights are "
                        "up to {:.1f} mm wrong now: capture a second height, far from the first, or "
                        "say --cause moved\n",
-                       zeroing.at_stake_mm);
+                       zeroing.difference_if_other_cause_mm);
 }
 
 std::string describe_heights(double low_mm, double high_mm)

@@ -34,9 +34,9 @@ struct ChooseProcedure {
     CalibrationProcedure procedure = CalibrationProcedure::Height;
 };
 struct ProposeHeight {
-    double height_mm = 0; // Height that CaptureAt or a rest of the pen captures next.
+    double height_mm = 0; // Height that CaptureHeight or a rest of the pen captures next.
 };
-struct CaptureAt {
+struct CaptureHeight {
     double ruler_mm = 0;
 };
 struct UndoCapture { };
@@ -45,7 +45,7 @@ struct EndMovement { };
 struct KeepRig { }; // Saves the rig's file.
 struct PressWithPen {
 }; // The pen's current touch presses a control of the panel and has no other effect.
-using CalibrationCommand = std::variant<ChooseProcedure, ProposeHeight, CaptureAt, UndoCapture,
+using CalibrationCommand = std::variant<ChooseProcedure, ProposeHeight, CaptureHeight, UndoCapture,
                                         BeginMovement, EndMovement, KeepRig, PressWithPen>;
 
 // Supplies the panel's contents. For use on the window's thread only.

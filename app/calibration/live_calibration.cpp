@@ -250,7 +250,7 @@ private:
                                 "spool's stand or the ruler moved. It makes up to {:.1f} mm; if "
                                 "you do not know, set the surface to a second height, far from the "
                                 "first, type it and press Enter",
-                                question->at_stake_mm));
+                                question->difference_if_other_cause_mm));
         return {};
     }
 
@@ -365,7 +365,7 @@ Result<bool> calibrate_live(CalibrationController& controller, devices::LiveDevi
     return Conversation(controller, devices, person, options).run(stop);
 }
 
-MovementWords movement_words(CalibrationProcedure procedure)
+MovementInstructions movement_words(CalibrationProcedure procedure)
 {
     if (procedure == CalibrationProcedure::Tilt)
         return { .before = "Set the nib in a small dent that does not move on the tablet",

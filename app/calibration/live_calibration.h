@@ -59,10 +59,10 @@ std::string describe_reading(CalibrationController const& controller);
 
 // What the user does before and during the movement of a procedure, as sentences without a full
 // stop.
-struct MovementWords {
+struct MovementInstructions {
     std::string_view before;
     std::string_view during;
 };
-MovementWords movement_words(CalibrationProcedure procedure);
+MovementInstructions movement_words(CalibrationProcedure procedure);
 
 } // namespace tractus::calibration

@@ -11,7 +11,7 @@ namespace tractus::calibration {
 namespace {
 
 // Delay between the pen's rest and the capture.
-constexpr Duration kUntilCapture = std::chrono::milliseconds(700);
+constexpr Duration kCaptureDelay = std::chrono::milliseconds(700);
 
 struct Command {
     Timestamp time {};
@@ -99,7 +99,7 @@ std::vector<Command> commands_of(Performance const& performance, sim::Hand const
 {
     std::vector<Command> commands;
     for (std::size_t i = 0; i < performance.words.size(); ++i)
-        commands.push_back({ hand.strokes()[i].down + kUntilCapture, performance.words[i] });
+        commands.push_back({ hand.strokes()[i].down + kCaptureDelay, performance.words[i] });
     if (performance.words.empty()) {
         commands.push_back({ hand.strokes().front().chosen, "begin" });
         commands.push_back({ hand.strokes().back().up, "end" });

@@ -133,7 +133,7 @@ Result<void> write_tractus_log(std::ostream& out, drivers::Log const& log)
 
 bool wants_strokes(ConvertArguments const& arguments)
 {
-    return arguments.format.empty() && io::is_written_of_strokes(arguments.output);
+    return arguments.format.empty() && io::can_write_strokes_to(arguments.output);
 }
 
 // True for tools that draw something, false for those that select, point or erase.

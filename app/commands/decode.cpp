@@ -150,8 +150,9 @@ decode_all(drivers::Log const& log, std::vector<Device>& devices,
         device.reports += !went_away;
         if (!device.pen)
             continue;
-        if (auto const gone = went_away ? device.pen->leave(report->time)
-                                        : device.silence.leave_if_over(*device.pen, report->time))
+        if (auto const gone = went_away
+                ? device.pen->leave(report->time)
+                : device.silence.leave_after_silence(*device.pen, report->time))
             TRY(use(report->device, *gone));
         if (went_away)
             continue;

@@ -199,7 +199,7 @@ std::optional<Vec2> parse_sides(std::string_view text)
         return std::nullopt;
     auto const [rest, y_error] = std::from_chars(x + 1, end, sides_mm.y());
     bool const is_whole = y_error == std::errc() && rest == end;
-    return is_whole && calib::is_tablets_surface(sides_mm) ? std::optional(sides_mm) : std::nullopt;
+    return is_whole && calib::is_tablet_area(sides_mm) ? std::optional(sides_mm) : std::nullopt;
 }
 
 std::string expected_sides()

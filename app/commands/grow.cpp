@@ -51,7 +51,7 @@ struct GrowArguments {
     std::string habit;
     int years = 20;       // Number of years that it grows.
     int stand = 1;        // Number of trees that grow beside each other.
-    double spacing_m = 4; // Their distance.
+    double spacing_m = 4; // Distance between neighbouring trees.
     bool fills = false;   // True: it fills the crown of the model, which was drawn by its outline.
     bool report = false;
 
@@ -170,7 +170,7 @@ Result<void> write_varied(GrowArguments const& arguments, scene::Scene const& sc
     auto group = TRY(batch::PlantGroup::create(scene));
     if (arguments.growth.along_ground)
         group.keep_above_ground();
-    auto const plant = group.as_set();
+    auto const plant = group.plant_as_displayed();
     if (auto const below = variation::describe_underground(group.underground(), plant);
         !below.empty())
         terminal::print_warning(
@@ -184,7 +184,8 @@ Result<void> report_all(GrowArguments const& arguments, scene::Scene const& scen
 {
     if (!arguments.output.empty()) {
         auto group = TRY(batch::PlantGroup::create(scene));
-        TRY(batch::write_plant_file(group.as_set(), name, arguments.output, arguments.file));
+        TRY(batch::write_plant_file(group.plant_as_displayed(), name, arguments.output,
+                                    arguments.file));
     }
     std::string list;
     for (auto const& plant : scene.plants) {
@@ -260,11 +261,11 @@ Result<scene::Scene> load_tree_scene(GrowArguments const& arguments)
                     "those");
     auto const seed = arguments.model.seed.value_or(1);
     if (arguments.stand > 1) {
-        auto const edits = TRY(methods::stand_of_habit({ .habit = arguments.habit,
-                                                         .years = arguments.years,
-                                                         .seed = seed,
-                                                         .count = arguments.stand,
-                                                         .spacing_m = arguments.spacing_m }));
+        auto const edits = TRY(methods::edits_for_stand({ .habit = arguments.habit,
+                                                          .years = arguments.years,
+                                                          .seed = seed,
+                                                          .count = arguments.stand,
+                                                          .spacing_m = arguments.spacing_m }));
         return scene::apply_edits({}, edits, document::make_load_options(arguments.cost));
     }
     auto const edit = TRY(methods::tree_of_habit(arguments.habit, arguments.years, seed));

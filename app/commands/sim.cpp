@@ -50,7 +50,7 @@ Result<void> play_through_uhid(SimArguments const& arguments)
     auto const chosen = TRY(choose_devices(log, arguments));
     std::vector<std::unique_ptr<sim::KernelDevice>> devices;
     std::vector<std::unique_ptr<play::DevicePart>> parts;
-    play::DevicePlay play;
+    play::PlaybackSet play;
     for (auto const index : chosen) {
         auto device = TRY(sim::UhidDevice::create(log.devices[index], sim::remember_features()));
         terminal::print_error(fmt::format("playing {}\n", log.devices[index].name));
@@ -126,7 +126,7 @@ Result<void> play_serial_board(SimSerialArguments const& arguments)
     SerialBoardPart part(board);
     terminal::print_error(fmt::format("a board on a serial line: --device {}@max={}\n",
                                       port->address(), board.full_scale()));
-    play::DevicePlay play;
+    play::PlaybackSet play;
     play.devices = { port.get() };
     play.parts = { &part };
     return run_sim_play(std::move(play), arguments.play);

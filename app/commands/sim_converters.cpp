@@ -88,7 +88,7 @@ private:
 Result<void> play_part(sim::KernelDevice& device, HeightPart& part,
                        SimPlayArguments const& arguments)
 {
-    play::DevicePlay play;
+    play::PlaybackSet play;
     play.devices = { &device };
     play.parts = { &part };
     return run_sim_play(std::move(play), arguments);

@@ -37,9 +37,9 @@ struct Functions {
     std::vector<std::unique_ptr<play::ReportPart>> pen_parts;
     std::unique_ptr<play::PlayedHeightSensor> sensor;
 
-    play::DevicePlay play() const
+    play::PlaybackSet play() const
     {
-        play::DevicePlay play;
+        play::PlaybackSet play;
         for (auto const& pen : pens)
             play.devices.push_back(pen.get());
         for (auto const& part : pen_parts)

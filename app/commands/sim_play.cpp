@@ -40,11 +40,11 @@ Result<drivers::Log> simulate(SimPlayArguments const& arguments)
     return drivers::parse_log(recording.str(), arguments.script);
 }
 
-play::DevicePlay::Then what_then(SimPlayArguments const& arguments)
+play::PlaybackSet::Then what_then(SimPlayArguments const& arguments)
 {
     if (arguments.repeat)
-        return play::DevicePlay::Then::Repeat;
-    return arguments.stay ? play::DevicePlay::Then::Stay : play::DevicePlay::Then::Leave;
+        return play::PlaybackSet::Then::Repeat;
+    return arguments.stay ? play::PlaybackSet::Then::Stay : play::PlaybackSet::Then::Leave;
 }
 
 } // namespace
@@ -105,7 +105,7 @@ std::function<play::NextReport()> reports_of(drivers::Log const& log, std::size_
     };
 }
 
-Result<void> run_sim_play(play::DevicePlay play, SimPlayArguments const& arguments)
+Result<void> run_sim_play(play::PlaybackSet play, SimPlayArguments const& arguments)
 {
     play.then = what_then(arguments);
     play.on_begin = [] { terminal::print_error("somebody reads: playing; Ctrl-C unplugs\n"); };

@@ -34,6 +34,6 @@ std::function<play::NextReport()> reports_of(drivers::Log const& log, std::size_
                                              std::optional<double> rate_hz);
 
 // Plays until the end or a signal, and prints on standard error when it begins and how it went.
-Result<void> run_sim_play(play::DevicePlay play, SimPlayArguments const& arguments);
+Result<void> run_sim_play(play::PlaybackSet play, SimPlayArguments const& arguments);
 
 } // namespace tractus::commands

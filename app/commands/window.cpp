@@ -59,7 +59,7 @@ struct WindowArguments {
     std::string socket;  // Socket on which other programs receive strokes; empty: none.
     bool fills_display = false;
     std::string display; // Name of the display to fill; empty: see `fills_display`.
-    std::string view;    // One of window::shown_words(); empty: as usual.
+    std::string view;    // One of window::shown_words(); empty: not given.
     bool is_on_stage = false;
     std::optional<bool> is_light {}; // Light or dark colours; no value: the user's last choice.
     // Layout for left-handed use; no value: the user's last choice.
@@ -123,7 +123,7 @@ window::WindowOptions window_options(WindowArguments const& arguments, std::stri
         };
     options.scale = arguments.scale;
     options.frames = arguments.frames;
-    options.should_close = drivers::ClosingSignals::have_come;
+    options.should_close = drivers::ClosingSignals::has_signal_arrived;
     options.screenshot = arguments.screenshot;
     options.film = arguments.film;
     options.film_rate = arguments.film_rate;

@@ -73,7 +73,7 @@ void CalibrationPanelController::perform_kind(calibration::ChooseProcedure const
     propose();
 }
 
-void CalibrationPanelController::perform_kind(calibration::CaptureAt const& command)
+void CalibrationPanelController::perform_kind(calibration::CaptureHeight const& command)
 {
     capture(options_.now(), command.ruler_mm);
 }

@@ -54,7 +54,7 @@ private:
     {
         view_.proposed_mm = command.height_mm;
     }
-    void perform_kind(calibration::CaptureAt const& command);
+    void perform_kind(calibration::CaptureHeight const& command);
     void perform_kind(calibration::UndoCapture const&);
     void perform_kind(calibration::BeginMovement const&);
     void perform_kind(calibration::EndMovement const&);

@@ -81,7 +81,7 @@ KeptName kept_name(fs::path const& file)
         "card-{:016x}-", std::hash<std::string>()(fs::absolute(file, ignored).string()));
     return { beginning,
              fmt::format("{}{:x}-{:x}.png", beginning,
-                         written_last(file).time_since_epoch().count(),
+                         modification_time(file).time_since_epoch().count(),
                          fs::file_size(file, ignored)) };
 }
 

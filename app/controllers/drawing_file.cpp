@@ -37,7 +37,7 @@ Result<scene::Scene> scene_of_plant(fs::path const& plant, scene::EditKinds kind
     return scene::apply_edit({}, edit, document::make_load_options(cost));
 }
 
-Result<session::Session> open_or_begin(WantedDrawing const& wanted, scene::EditKinds kinds,
+Result<session::Session> open_or_begin(DrawingRequest const& wanted, scene::EditKinds kinds,
                                        std::string& trouble)
 {
     std::error_code ignored;
@@ -58,7 +58,7 @@ Result<session::Session> open_or_begin(WantedDrawing const& wanted, scene::EditK
 }
 
 // Begins a new session named after the plant; in memory, if its file cannot be created.
-static Result<OpenedDrawing> begin_unnamed(WantedDrawing wanted, scene::EditKinds kinds)
+static Result<OpenedDrawing> begin_unnamed(DrawingRequest wanted, scene::EditKinds kinds)
 {
     OpenedDrawing opened;
     auto const name = wanted.plant.empty() ? std::string("drawing") : wanted.plant.stem().string();
@@ -80,7 +80,7 @@ static Result<OpenedDrawing> begin_unnamed(WantedDrawing wanted, scene::EditKind
     return opened;
 }
 
-static Result<OpenedDrawing> open_named(WantedDrawing const& wanted, scene::EditKinds kinds)
+static Result<OpenedDrawing> open_named(DrawingRequest const& wanted, scene::EditKinds kinds)
 {
     OpenedDrawing opened;
     opened.session = TRY(open_or_begin(wanted, kinds, opened.trouble));
@@ -89,7 +89,7 @@ static Result<OpenedDrawing> open_named(WantedDrawing const& wanted, scene::Edit
     return opened;
 }
 
-Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, scene::EditKinds kinds)
+Result<OpenedDrawing> open_drawing(DrawingRequest const& wanted, scene::EditKinds kinds)
 {
     auto opened
         = TRY(wanted.session.empty() ? begin_unnamed(wanted, kinds) : open_named(wanted, kinds));

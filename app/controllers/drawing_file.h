@@ -12,7 +12,7 @@
 namespace tractus::controllers {
 
 // A drawing to open: the file that it begins from, and the session that saves it.
-struct WantedDrawing {
+struct DrawingRequest {
     // A model, a skeleton, a measured plant or a session; empty: an empty sheet.
     std::filesystem::path plant {};
     // The session to save to: an existing one to continue, or a new one with the plant. Empty: a
@@ -35,11 +35,11 @@ struct OpenedDrawing {
 // Opens a drawing. If a new session with a generated name cannot be created, the drawing opens
 // without one. Fails with a user error like load_plant_edit(), Session::open() and
 // Session::create().
-Result<OpenedDrawing> open_drawing(WantedDrawing const& wanted, scene::EditKinds kinds);
+Result<OpenedDrawing> open_drawing(DrawingRequest const& wanted, scene::EditKinds kinds);
 
 // Opens an existing session, or creates one with the plant. Sets `trouble` if the session has
 // unknown edits.
-Result<session::Session> open_or_begin(WantedDrawing const& wanted, scene::EditKinds kinds,
+Result<session::Session> open_or_begin(DrawingRequest const& wanted, scene::EditKinds kinds,
                                        std::string& trouble);
 
 // The scene with which a drawing of this plant begins. Fails like load_plant_edit() and

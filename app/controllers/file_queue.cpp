@@ -4,7 +4,7 @@
 
 namespace tractus::controllers {
 
-static Result<FileQueue::Written> write_wanted(WantedFile const& file)
+static Result<FileQueue::Written> write_wanted(FileToWrite const& file)
 {
     auto note = TRY(file.write(file.path));
     return FileQueue::Written { file.path, std::move(note) };
@@ -20,7 +20,7 @@ FileQueue::~FileQueue()
     settle();
 }
 
-void FileQueue::add(WantedFile file)
+void FileQueue::add(FileToWrite file)
 {
     waiting_.push_back(std::move(file));
     collect();

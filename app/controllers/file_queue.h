@@ -12,7 +12,7 @@
 namespace tractus::controllers {
 
 // A file to write.
-struct WantedFile {
+struct FileToWrite {
     std::filesystem::path path;
     // Called on another thread with `path`. Returns an additional message for the user, or "".
     std::function<Result<std::string>(std::filesystem::path const& path)> write;
@@ -27,7 +27,7 @@ public:
     FileQueue& operator=(FileQueue const&) = delete;
     ~FileQueue();
 
-    void add(WantedFile file);
+    void add(FileToWrite file);
 
     // True if files are not written yet, or outcomes have not been taken.
     bool is_busy() const { return is_writing_ || !done_.empty(); }
@@ -45,10 +45,10 @@ public:
 private:
     void collect();
 
-    std::deque<WantedFile> waiting_;
+    std::deque<FileToWrite> waiting_;
     bool is_writing_ = false;
     std::deque<Result<Written>> done_;
-    NewestJob<WantedFile, Result<Written>> job_;
+    NewestJob<FileToWrite, Result<Written>> job_;
 };
 
 } // namespace tractus::controllers

@@ -45,7 +45,7 @@ Result<LiveWindow> LiveWindow::create(devices::LiveDevices devices, LiveWindowOp
     LiveWindow window(std::move(devices), std::move(options), std::move(station_options),
                       std::move(station));
     window.view().state().mouse_draws = mouse.pen;
-    window.view().state().hand_is_played = window.devices_.has_hand();
+    window.view().state().is_hand_simulated = window.devices_.has_hand();
     window.view().state().mouse_moves_surface = mouse.height;
     window.view().state().may_calibrate = has_sensor && !window.options_.rig_file.empty();
     if (auto const note = size_note(window.devices_, window.station_options_.rig))
@@ -96,7 +96,7 @@ Result<void> LiveWindow::finish()
 {
     take_reports();
     station_.finish();
-    tell_programs();
+    announce_programs();
     record_tool_changes();
     auto const kept = controller_->finish(station_, options_.now());
     record_steps();
@@ -125,7 +125,7 @@ void LiveWindow::advance(Duration real_step)
     if (options_.counted_time)
         *options_.counted_time += real_step;
     take_reports();
-    tell_programs();
+    announce_programs();
     follow_start_page();
     follow_choices();
     follow_leaf_page();
@@ -140,8 +140,8 @@ void LiveWindow::advance(Duration real_step)
     calibrate();
     show_devices();
     tell_device_changes();
-    tell_who_is_away();
-    tell_what_is_lost();
+    announce_missing_devices();
+    warn_of_lost_steps();
     flush_recording();
 }
 
@@ -177,7 +177,7 @@ void LiveWindow::follow_model()
 void LiveWindow::take_reports()
 {
     if (!drawings_are_open())
-        devices_.begin_hand();
+        devices_.start_simulated_hand();
     devices_.take(reports_);
     auto const tools = devices_.take_hand_tools();
     auto next_tool = tools.begin();
@@ -214,7 +214,7 @@ void LiveWindow::choose_for_hand(drivers::LogTool const& line)
 
 // Streams pen moments to other programs, before the document takes the strokes. A slow client is
 // never waited for, so nothing can fail.
-void LiveWindow::tell_programs()
+void LiveWindow::announce_programs()
 {
     auto const moments = station_.take_moments();
     moments_.insert(moments_.end(), moments.begin(), moments.end());
@@ -258,7 +258,7 @@ void LiveWindow::tell_device_changes()
         case devices::LiveDevices::State::Connected:
             view().state().status = fmt::format("{} is back", name);
             break;
-        // Nothing to say here, as tell_who_is_away() reports disconnected devices.
+        // Nothing to say here, as announce_missing_devices() reports disconnected devices.
         case devices::LiveDevices::State::Away:
             break;
         case devices::LiveDevices::State::Ended:
@@ -269,7 +269,7 @@ void LiveWindow::tell_device_changes()
 }
 
 // Shows which devices are disconnected; this takes precedence over other messages.
-void LiveWindow::tell_who_is_away()
+void LiveWindow::announce_missing_devices()
 {
     for (std::size_t i = 0; i < states_.size(); ++i) {
         if (states_[i] != devices::LiveDevices::State::Away)
@@ -282,7 +282,7 @@ void LiveWindow::tell_who_is_away()
     }
 }
 
-void LiveWindow::tell_what_is_lost()
+void LiveWindow::warn_of_lost_steps()
 {
     auto const lost = devices_.lost_count();
     if (std::exchange(lost_reports_, lost) < lost)
@@ -307,7 +307,7 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
                           tools::print_min_extents(station_.min_extents()));
     // Writes the station's tools, so that the recording starts with the same tools at both ends of
     // the pen.
-    for (auto const& tool : station_.tools_to_go_on_with()) {
+    for (auto const& tool : station_.tools_for_continuation()) {
         auto const words = tools::words_for(tool);
         recorder_->write_tool(now, words.name, words.arguments);
     }
@@ -370,7 +370,7 @@ void LiveWindow::perform_kind(view::Restart const&)
 // Replaces the station, keeping the selected tool.
 void LiveWindow::go_on_with(station::Station station)
 {
-    auto const tools = station_.tools_to_go_on_with();
+    auto const tools = station_.tools_for_continuation();
     station_ = std::move(station);
     station_.set_pressing_areas(pressing_areas_);
     for (auto const& tool : tools)
@@ -411,7 +411,7 @@ void LiveWindow::perform_kind(view::SetPressingAreas const& command)
 
 void LiveWindow::perform_kind(view::PressInstead const&)
 {
-    station_.press_instead();
+    station_.convert_touch_to_press();
     record_tool_changes();
 }
 
@@ -505,7 +505,7 @@ void LiveWindow::use_rig(calib::Rig const& rig)
         return;
     }
     station_.finish();
-    tell_programs();
+    announce_programs();
     record_tool_changes();
     // Saving may fail here; unsaved steps are retried later.
     auto const kept = controller_->finish(station_, options_.now());

@@ -145,7 +145,7 @@ private:
     void open_choices(ChoiceOf what, Choices choices);
     LeavesInDocument leaves_in_document();
     void keep_drawn_leaf(std::filesystem::path const& file);
-    bool brings_leaf(std::filesystem::path const& file);
+    bool inserts_leaf(std::filesystem::path const& file);
     void open_leaf_page(std::filesystem::path const& file);
     void follow_choices();
     void follow_leaf_page();
@@ -153,7 +153,7 @@ private:
     void follow_model();
     void take_reports();
     void choose_for_hand(drivers::LogTool const& line);
-    void tell_programs();
+    void announce_programs();
     void show_devices();
     void calibrate();
     void use_rig(calib::Rig const& rig);
@@ -161,8 +161,8 @@ private:
     void record_tool_changes();
     void record_steps();
     void tell_device_changes();
-    void tell_who_is_away();
-    void tell_what_is_lost();
+    void announce_missing_devices();
+    void warn_of_lost_steps();
     Result<void> start_recording(std::filesystem::path const& path);
     Result<void> stop_recording();
     void flush_recording();

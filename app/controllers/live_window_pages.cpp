@@ -86,7 +86,7 @@ void LiveWindow::go_on_with(OpenedDrawing drawing)
     state.playing = false;
     state.pen = before.pen;
     state.mouse_draws = before.mouse_draws;
-    state.hand_is_played = before.hand_is_played;
+    state.is_hand_simulated = before.is_hand_simulated;
     state.mouse_moves_surface = before.mouse_moves_surface;
     state.may_calibrate = before.may_calibrate;
     state.may_begin_anew = before.may_begin_anew;
@@ -157,9 +157,9 @@ LeavesInDocument LiveWindow::leaves_in_document()
               is_drawn_leaf(scene(), state.active) ? keeps : "The plant follows its drawing" });
     for (auto const& drawn : drawn_organs_)
         leaves.in_views.push_back(
-            { drawn.file, brings_leaf(drawn.file) ? "Of another plant, for this one" : keeps });
+            { drawn.file, inserts_leaf(drawn.file) ? "Of another plant, for this one" : keeps });
     kept_leaf_.clear();
-    if (auto const worn = methods::worn_leaves(state, state.active))
+    if (auto const worn = methods::chosen_foliage(state, state.active))
         if (auto const kept = state.leaf_grammars.find(worn->leaves);
             kept != state.leaf_grammars.end())
             if (auto const file = write_shown_leaf("worn-leaf.leaf", *kept->second, cache))
@@ -170,7 +170,7 @@ LeavesInDocument LiveWindow::leaves_in_document()
 
 // True if choosing a leaf drawn in three views should put it on the active plant: the leaf is not
 // that plant's own, and the plant accepts such leaves.
-bool LiveWindow::brings_leaf(std::filesystem::path const& file)
+bool LiveWindow::inserts_leaf(std::filesystem::path const& file)
 {
     auto const& state = scene().state;
     return methods::takes_organs(state)
@@ -199,7 +199,7 @@ void LiveWindow::open_leaf_page(std::filesystem::path const& file)
     auto const& state = scene().state;
     methods::Foliage wanted { .leaves = methods::leaves_of_grammar(file.string()) };
     auto const drawn = std::ranges::find(drawn_leaves_, file, &DrawnLeafFile::file);
-    auto const worn = methods::worn_leaves(state, state.active);
+    auto const worn = methods::chosen_foliage(state, state.active);
     if (drawn != drawn_leaves_.end())
         wanted = { .drawn = drawn->leaf };
     else if (file == kept_leaf_ && worn)
@@ -254,7 +254,7 @@ void LiveWindow::follow_choices()
         perform_kind(view::LayPictureFile { *file });
     else if (file->empty())
         perform_kind(view::SetActiveFoliage {});
-    else if (methods::is_organ_file(*file) && brings_leaf(*file))
+    else if (methods::is_organ_file(*file) && inserts_leaf(*file))
         perform_kind(view::BringLeaf { *file });
     else if (methods::is_organ_file(*file)
              || (is_drawn && is_drawn_leaf(scene(), scene().state.active)))

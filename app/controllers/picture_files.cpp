@@ -41,7 +41,7 @@ std::vector<fs::path> pictures_in(fs::path const& folder, std::size_t most)
         std::error_code ignored;
         bool const is_hidden = path.filename().string().starts_with('.');
         if (!is_hidden && is_picture_file(path) && entry->is_regular_file(ignored))
-            found.emplace_back(written_last(path), path);
+            found.emplace_back(modification_time(path), path);
     }
     std::sort(found.begin(), found.end(), [](auto const& one, auto const& other) {
         return one.first != other.first ? one.first > other.first : one.second < other.second;

@@ -52,7 +52,7 @@ std::string time_in_words(sys_seconds time, sys_seconds now)
                                          : fmt::format("{} {}", date, then.tm_year + 1900);
 }
 
-sys_seconds written_last(fs::path const& file)
+sys_seconds modification_time(fs::path const& file)
 {
     std::error_code error;
     auto last = fs::last_write_time(file, error);
@@ -72,7 +72,7 @@ std::vector<RecentDrawing> recent_drawings(fs::path const& folder, std::size_t m
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error))
         if (batch::is_session_file(entry->path()))
-            found.emplace_back(written_last(entry->path()), entry->path());
+            found.emplace_back(modification_time(entry->path()), entry->path());
     std::sort(found.begin(), found.end(), std::greater<>());
     found.resize(std::min(found.size(), most));
     std::vector<RecentDrawing> recent;

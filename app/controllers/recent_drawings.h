@@ -21,7 +21,7 @@ std::vector<RecentDrawing> recent_drawings(std::filesystem::path const& folder, 
                                            std::chrono::sys_seconds now);
 
 // When a file was last written; for a session, including its write-ahead log.
-std::chrono::sys_seconds written_last(std::filesystem::path const& file);
+std::chrono::sys_seconds modification_time(std::filesystem::path const& file);
 
 // A time relative to now, in local time: "Today, 14:03", "Yesterday, 9:12", "24 November, 18:40",
 // "3 March 2025".

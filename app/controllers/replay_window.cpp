@@ -57,7 +57,7 @@ void ReplayWindow::advance(Duration real_step)
     }
     now_ += from_seconds(to_seconds(real_step) * state.speed);
     bool const goes_on = replay_.advance_to(now_);
-    replay_.hand_over(controller_.document());
+    replay_.replay_into(controller_.document());
     controller_.show(replay_.station(), now_);
     if (!goes_on) {
         auto const kept = replay_.outcome() ? finish() : replay_.outcome();

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 Result<fs::path> write_rules(scene::PlantState const& plant, fs::path const& folder)
 {
     auto const model = TRY(plant.source.model());
-    if (!model || !plant.source.can_take_rules())
+    if (!model || !plant.source.accepts_rules())
         return fail(Fault::User,
                     "the rules of this plant are not written here: choose one that was drawn with "
                     "construction lines");
@@ -32,15 +32,15 @@ std::optional<scene::LoadModel> model_drawn_on(scene::DocumentState const& state
         return std::nullopt;
     if (auto const* const loaded = scene::loaded_model(plant->source))
         return *loaded;
-    auto const model = plant->source.can_take_rules() ? plant->source.model()
-                                                      : std::optional<scene::SourceModel>();
+    auto const model = plant->source.accepts_rules() ? plant->source.model()
+                                                     : std::optional<scene::SourceModel>();
     if (!model || !*model)
         return std::nullopt;
     return scene::LoadModel { .source = (*model)->source, .includes = (*model)->includes };
 }
 
-Result<document::WantedStep::Change> take_rules(scene::LoadModel const& model,
-                                                scene::Scene const& scene)
+Result<document::StepRequest::Change> take_rules(scene::LoadModel const& model,
+                                                 scene::Scene const& scene)
 {
     auto const name = fs::path(model.source.name).filename();
     auto const drawn_on = model_drawn_on(scene.state);
@@ -52,16 +52,17 @@ Result<document::WantedStep::Change> take_rules(scene::LoadModel const& model,
                                 name.string()));
     auto const said = fmt::format("The plant is that of {} as it was saved", name.string());
     auto const& source = scene::active_plant(scene.state)->source;
-    if (source.can_take_rules())
-        return document::WantedStep::Change { { scene::WriteRules {
-                                                  scene.state.active,
-                                                  { model.source.text, model.source.view_text } } },
-                                              said };
+    if (source.accepts_rules())
+        return document::StepRequest::Change {
+            { scene::WriteRules { scene.state.active,
+                                  { model.source.text, model.source.view_text } } },
+            said
+        };
     auto edit = model;
     edit.steps = drawn_on->steps;
     edit.seed = drawn_on->seed;
     edit.drawn = scene::Drawn::Keep;
-    return document::WantedStep::Change { { edit }, said };
+    return document::StepRequest::Change { { edit }, said };
 }
 
 } // namespace tractus::controllers

@@ -20,8 +20,8 @@ Result<std::filesystem::path> write_rules(scene::PlantState const& plant,
 
 // The change after a model's file was saved: the active plant is derived again from the new text,
 // keeping what was drawn on it. Fails with a user error if the active plant is not this model's.
-Result<document::WantedStep::Change> take_rules(scene::LoadModel const& model,
-                                                scene::Scene const& scene);
+Result<document::StepRequest::Change> take_rules(scene::LoadModel const& model,
+                                                 scene::Scene const& scene);
 
 // The active plant's model as its files contain it; nullopt if it has no files.
 std::optional<scene::LoadModel> model_drawn_on(scene::DocumentState const& state);

@@ -65,7 +65,7 @@ StartPageOptions start_page_of_user(tools::Methods const& methods)
 StartPageController::StartPageController(StartPageOptions options)
     : options_(std::move(options))
     , pictures_(options_.kinds, options_.pictures)
-    , opening_([kinds = options_.kinds](WantedDrawing const& wanted) {
+    , opening_([kinds = options_.kinds](DrawingRequest const& wanted) {
         return open_drawing(wanted, kinds);
     })
 {

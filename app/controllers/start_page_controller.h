@@ -64,7 +64,7 @@ public:
 
 private:
     struct Meaning {
-        WantedDrawing wanted;
+        DrawingRequest wanted;
         std::optional<tools::Tool> tool {};
     };
 
@@ -83,7 +83,7 @@ private:
                                                  // indices.
     std::optional<tools::Tool> chosen_tool_;
     CardPictures pictures_;
-    NewestJob<WantedDrawing, Result<OpenedDrawing>> opening_;
+    NewestJob<DrawingRequest, Result<OpenedDrawing>> opening_;
 };
 
 } // namespace tractus::controllers

@@ -55,11 +55,11 @@ void StationController::take_strokes(station::Station& station)
 {
     for (auto& stroke : station.take_strokes())
         document_->draw(std::move(stroke));
-    tell_of_dab(station);
+    announce_dab(station);
 }
 
 // Explains, once per kind of tool, why a dab (a touch too short for a stroke) did nothing.
-void StationController::tell_of_dab(station::Station const& station)
+void StationController::announce_dab(station::Station const& station)
 {
     auto const* const kind = station.last_dab();
     bool const is_new
@@ -88,10 +88,10 @@ void StationController::show_document(station::Station& station, Timestamp now)
     document_->pass_time(now);
     auto const before = view_.grown_scene();
     bool has_travelled = false;
-    for (auto const& drawn : document_->take_drawn())
+    for (auto const& drawn : document_->take_finished_strokes())
         view_.tell(drawn);
     while (auto done = document_->take_done()) {
-        if (!done->status && done->of == document::WantedStep::Of::Growth)
+        if (!done->status && done->of == document::StepRequest::Of::Growth)
             view_.show_growth();
         else if (!done->status)
             view_.propose({});
@@ -102,7 +102,7 @@ void StationController::show_document(station::Station& station, Timestamp now)
     }
     view_.show(station, *document_);
     auto const* const plant = scene::active_plant(document_->newest()->scene.state);
-    view_.state().may_write_rules = plant && plant->source.can_take_rules();
+    view_.state().may_write_rules = plant && plant->source.accepts_rules();
     if (has_travelled)
         hand_ = hand_after(station.tool(), *before, *view_.grown_scene());
     if (auto const& why = document_->newest()->not_kept; !why.empty())
@@ -142,7 +142,7 @@ Result<void> StationController::finish(station::Station& station, Timestamp now)
 
 bool StationController::may_close(Result<void> const& finished)
 {
-    if (finished || std::exchange(knows_what_is_lost_, true))
+    if (finished || std::exchange(has_warned_of_loss_, true))
         return true;
     view_.state().status = fmt::format("Not closed, since {}. Make room for it, or close once more "
                                        "to leave without it",
@@ -198,14 +198,14 @@ void StationController::perform(view::Redo const&, station::Station& station)
 
 void StationController::perform(view::TakeOrphansAway const&, station::Station& station)
 {
-    auto const without = [](scene::Scene const& scene) -> Result<document::WantedStep::Change> {
+    auto const without = [](scene::Scene const& scene) -> Result<document::StepRequest::Change> {
         auto edits = view::edits_without_orphans(scene);
         if (edits.empty())
             return fail(Fault::User, "nothing waits for a branch that the plant has lost");
-        return document::WantedStep::Change { std::move(edits),
-                                              "What had lost its branch is gone" };
+        return document::StepRequest::Change { std::move(edits),
+                                               "What had lost its branch is gone" };
     };
-    document_->make({ without, document::WantedStep::Of::Scene });
+    document_->make({ without, document::StepRequest::Of::Scene });
     show_document(station, now_);
 }
 
@@ -220,11 +220,11 @@ void StationController::perform(view::PickCurve const& command, station::Station
         return;
     }
     auto const select = [at = curve.paths, name = curve.name](scene::Scene const&) {
-        return Result<document::WantedStep::Change>(
+        return Result<document::StepRequest::Change>(
             { { scene::Select { .at = at } },
               fmt::format("Selected what a stroke shapes: {}", name) });
     };
-    document_->make({ select, document::WantedStep::Of::Scene });
+    document_->make({ select, document::StepRequest::Of::Scene });
     show_document(station, now_);
 }
 
@@ -233,12 +233,12 @@ void StationController::perform(view::PickCurve const& command, station::Station
 void StationController::perform(view::LayPictureFile const& command, station::Station& station)
 {
     auto const change = [file = command.file, tablet_mm = view_.state().surface_size_mm()](
-                            scene::Scene const&) -> Result<document::WantedStep::Change> {
+                            scene::Scene const&) -> Result<document::StepRequest::Change> {
         auto edit = TRY(load_back_picture(file, tablet_mm));
         auto status = fmt::format("{} lies behind what is drawn", edit.name);
-        return document::WantedStep::Change { { std::move(edit) }, std::move(status) };
+        return document::StepRequest::Change { { std::move(edit) }, std::move(status) };
     };
-    document_->make({ change, document::WantedStep::Of::Scene });
+    document_->make({ change, document::StepRequest::Of::Scene });
     show_document(station, now_);
 }
 
@@ -255,11 +255,11 @@ void StationController::perform(view::DragDrawnGizmo const& command, station::St
         return;
     }
     auto const change
-        = [kind, command](scene::Scene const& scene) -> Result<document::WantedStep::Change> {
+        = [kind, command](scene::Scene const& scene) -> Result<document::StepRequest::Change> {
         auto edits = TRY(kind->drag(scene, command.handle, command.to));
-        return document::WantedStep::Change { std::move(edits), "What was drawn follows" };
+        return document::StepRequest::Change { std::move(edits), "What was drawn follows" };
     };
-    document_->make({ change, document::WantedStep::Of::Scene });
+    document_->make({ change, document::StepRequest::Of::Scene });
     show_document(station, now_);
 }
 
@@ -280,7 +280,7 @@ void StationController::perform(view::SetActiveFoliage const& command, station::
                                     .age = command.age,
                                     .damage = command.damage };
     auto const change = [wanted, season = command.season](
-                            scene::Scene const& scene) -> Result<document::WantedStep::Change> {
+                            scene::Scene const& scene) -> Result<document::StepRequest::Change> {
         if (!scene::active_plant(scene.state))
             return fail(Fault::User, "There is no plant yet: draw one first");
         auto edits = TRY(methods::foliage_edits(scene, scene.state.active, wanted));
@@ -290,24 +290,24 @@ void StationController::perform(view::SetActiveFoliage const& command, station::
             for (auto& edit : TRY(batch::season_edits(foliated, then)))
                 edits.push_back(std::move(edit));
         }
-        return document::WantedStep::Change {
+        return document::StepRequest::Change {
             std::move(edits), fmt::format("The plant has {}", leaves_in_words(wanted))
         };
     };
-    document_->make({ change, document::WantedStep::Of::Scene });
+    document_->make({ change, document::StepRequest::Of::Scene });
     show_document(station, now_);
 }
 
 void StationController::perform(view::BringLeaf const& command, station::Station& station)
 {
-    auto const change
-        = [file = command.file](scene::Scene const& scene) -> Result<document::WantedStep::Change> {
+    auto const change =
+        [file = command.file](scene::Scene const& scene) -> Result<document::StepRequest::Change> {
         auto edits = TRY(methods::organ_edits(scene, file));
         scene::SceneBuilder builder(scene, {});
         auto const after = TRY(scene::apply_edits(scene.state, edits, builder));
-        return document::WantedStep::Change { std::move(edits), methods::describe_organ(after) };
+        return document::StepRequest::Change { std::move(edits), methods::describe_organ(after) };
     };
-    document_->make({ change, document::WantedStep::Of::Scene });
+    document_->make({ change, document::StepRequest::Of::Scene });
     show_document(station, now_);
 }
 
@@ -328,7 +328,7 @@ void StationController::take_model(Result<scene::LoadModel> model, station::Stat
     auto const change = [model = *std::move(model)](scene::Scene const& scene) {
         return take_rules(model, scene);
     };
-    document_->make({ change, document::WantedStep::Of::Scene });
+    document_->make({ change, document::StepRequest::Of::Scene });
     show_document(station, now_);
 }
 
@@ -350,24 +350,24 @@ void StationController::let_follow(tools::Tool const& before, tools::Tool const&
 {
     if (following(before, after, *view_.grown_scene()).empty())
         return view_.propose({});
-    auto const change = [=](scene::Scene const& scene) -> Result<document::WantedStep::Change> {
+    auto const change = [=](scene::Scene const& scene) -> Result<document::StepRequest::Change> {
         auto edits = following(before, after, scene);
         if (edits.empty())
             return fail(Fault::User, "what was drawn so is gone");
         auto status = edits.size() == 1 ? std::string("What was drawn so follows")
                                         : fmt::format("{} that were drawn so follow", edits.size());
-        return document::WantedStep::Change { std::move(edits), std::move(status) };
+        return document::StepRequest::Change { std::move(edits), std::move(status) };
     };
-    document_->make({ change, document::WantedStep::Of::Scene });
+    document_->make({ change, document::StepRequest::Of::Scene });
     show_document(station, now_);
 }
 
 void StationController::perform(view::NextVariation const&, station::Station& station)
 {
-    auto const next = [](scene::SetGrowth growth) -> Result<document::WantedStep::Change> {
+    auto const next = [](scene::SetGrowth growth) -> Result<document::StepRequest::Change> {
         ++growth.seed;
-        return document::WantedStep::Change { { growth },
-                                              fmt::format("Another one: seed {}", growth.seed) };
+        return document::StepRequest::Change { { growth },
+                                               fmt::format("Another one: seed {}", growth.seed) };
     };
     set_growth(next, station);
 }
@@ -375,18 +375,19 @@ void StationController::perform(view::NextVariation const&, station::Station& st
 void StationController::perform(view::ChangeGrowth const& command, station::Station& station)
 {
     if (command.slider == view::ChangeGrowth::Slider::Moving) {
-        auto const seen = view::growth_set_to(command.growth, document_->newest()->scene.growth);
+        auto const seen
+            = view::with_growth_settings(command.growth, document_->newest()->scene.growth);
         if (seen)
             view_.preview(*seen);
         else
             view_.state().status = seen.error().message;
         return;
     }
-    auto const set =
-        [wanted = command.growth](scene::SetGrowth growth) -> Result<document::WantedStep::Change> {
-        growth = TRY(view::growth_set_to(wanted, std::move(growth)));
+    auto const set = [wanted = command.growth](
+                         scene::SetGrowth growth) -> Result<document::StepRequest::Change> {
+        growth = TRY(view::with_growth_settings(wanted, std::move(growth)));
         auto status = fmt::format("The plant {}", scene::Edit(growth).describe());
-        return document::WantedStep::Change { { growth }, std::move(status) };
+        return document::StepRequest::Change { { growth }, std::move(status) };
     };
     set_growth(set, station);
 }
@@ -396,17 +397,17 @@ void StationController::perform(view::ChangeSeason const& command, station::Stat
     if (command.slider == view::ChangeGrowth::Slider::Moving)
         return view_.preview(command.season);
     auto const change = [season = command.season](
-                            scene::Scene const& scene) -> Result<document::WantedStep::Change> {
+                            scene::Scene const& scene) -> Result<document::StepRequest::Change> {
         auto edits = TRY(batch::season_edits(scene, season));
         auto status = season ? fmt::format("It is {}", scene::month_name(season->month))
                              : std::string("No season: leaves as the models have them");
-        return document::WantedStep::Change { std::move(edits), std::move(status) };
+        return document::StepRequest::Change { std::move(edits), std::move(status) };
     };
-    document_->make({ change, document::WantedStep::Of::Scene });
+    document_->make({ change, document::StepRequest::Of::Scene });
     show_document(station, now_);
 }
 
-void StationController::perform(view::AskForCollection const& command, station::Station&)
+void StationController::perform(view::RequestCollection const& command, station::Station&)
 {
     view_.collect(command);
 }
@@ -414,7 +415,7 @@ void StationController::perform(view::AskForCollection const& command, station::
 void StationController::perform(view::PickVariation const& command, station::Station& station)
 {
     auto const pick = [seed = command.seed, share = view_.state().individuality.seeds](
-                          scene::Scene const& scene) -> Result<document::WantedStep::Change> {
+                          scene::Scene const& scene) -> Result<document::StepRequest::Change> {
         if (scene.base->axes.empty())
             return fail(Fault::User, "There is no plant yet: draw one first");
         std::vector<scene::Edit> edits;
@@ -423,10 +424,10 @@ void StationController::perform(view::PickVariation const& command, station::Sta
         auto growth = scene.growth;
         growth.seed = seed;
         edits.emplace_back(growth);
-        return document::WantedStep::Change { std::move(edits),
-                                              fmt::format("This one: seed {}", seed) };
+        return document::StepRequest::Change { std::move(edits),
+                                               fmt::format("This one: seed {}", seed) };
     };
-    document_->make({ pick, document::WantedStep::Of::Scene });
+    document_->make({ pick, document::StepRequest::Of::Scene });
     show_document(station, now_);
 }
 
@@ -439,16 +440,16 @@ void StationController::perform(view::SetAlongGround const& command, station::St
 
 // Changes the growth as an undoable step. `change` is called after all earlier steps.
 void StationController::set_growth(
-    std::function<Result<document::WantedStep::Change>(scene::SetGrowth growth)> const& change,
+    std::function<Result<document::StepRequest::Change>(scene::SetGrowth growth)> const& change,
     station::Station& station)
 {
-    document_->make({ [=](scene::Scene const& scene) -> Result<document::WantedStep::Change> {
+    document_->make({ [=](scene::Scene const& scene) -> Result<document::StepRequest::Change> {
                          bool const is_empty = scene.plants.empty() && scene.base->axes.empty();
                          return is_empty
                              ? fail(Fault::User, "There is no plant yet: draw one first")
                              : change(scene.growth);
                      },
-                      document::WantedStep::Of::Growth });
+                      document::StepRequest::Of::Growth });
     show_document(station, now_);
 }
 

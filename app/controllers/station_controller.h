@@ -49,7 +49,7 @@ public:
     Result<void> finish_files();
 
     // Steps without a stroke that were done since the last call, to be recorded.
-    std::vector<document::DoneStep> take_done() { return std::exchange(done_, {}); }
+    std::vector<document::StepOutcome> take_done() { return std::exchange(done_, {}); }
 
     // The tool to select after undo or redo, if the plant's tool had been selected
     // (ToolKind::like_drawn); nullopt: no change, or already taken.
@@ -61,7 +61,7 @@ public:
     void perform(view::NextVariation const&, station::Station& station);
     void perform(view::ChangeGrowth const& command, station::Station& station);
     void perform(view::ChangeSeason const& command, station::Station& station);
-    void perform(view::AskForCollection const& command, station::Station& station);
+    void perform(view::RequestCollection const& command, station::Station& station);
     void perform(view::PickVariation const& command, station::Station& station);
     void perform(view::SetAlongGround const& command, station::Station& station);
     void perform(view::SavePicture const& command, station::Station& station);
@@ -104,23 +104,23 @@ private:
     void save(std::string_view ending,
               std::function<Result<std::string>(std::filesystem::path const&)> write);
     void take_strokes(station::Station& station);
-    void tell_of_dab(station::Station const& station);
+    void announce_dab(station::Station const& station);
     void show_document(station::Station& station, Timestamp now);
     void show_files();
     void set_growth(
-        std::function<Result<document::WantedStep::Change>(scene::SetGrowth growth)> const& change,
+        std::function<Result<document::StepRequest::Change>(scene::SetGrowth growth)> const& change,
         station::Station& station);
 
     std::unique_ptr<document::Document> document_; // On the heap, because this object is movable.
     view::StationView view_;
-    std::vector<document::DoneStep> done_; // Steps that take_done() has not returned yet.
-    std::optional<tools::Tool> hand_;      // Tool that take_hand() has not returned yet.
+    std::vector<document::StepOutcome> done_; // Steps that take_done() has not returned yet.
+    std::optional<tools::Tool> hand_;         // Tool that take_hand() has not returned yet.
     std::size_t reported_dabs_ = 0; // Number of the station's dabs (touches too short for a stroke)
                                     // handled so far.
     // Kinds of tools for which the message about dabs was shown.
     std::set<tools::ToolKind const*> tools_with_reported_dabs_ {};
     Timestamp now_ {};                // Time of the last show().
-    bool knows_what_is_lost_ = false; // The user has already been warned once about losing unsaved
+    bool has_warned_of_loss_ = false; // The user has already been warned once about losing unsaved
                                       // work.
     std::filesystem::path folder_;
     std::optional<std::filesystem::path> rules_file_ {};

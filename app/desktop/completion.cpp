@@ -102,9 +102,9 @@ public:
     // Lists the possible values of an option or argument, each with `prefix` in front.
     void values_of(CLI::Option& option, std::string const& prefix = {})
     {
-        for (auto const& text : options::words_offered_by(option))
+        for (auto const& text : options::completion_words(option))
             word(prefix + text);
-        if (!options::words_offered_by(option).empty())
+        if (!options::completion_words(option).empty())
             return;
         auto const kind = option.get_positional() ? option.get_name(true) : option.get_type_name();
         auto const has = [&](char const* part) { return kind.find(part) != std::string::npos; };

@@ -95,7 +95,7 @@ std::string option_entry(CLI::Option const& option)
         names += fmt::format("{}\\fB\\-\\-{}\\fR", names.empty() ? "" : ", ", escaped(name));
     if (option.get_items_expected_max() > 0)
         names += fmt::format(" \\fI{}\\fR", escaped(options::shown_type(option)));
-    return fmt::format(".TP\n{}\n{}\n", names, escaped(options::option_text(option)));
+    return fmt::format(".TP\n{}\n{}\n", names, escaped(options::option_help(option)));
 }
 
 // Lists arguments and options below a heading of the given kind, ".SH" or ".SS".
@@ -107,7 +107,7 @@ std::string entries(CLI::App const& command, char const* heading)
         text += fmt::format("{} ARGUMENTS\n", heading);
     for (auto const* option : positionals)
         text += fmt::format(".TP\n\\fI{}\\fR\n{}\n", escaped(option->get_name(true)),
-                            escaped(options::option_text(*option)));
+                            escaped(options::option_help(*option)));
     text += fmt::format("{} OPTIONS\n", heading);
     for (auto const* option : command.get_options({}))
         if (option->nonpositional())

@@ -20,12 +20,12 @@ public:
 
 private:
     // Last printed state of a device.
-    struct Told {
+    struct PrintedState {
         LiveDevices::State state = LiveDevices::State::Connected;
         std::string refusal {};
     };
 
-    std::vector<Told> told_;
+    std::vector<PrintedState> told_;
 };
 
 } // namespace tractus::devices

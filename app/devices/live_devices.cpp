@@ -131,7 +131,7 @@ Result<LiveDevices> LiveDevices::play_hand(std::function<Timestamp()> const& now
     return devices;
 }
 
-void LiveDevices::begin_hand()
+void LiveDevices::start_simulated_hand()
 {
     if (hand_)
         hand_->begin();

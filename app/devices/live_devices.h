@@ -81,13 +81,13 @@ public:
                                         std::function<Timestamp()> const& now);
 
     // Plays the simulated rig, whose hand draws the demonstration of all methods on the plant
-    // hand_plant(). It waits for begin_hand() and selects its own tools. Fails like read_log(), and
-    // if the program's own files are missing.
+    // hand_plant(). It waits for start_simulated_hand() and selects its own tools. Fails like
+    // read_log(), and if the program's own files are missing.
     static Result<LiveDevices> play_hand(std::function<Timestamp()> const& now);
     static std::string_view hand_plant() { return "birch"; }
     bool has_hand() const { return hand_.has_value(); }
     // See SimulatedHand; no effect without a hand.
-    void begin_hand();
+    void start_simulated_hand();
     std::vector<drivers::LogTool> take_hand_tools();
 
     // Replaces `reports` by everything that arrived since the last call, in order of time. Times

@@ -10,7 +10,7 @@ namespace tractus::devices {
 LiveDiagnosis::LiveDiagnosis(LiveDevices const& devices, Timestamp now)
     : begin_(now)
     , now_(now)
-    , of_machine_(diagnosis::diagnose_system(diagnosis::gather_system_facts()))
+    , machine_findings_(diagnosis::diagnose_system(diagnosis::gather_system_facts()))
 {
     for (auto const& info : devices.infos())
         monitors_.emplace_back(info);
@@ -33,7 +33,7 @@ std::vector<diagnosis::DeviceReading> LiveDiagnosis::readings() const
 
 std::vector<diagnosis::Finding> LiveDiagnosis::findings() const
 {
-    auto findings = of_machine_;
+    auto findings = machine_findings_;
     auto const all = readings();
     for (auto const& reading : all)
         for (auto& finding : diagnosis::diagnose_device(reading, now_ - begin_))

@@ -26,7 +26,7 @@ private:
     Timestamp begin_;
     Timestamp now_;
     std::vector<diagnosis::DeviceMonitor> monitors_;
-    std::vector<diagnosis::Finding> of_machine_;
+    std::vector<diagnosis::Finding> machine_findings_;
 };
 
 } // namespace tractus::devices

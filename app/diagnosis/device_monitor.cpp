@@ -37,7 +37,7 @@ void DeviceMonitor::push(drivers::RawReport const& report)
         ++reading_.departures;
         reading_.is_away = true;
         if (height_monitor_)
-            height_monitor_->begin_anew();
+            height_monitor_->restart_after_reconnection();
         if (auto const gone = pen_ ? pen_->leave(report.received) : std::nullopt)
             show(*gone);
         return;

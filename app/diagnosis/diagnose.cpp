@@ -99,7 +99,7 @@ void diagnose_unknown(SystemFacts const& facts, std::vector<Finding>& findings)
                              .what = fmt::format("It is a tablet, but none of its nodes carries a "
                                                  "pen that is known: {}.",
                                                  device.description.text),
-                             .remedy = how_to_describe_it(info) });
+                             .remedy = describe_needed_information(info) });
     }
 }
 

@@ -257,7 +257,7 @@ bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
 }
 
 // Explains what information about an unsupported tablet is needed.
-std::vector<std::string> how_to_describe_it(drivers::DeviceInfo const& info)
+std::vector<std::string> describe_needed_information(drivers::DeviceInfo const& info)
 {
     // The device of a recording has no address.
     auto const address = drivers::parse_device_address(info.location) ? info.location : "DEVICE";
@@ -299,7 +299,7 @@ void diagnose_pen(DeviceReading const& reading, std::vector<Finding>& findings)
                              .what = fmt::format("It sends reports ({} so far), but none of them "
                                                  "is a pen's as we know it.",
                                                  reading.reports),
-                             .remedy = how_to_describe_it(info) });
+                             .remedy = describe_needed_information(info) });
 }
 
 void diagnose_nodes(std::span<DeviceReading const> readings, std::vector<Finding>& findings)

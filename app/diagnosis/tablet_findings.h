@@ -17,7 +17,7 @@ std::string device_subject(drivers::DeviceInfo const& info);
 bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id);
 
 // Explains what information about an unsupported tablet is needed, one line each.
-std::vector<std::string> how_to_describe_it(drivers::DeviceInfo const& info);
+std::vector<std::string> describe_needed_information(drivers::DeviceInfo const& info);
 
 // Appends problems in a pen's reports: mouse mode from the beginning or from some moment on,
 // unknown reports, and a tip that never lifts.

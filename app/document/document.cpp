@@ -91,7 +91,7 @@ void Document::do_next(std::unique_lock<std::mutex>& lock)
     is_first_shown_ = false;
     if (std::exchange(is_trying_again_, false)) {
         lock.unlock();
-        keep_what_is_not();
+        save_pending_steps();
         lock.lock();
     } else {
         auto const& work = queue_.front(); // The reference stays valid while others are appended.
@@ -109,7 +109,7 @@ void Document::draw(tools::ToolStroke stroke)
     add(std::move(stroke));
 }
 
-void Document::make(WantedStep step)
+void Document::make(StepRequest step)
 {
     add(std::move(step));
 }
@@ -128,8 +128,8 @@ void Document::make(LoggedStep step)
     }
     auto const status
         = step.edits.empty() ? std::string() : fmt::format("It {}", step.edits.back().describe());
-    make({ [change = WantedStep::Change { std::move(step.edits), status }](
-               scene::Scene const&) -> Result<WantedStep::Change> { return change; } });
+    make({ [change = StepRequest::Change { std::move(step.edits), status }](
+               scene::Scene const&) -> Result<StepRequest::Change> { return change; } });
 }
 
 void Document::undo()
@@ -165,13 +165,13 @@ std::vector<tools::ToolStroke> Document::waiting() const
     return strokes;
 }
 
-std::vector<DrawnStroke> Document::take_drawn()
+std::vector<DrawnStroke> Document::take_finished_strokes()
 {
     std::lock_guard const lock(mutex_);
     return std::exchange(drawn_, {});
 }
 
-std::optional<DoneStep> Document::take_done()
+std::optional<StepOutcome> Document::take_done()
 {
     std::lock_guard const lock(mutex_);
     if (done_.empty())
@@ -245,7 +245,7 @@ void Document::perform(tools::ToolStroke const& stroke)
         keep(*std::move(step));
 }
 
-void Document::perform(WantedStep const& step)
+void Document::perform(StepRequest const& step)
 {
     auto const computed = [&]() -> Result<std::pair<Step, std::string>> {
         auto change = TRY(step.change(scene_));
@@ -255,24 +255,24 @@ void Document::perform(WantedStep const& step)
     auto done = computed();
     if (!done)
         return tell({ .status = tl::unexpected(done.error()), .of = step.of });
-    if (step.of == WantedStep::Of::Growth)
+    if (step.of == StepRequest::Of::Growth)
         drawn_revision_ = before;
     tell({ .status = std::move(done->second), .of = step.of, .edits = done->first.edits });
     keep(std::move(done->first));
 }
 
 // False while the session lacks steps that have been drawn: undo and redo would lose them.
-Result<void> Document::may_travel() const
+Result<void> Document::check_all_saved() const
 {
     if (!unkept_.empty())
-        return fail(Fault::User, "what was drawn must be kept first: " + not_kept_);
+        return fail(Fault::User, "what was drawn must be kept first: " + save_error_);
     return {};
 }
 
 void Document::travel(Result<void> (session::Session::*move)(), LoggedStep::What what,
                       std::string const& status)
 {
-    auto moved = may_travel();
+    auto moved = check_all_saved();
     if (moved)
         moved = (session_.*move)();
     if (!moved)
@@ -297,7 +297,7 @@ void Document::perform(Redo const&)
 void Document::perform(Restart const& wanted)
 {
     auto const computed = [&]() -> Result<Step> {
-        TRY(may_travel());
+        TRY(check_all_saved());
         auto edits = TRY(session_.beginning());
         if (wanted.growth == Growth::AsItIs)
             edits.push_back(scene_.growth);
@@ -343,19 +343,19 @@ void Document::keep(Step step)
     }
     if (auto const kept = session_.keep(*std::move(step.prepared)); !kept) {
         unkept_.push_back(std::move(step.edits));
-        not_kept_ = kept.error().message;
+        save_error_ = kept.error().message;
     } else {
-        scene_ = session_.scene(); // Its strokes now read their tips from the file.
+        scene_ = session_.scene(); // The strokes of this scene read their tips from the file.
     }
     publish(unkept_.size());
 }
 
-void Document::keep_what_is_not()
+void Document::save_pending_steps()
 {
-    not_kept_.clear();
+    save_error_.clear();
     while (!unkept_.empty()) {
         if (auto const kept = session_.append(unkept_.front()); !kept) {
-            not_kept_ = kept.error().message;
+            save_error_ = kept.error().message;
             return publish(unkept_.size());
         }
         unkept_.pop_front();
@@ -372,14 +372,14 @@ void Document::publish(std::size_t unkept)
                                                                 .revision = revision_,
                                                                 .drawn_revision = drawn_revision_,
                                                                 .unkept = unkept,
-                                                                .not_kept = not_kept_ });
+                                                                .not_kept = save_error_ });
     std::lock_guard const lock(mutex_);
     newest_.swap(snapshot); // The old snapshot is released after the lock; this may be its last
                             // owner.
     is_first_shown_ = true;
 }
 
-void Document::tell(DoneStep done)
+void Document::tell(StepOutcome done)
 {
     done.strokes_before = strokes_before_;
     std::lock_guard const lock(mutex_);

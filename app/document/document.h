@@ -24,7 +24,7 @@
 namespace tractus::document {
 
 // A change that the user asked for by other means than a stroke, a menu command for example.
-struct WantedStep {
+struct StepRequest {
     // The edits of the change, computed from the scene when its turn comes, and the status message
     // for when it is done.
     struct Change {
@@ -45,9 +45,9 @@ struct LoggedStep {
 };
 
 // Outcome of a step without a stroke.
-struct DoneStep {
+struct StepOutcome {
     Result<std::string> status; // The message for the user, or the reason why nothing changed.
-    WantedStep::Of of = WantedStep::Of::Scene;
+    StepRequest::Of of = StepRequest::Of::Scene;
     LoggedStep::What what = LoggedStep::What::Edits;
     std::size_t strokes_before = 0;    // Number of strokes the document had handled before it.
     std::vector<scene::Edit> edits {}; // Set for What::Edits.
@@ -92,7 +92,7 @@ public:
     ~Document();
 
     void draw(tools::ToolStroke stroke);
-    void make(WantedStep step);
+    void make(StepRequest step);
     void make(LoggedStep step); // Queued like any other step.
     void undo();
     void redo();
@@ -112,10 +112,10 @@ public:
     std::vector<tools::ToolStroke> waiting() const;
 
     // Returns the strokes done since the last call and their effects, in order.
-    std::vector<DrawnStroke> take_drawn();
+    std::vector<DrawnStroke> take_finished_strokes();
 
     // Returns the oldest outcome of a step that has not been taken yet; nullopt if there is none.
-    std::optional<DoneStep> take_done();
+    std::optional<StepOutcome> take_done();
 
     // Retries writing unkept steps: pass_time() one second after the last attempt, try_again() at
     // once.
@@ -138,7 +138,7 @@ private:
         std::string status;
         Growth growth = Growth::AsItBegan;
     };
-    using Work = std::variant<tools::ToolStroke, WantedStep, Undo, Redo, Restart>;
+    using Work = std::variant<tools::ToolStroke, StepRequest, Undo, Redo, Restart>;
     // A computed step; the document's scene already contains it.
     struct Step {
         std::vector<scene::Edit> edits;
@@ -153,18 +153,18 @@ private:
 
     // These run on the document's thread, without the lock.
     void perform(tools::ToolStroke const& stroke);
-    void perform(WantedStep const& step);
+    void perform(StepRequest const& step);
     void perform(Undo const&);
     void perform(Redo const&);
     void perform(Restart const& wanted);
     void travel(Result<void> (session::Session::*move)(), LoggedStep::What what,
                 std::string const& status);
-    Result<void> may_travel() const;
+    Result<void> check_all_saved() const;
     Result<Step> compute(std::vector<scene::Edit> edits);
     void keep(Step step);
-    void keep_what_is_not();
+    void save_pending_steps();
     void publish(std::size_t unkept);
-    void tell(DoneStep done);
+    void tell(StepOutcome done);
 
     // Used only by the working thread.
     Follow follow_;
@@ -175,14 +175,14 @@ private:
     std::size_t strokes_before_ = 0;              // Strokes handled so far.
     std::deque<std::vector<scene::Edit>> unkept_; // Steps of the scene that are not in the session
                                                   // yet.
-    std::string not_kept_;
+    std::string save_error_;
 
     mutable std::mutex mutex_; // Protects the members below.
     std::condition_variable changed_;
     std::deque<Work> queue_; // While is_at_work_, the front element is being worked on.
     std::shared_ptr<Snapshot const> newest_;
     std::vector<DrawnStroke> drawn_;
-    std::deque<DoneStep> done_;
+    std::deque<StepOutcome> done_;
     bool is_at_work_ = false;
     bool is_first_shown_ = false; // The newest snapshot already contains the work in progress.
     bool is_trying_again_ = false;

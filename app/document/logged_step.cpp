@@ -100,7 +100,7 @@ Result<LoggedStep> read_step(LoggedStep::What what, std::string_view arguments,
 
 } // namespace
 
-StepWords words_for(DoneStep const& step, std::size_t strokes_before)
+StepWords words_for(StepOutcome const& step, std::size_t strokes_before)
 {
     StepWords words { std::string(kNames[static_cast<std::size_t>(step.what)]),
                       std::to_string(strokes_before) };

@@ -20,7 +20,7 @@ struct StepWords {
 };
 
 // Returns the words for a step done after `strokes_before` strokes of the log.
-StepWords words_for(DoneStep const& step, std::size_t strokes_before);
+StepWords words_for(StepOutcome const& step, std::size_t strokes_before);
 
 // Parses a step's words. Returns nullopt for a name that is no step's. Fails with a user error if
 // the arguments do not have the form above. Edits whose kind is not among `kinds` become

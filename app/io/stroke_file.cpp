@@ -38,7 +38,7 @@ std::vector<Stroke> strokes_of(scene::Scene const& scene)
     return strokes;
 }
 
-bool is_written_of_strokes(std::filesystem::path const& path)
+bool can_write_strokes_to(std::filesystem::path const& path)
 {
     auto const ending = path.extension();
     return ending == ".strokes" || ending == ".txt" || ending == ".glb" || ending == ".svg";

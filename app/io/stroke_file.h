@@ -25,7 +25,7 @@ std::vector<Stroke> strokes_of(scene::Scene const& scene);
 
 // True if write_strokes() supports the file's extension: .strokes or .txt (stroke_text.h), .glb
 // (stroke_glb.h) or .svg (stroke_svg.h).
-bool is_written_of_strokes(std::filesystem::path const& path);
+bool can_write_strokes_to(std::filesystem::path const& path);
 
 // Writes strokes in the format of the file's extension. `view` applies only to .svg. Fails with a
 // user error if the file cannot be written.

@@ -5,12 +5,12 @@
 
 namespace tractus::methods {
 
-Following edits_that_follow(scene::Scene const& scene, std::vector<scene::Edit> const& step)
+Following dependent_edits(scene::Scene const& scene, std::vector<scene::Edit> const& step)
 {
-    Following following { silhouette::styles_that_follow(scene, step) };
+    Following following { silhouette::dependent_style_edits(scene, step) };
     auto all = step;
     all.insert(all.end(), following.edits.begin(), following.edits.end());
-    auto const leaves = leaves_that_follow(scene, all);
+    auto const leaves = dependent_leaf_edits(scene, all);
     following.edits.insert(following.edits.end(), leaves.begin(), leaves.end());
     following.has_leaves = !leaves.empty();
     return following;

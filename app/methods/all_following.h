@@ -15,7 +15,7 @@ struct Following {
 
 // Finds the edits that must follow a step, in this order: trees whose style is "nearest" take the
 // new nearest style (engine/methods/silhouettes/nearest_style.h), and plants that wear a drawn leaf
-// get its changed drawing (leaves_that_follow() in all_leaves.h).
-Following edits_that_follow(scene::Scene const& scene, std::vector<scene::Edit> const& step);
+// get its changed drawing (dependent_leaf_edits() in all_leaves.h).
+Following dependent_edits(scene::Scene const& scene, std::vector<scene::Edit> const& step);
 
 } // namespace tractus::methods

@@ -23,7 +23,7 @@ Result<scene::Edit> tree_of_habit(std::string const& habit, int years, std::uint
                                      .first = { .years = years } });
 }
 
-Result<std::vector<scene::Edit>> stand_of_habit(StandOfTrees const& stand)
+Result<std::vector<scene::Edit>> edits_for_stand(StandOfTrees const& stand)
 {
     constexpr double kScale = 0.1; // World millimetres per plant millimetre.
     auto const habit = TRY(self_organising::load_habit(stand.habit));
@@ -65,7 +65,7 @@ Result<std::optional<self_organising::TreeFilm>> years_of_tree(scene::Scene cons
                                                                scene::LoadOptions const& options)
 {
     auto const* const tree = self_organising::grown_tree_of(scene.drawn->source);
-    if (scene.plants.size() != 1 || !tree || !self_organising::is_as_grown(*scene.drawn))
+    if (scene.plants.size() != 1 || !tree || !self_organising::is_unmodified(*scene.drawn))
         return std::nullopt;
     return TRY(self_organising::TreeFilm::make(*tree, options));
 }

@@ -31,7 +31,7 @@ struct StandOfTrees {
 
 // Returns the edits that plant the trees around the world's origin and let them grow. Fails like
 // tree_of_habit().
-Result<std::vector<scene::Edit>> stand_of_habit(StandOfTrees const& stand);
+Result<std::vector<scene::Edit>> edits_for_stand(StandOfTrees const& stand);
 
 // How a plant grows on as a self-organising tree.
 struct GrowthFrom {

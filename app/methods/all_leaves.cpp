@@ -189,7 +189,7 @@ Result<std::vector<scene::Edit>> foliage_edits(scene::Scene const& scene, scene:
     return edits;
 }
 
-std::optional<Foliage> worn_leaves(scene::DocumentState const& state, scene::ItemId plant)
+std::optional<Foliage> chosen_foliage(scene::DocumentState const& state, scene::ItemId plant)
 {
     auto const number = scene::find_plant(state, plant);
     auto const order
@@ -206,8 +206,8 @@ std::optional<Foliage> worn_leaves(scene::DocumentState const& state, scene::Ite
     return worn;
 }
 
-std::vector<scene::Edit> leaves_that_follow(scene::Scene const& scene,
-                                            std::vector<scene::Edit> const& step)
+std::vector<scene::Edit> dependent_leaf_edits(scene::Scene const& scene,
+                                              std::vector<scene::Edit> const& step)
 {
     std::vector<scene::Edit> edits;
     if (drawn_and_worn(scene.state).empty())

@@ -58,8 +58,8 @@ struct GrammarOfLeaves {
     std::string text {};
 };
 
-// Finds the grammar of the chosen leaves. Fails with a user error if there is none, and if
-// `dressing` asks for the plant's own leaves.
+// Finds the grammar of the chosen leaves. Fails with a user error if there is none, or if
+// `foliage` selects the plant's own leaves.
 Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Foliage const& foliage);
 
 // Grows the leaves and returns the edits that put them on a plant of the scene. Fails with a user
@@ -71,13 +71,13 @@ Result<std::vector<scene::Edit>> foliage_edits(scene::Scene const& scene, scene:
 // The leaves that the user chose for the plant, or no value if the plant has its own leaves or
 // leaves of unknown origin. `drawn` is set only while the drawn leaf is in the document; after that
 // its grammar is among those stored in the document.
-std::optional<Foliage> worn_leaves(scene::DocumentState const& state, scene::ItemId plant);
+std::optional<Foliage> chosen_foliage(scene::DocumentState const& state, scene::ItemId plant);
 
 // Edits that must follow a step that changes the drawing of a leaf that plants wear: they store its
 // new grammar under the same name and regrow the leaves that are worn. Empty if the lines no longer
 // make a leaf or the leaf was removed: then plants keep the leaves they have.
-std::vector<scene::Edit> leaves_that_follow(scene::Scene const& scene,
-                                            std::vector<scene::Edit> const& step);
+std::vector<scene::Edit> dependent_leaf_edits(scene::Scene const& scene,
+                                              std::vector<scene::Edit> const& step);
 
 // Text of the leaf sheet with this name, from a grammar stored in the document if there is one,
 // otherwise from make_input(). Fails with a user error if the name does not order leaves.

@@ -30,8 +30,8 @@ void visit(tools::OptionVisitor& visitor, FillCrownTool& tool)
 }
 
 // A stroke whose tips are the balls, as wide as the pen is pressed.
-self_organising::LifePart part_of(std::vector<silhouette::CrownBall> const& balls,
-                                  scene::BuiltPlant const& plant)
+self_organising::LifePeriod part_of(std::vector<silhouette::CrownBall> const& balls,
+                                    scene::BuiltPlant const& plant)
 {
     auto const& placement = plant.placement;
     double const widest = balls.front().radius_mm;

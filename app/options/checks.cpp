@@ -110,23 +110,24 @@ CLI::Validator part_of(std::size_t most)
 
 CLI::Validator one_of(std::vector<std::string> const& words)
 {
-    return offering(words, check([words](std::string const& text) {
-                        return std::find(words.begin(), words.end(), text) != words.end()
-                            ? std::string()
-                            : fmt::format("'{}' is none of {}", text, fmt::join(words, ", "));
-                    }));
+    return with_completion_words(
+        words, check([words](std::string const& text) {
+            return std::find(words.begin(), words.end(), text) != words.end()
+                ? std::string()
+                : fmt::format("'{}' is none of {}", text, fmt::join(words, ", "));
+        }));
 }
 
 // The words to complete are stored in the validator's name, the only text of a check that CLI11
 // lets an option return; this prefix marks such names.
 static constexpr std::string_view kOffers = "offers\n";
 
-CLI::Validator offering(std::vector<std::string> const& words, CLI::Validator check)
+CLI::Validator with_completion_words(std::vector<std::string> const& words, CLI::Validator check)
 {
     return std::move(check.name(fmt::format("{}{}", kOffers, fmt::join(words, "\n"))));
 }
 
-std::vector<std::string> words_offered_by(CLI::Option& option)
+std::vector<std::string> completion_words(CLI::Option& option)
 {
     std::vector<std::string> words;
     for (int i = 0;; ++i)
@@ -161,10 +162,11 @@ CLI::Validator picture_name()
 
 CLI::Validator height_scenario()
 {
-    return offering({ "rise", "fall", "arch", "sway" }, check([](std::string const& text) {
-                        auto const scenario = calib::parse_height_scenario(text);
-                        return scenario ? std::string() : scenario.error().message;
-                    }));
+    return with_completion_words({ "rise", "fall", "arch", "sway" },
+                                 check([](std::string const& text) {
+                                     auto const scenario = calib::parse_height_scenario(text);
+                                     return scenario ? std::string() : scenario.error().message;
+                                 }));
 }
 
 } // namespace tractus::options

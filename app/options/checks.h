@@ -38,11 +38,11 @@ CLI::Validator part_of(std::size_t most);
 CLI::Validator one_of(std::vector<std::string> const& words);
 
 // Adds words for shell completion to `check`, which alone decides what is accepted.
-CLI::Validator offering(std::vector<std::string> const& words, CLI::Validator check);
+CLI::Validator with_completion_words(std::vector<std::string> const& words, CLI::Validator check);
 
 // The words for completion that the option's checks have, including those of one_of(); empty if
 // there are none.
-std::vector<std::string> words_offered_by(CLI::Option& option);
+std::vector<std::string> completion_words(CLI::Option& option);
 
 // Accepts a file name with one of these extensions, such as ".png".
 CLI::Validator name_ending_in(std::vector<std::string> endings);

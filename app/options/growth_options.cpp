@@ -27,7 +27,7 @@ void add_growth_options(CLI::App& command, batch::GrowthOptions& growth, std::st
             "--growth", growth.preset,
             fmt::format("How plants grow: {}; without it, {}", fmt::join(names, ", "), without))
         ->type_name("NAME")
-        ->check(offering(names, CLI::Validator(preset_check, "")));
+        ->check(with_completion_words(names, CLI::Validator(preset_check, "")));
     command
         .add_option(
             "--variability,--liking", growth.variability,

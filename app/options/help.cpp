@@ -63,7 +63,7 @@ std::string shown_type(CLI::Option const& option)
     return type;
 }
 
-std::string option_text(CLI::Option const& option)
+std::string option_help(CLI::Option const& option)
 {
     auto text = option.get_description();
     auto const add = [&](std::string const& note) { text += fmt::format(" ({})", note); };
@@ -80,7 +80,7 @@ std::string option_text(CLI::Option const& option)
 
 std::string HelpFormatter::make_option_desc(CLI::Option const* option) const
 {
-    return wrapped(option_text(*option));
+    return wrapped(option_help(*option));
 }
 
 std::string HelpFormatter::make_subcommand(CLI::App const* command) const

@@ -23,6 +23,6 @@ std::string shown_type(CLI::Option const& option);
 
 // Returns the help of an option on one line: its sentence, its default, and the options that it
 // needs or excludes.
-std::string option_text(CLI::Option const& option);
+std::string option_help(CLI::Option const& option);
 
 } // namespace tractus::options

@@ -14,7 +14,7 @@ namespace tractus::play {
 
 namespace {
 
-using Then = DevicePlay::Then;
+using Then = PlaybackSet::Then;
 
 constexpr Duration kKnockEvery = std::chrono::milliseconds(10);
 // Longest sleep before `stop` is checked.
@@ -24,7 +24,7 @@ constexpr Duration kGreeting = std::chrono::milliseconds(100);
 // Longer delay for USB HID devices: Linux drops their reports of the first 50 ms as potentially
 // stale.
 constexpr Duration kUsbGreeting = std::chrono::milliseconds(500);
-constexpr Duration kFarewell = std::chrono::milliseconds(100);
+constexpr Duration kDrainTime = std::chrono::milliseconds(100);
 constexpr Duration kLongestFarewell = std::chrono::seconds(2);
 
 // Waits until a device's file is ready, at most for `timeout`, and serves the devices.
@@ -44,7 +44,7 @@ Result<void> serve_devices(std::vector<sim::KernelDevice*> const& devices, Durat
 }
 
 // Plays everything that is due, then waits for the next event or a request from the kernel.
-Result<void> take_step(DevicePlay const& play)
+Result<void> take_step(PlaybackSet const& play)
 {
     auto next_due = Timestamp::max();
     for (auto* const part : play.parts) {
@@ -57,40 +57,40 @@ Result<void> take_step(DevicePlay const& play)
                          is_never ? kLongestSleep : next_due - drivers::monotonic_now());
 }
 
-bool are_read(DevicePlay const& play)
+bool are_read(PlaybackSet const& play)
 {
     return std::all_of(play.devices.begin(), play.devices.end(),
                        [](sim::KernelDevice const* device) { return device->is_read(); });
 }
 
-Duration greeting(DevicePlay const& play)
+Duration greeting(PlaybackSet const& play)
 {
     bool const is_usb = std::any_of(
         play.devices.begin(), play.devices.end(),
-        [](sim::KernelDevice const* device) { return device->tells_readers_by_reports(); });
+        [](sim::KernelDevice const* device) { return device->detects_readers_by_reports(); });
     return is_usb ? kUsbGreeting : kGreeting;
 }
 
-bool are_over(DevicePlay const& play)
+bool are_over(PlaybackSet const& play)
 {
     auto const now = drivers::monotonic_now();
     return std::all_of(play.parts.begin(), play.parts.end(),
                        [&](DevicePart const* part) { return part->is_over(now); });
 }
 
-bool are_waiting(DevicePlay const& play)
+bool are_waiting(PlaybackSet const& play)
 {
     return std::any_of(play.devices.begin(), play.devices.end(),
                        [](sim::KernelDevice const* device) { return device->waiting_count() > 0; });
 }
 
-void begin(DevicePlay const& play)
+void begin(PlaybackSet const& play)
 {
     for (auto* const part : play.parts)
         part->begin(drivers::monotonic_now());
 }
 
-Result<void> go_on_for(Duration duration, DevicePlay const& play, std::atomic<bool> const& stop)
+Result<void> go_on_for(Duration duration, PlaybackSet const& play, std::atomic<bool> const& stop)
 {
     auto const end = drivers::monotonic_now() + duration;
     while (!stop && drivers::monotonic_now() < end)
@@ -99,12 +99,12 @@ Result<void> go_on_for(Duration duration, DevicePlay const& play, std::atomic<bo
 }
 
 // Gives readers time to fetch the queued reports, and then those that the kernel still holds.
-Result<void> say_farewell(DevicePlay const& play, std::atomic<bool> const& stop)
+Result<void> say_farewell(PlaybackSet const& play, std::atomic<bool> const& stop)
 {
     auto const latest = drivers::monotonic_now() + kLongestFarewell;
     while (!stop && are_waiting(play) && drivers::monotonic_now() < latest)
         TRY(take_step(play));
-    return go_on_for(kFarewell, play, stop);
+    return go_on_for(kDrainTime, play, stop);
 }
 
 } // namespace
@@ -141,7 +141,7 @@ Timestamp ReportPart::due() const
         // Due at once, as reading failed and play() has to report the error.
         return Timestamp::min();
     if (!begin_)
-        return device_.tells_readers_by_reports() && next_ ? next_knock_ : Timestamp::max();
+        return device_.detects_readers_by_reports() && next_ ? next_knock_ : Timestamp::max();
     return next_ ? *begin_ + next_->received.time_since_epoch() : Timestamp::max();
 }
 
@@ -168,7 +168,7 @@ Result<void> ReportPart::knock(Timestamp now)
     return device_.send(next_->bytes());
 }
 
-Result<void> play_parts(DevicePlay const& play, std::atomic<bool> const& stop)
+Result<void> play_parts(PlaybackSet const& play, std::atomic<bool> const& stop)
 {
     while (!stop && !are_read(play)) {
         while (!stop && !are_read(play))

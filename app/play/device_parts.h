@@ -61,7 +61,7 @@ private:
 };
 
 // All devices and parts that are played together.
-struct DevicePlay {
+struct PlaybackSet {
     std::vector<sim::KernelDevice*> devices {}; // All devices to serve.
     std::vector<DevicePart*> parts {};
 
@@ -79,6 +79,6 @@ struct DevicePlay {
 // Waits until each device has a reader, then plays all parts to their ends, or until `stop` is set
 // (by a signal handler, for example). Sleeps while there is nothing to do. Fails as soon as a
 // device or a part does.
-Result<void> play_parts(DevicePlay const& play, std::atomic<bool> const& stop);
+Result<void> play_parts(PlaybackSet const& play, std::atomic<bool> const& stop);
 
 } // namespace tractus::play

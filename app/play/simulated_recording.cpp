@@ -50,7 +50,7 @@ void write_reports(drivers::LogWriter& log, sim::SimulatedRun const& run, sim::H
         log.write_tool(time, gesture.tool,
                        script.tools == sim::GestureScript::Tools::Older
                            ? gesture.words
-                           : tools::words_in_hand(tools, gesture.tool, gesture.words));
+                           : tools::words_of_selected_tool(tools, gesture.tool, gesture.words));
     };
     if (script.unkindness.dab_share > 0)
         log.write_tool({}, std::string(tools::kMinExtentsLine),

@@ -87,7 +87,7 @@ Result<bool> Statement::step()
 {
     if (error_ != SQLITE_OK)
         return database_->error(error_);
-    database_->begin_counting();
+    database_->reset_instruction_count();
     int const code = sqlite3_step(statement_);
     if (code != SQLITE_ROW && code != SQLITE_DONE)
         return database_->error(code);
@@ -155,7 +155,7 @@ static int give_up_after_many(void* instructions)
 }
 
 // Applies the advice of www.sqlite.org/security.html for files that may be malicious.
-void Database::limit_what_files_may_do()
+void Database::harden_connection()
 {
     auto* const handle = database_.get();
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
@@ -205,7 +205,7 @@ Result<Database> Database::open(fs::path const& path, Access access)
     if (code != SQLITE_OK)
         return database.error(code);
     sqlite3_busy_timeout(handle, kPatience_ms);
-    database.limit_what_files_may_do();
+    database.harden_connection();
     return database;
 }
 
@@ -220,7 +220,7 @@ Result<Statement> Database::prepare(char const* sql) const
 
 Result<void> Database::execute(std::string const& sql) const
 {
-    begin_counting();
+    reset_instruction_count();
     if (int const code = sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr);
         code != SQLITE_OK)
         return error(code);

@@ -92,12 +92,12 @@ private:
 
     Database(std::filesystem::path path, sqlite3* database);
 
-    void limit_what_files_may_do();
-    void begin_counting() const { *instructions_ = 0; }
+    void harden_connection();
+    void reset_instruction_count() const { *instructions_ = 0; }
 
     std::filesystem::path path_;
-    std::unique_ptr<std::uint64_t> instructions_; // Count since begin_counting(), on the heap
-                                                  // because SQLite holds its address.
+    std::unique_ptr<std::uint64_t> instructions_; // Count since reset_instruction_count(), on the
+                                                  // heap because SQLite holds its address.
     std::unique_ptr<sqlite3, Close> database_;
 };
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// In bytes; a larger edit gets no copy. Plants and strokes are far smaller; pictures may be larger.
+// Largest edit, in bytes, that is stored twice. Plants and strokes are far smaller than this.
 constexpr std::size_t kMaxCopied = std::size_t { 16 } << 20;
 
 // CRC-32 of the parts and their lengths, so that bytes moved from one part to the next change it.

@@ -84,7 +84,7 @@ Result<LogReplay> LogReplay::create(drivers::Log const& log, ReplayOptions const
     StationOptions station_options;
     station_options.tools = options.methods.tools;
     if (!station_options.tools.empty())
-        station_options.tool = tools::tool_of_word(*station_options.tools.front());
+        station_options.tool = tools::default_tool_of_kind(*station_options.tools.front());
     station_options.layers = options.methods.layers;
     station_options.curves = options.methods.curves;
     station_options.rig = TRY(choose_rig(log, pen, options));
@@ -156,7 +156,7 @@ void LogReplay::push_lines()
 
 // Hands over each step after the same number of strokes as in the original session: its line may
 // come later in the log than the reports of later strokes.
-void LogReplay::hand_over(document::Document& document)
+void LogReplay::replay_into(document::Document& document)
 {
     auto const hand_steps_over = [&](std::size_t end, std::size_t strokes_before) {
         for (; next_step_ < end; ++next_step_) {
@@ -185,7 +185,7 @@ void LogReplay::run(document::Document& document)
     bool goes_on = true;
     while (goes_on) {
         goes_on = advance_to_stroke(Timestamp::max());
-        hand_over(document);
+        replay_into(document);
     }
 }
 

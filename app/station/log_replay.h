@@ -34,7 +34,7 @@ public:
 
     // Passes all strokes and other steps since the last call to a document, in their original
     // order.
-    void hand_over(document::Document& document);
+    void replay_into(document::Document& document);
 
     // Sentences about lines of the log that this program does not understand, and what is left out
     // because of them.

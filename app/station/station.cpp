@@ -32,8 +32,8 @@ static tools::Tool first_tool(StationOptions const& options)
 
 static bool has_options(tools::ToolKind const& kind)
 {
-    return !tools::chosen_words(tools::Tool(kind)).empty()
-        || !tools::chosen_numbers(tools::Tool(kind)).empty();
+    return !tools::word_settings(tools::Tool(kind)).empty()
+        || !tools::number_settings(tools::Tool(kind)).empty();
 }
 
 // Kinds used by the pen's other end with the options last chosen for them.
@@ -60,7 +60,7 @@ Station::Station(StationOptions const& options)
     , nib_(options.rig.nib)
     , tool_changes_ { { Timestamp::min(), first_tool(options) } }
     , remembered_kinds_(kinds_to_remember(options.tools))
-    , tool_in_hand_(first_tool(options))
+    , selected_tool_(first_tool(options))
     , tools_(options.tools)
     , layers_(options.layers)
     , curves_(options.curves)
@@ -160,7 +160,7 @@ void Station::pass_time(Timestamp now)
     if (is_height_watched_)
         height_monitor_.advance(now);
     for (auto& pen : pens_)
-        if (auto const gone = pen.silence.leave_if_over(*pen.decoder, now)) {
+        if (auto const gone = pen.silence.leave_after_silence(*pen.decoder, now)) {
             pen.fuser.forget_silence();
             use_pen(pen, *gone);
         }
@@ -205,7 +205,7 @@ void Station::follow_touch(Pen& pen, TipSample const& tip)
     if (!tip.touching) {
         pen.touches_since.reset();
         if (is_pressing())
-            change_tool(began, tool_in_hand_);
+            change_tool(began, selected_tool_);
         return;
     }
     pen.touches_since = began;
@@ -215,7 +215,7 @@ void Station::follow_touch(Pen& pen, TipSample const& tip)
         change_tool(began, pressing());
 }
 
-void Station::press_instead()
+void Station::convert_touch_to_press()
 {
     for (auto const& pen : pens_)
         if (pen.touches_since && !is_pressing())
@@ -289,7 +289,7 @@ void Station::end_with_height()
     if (!is_height_measured_)
         return;
     is_height_there_ = false;
-    height_monitor_.begin_anew();
+    height_monitor_.restart_after_reconnection();
     for (auto& pen : pens_) {
         finish(pen);
         pen.fuser.forget_heights();
@@ -364,7 +364,7 @@ void Station::set_tool(Timestamp time, tools::Tool const& tool)
     }
     bool const is_press = tool == pressing();
     if (!is_press)
-        tool_in_hand_ = tool;
+        selected_tool_ = tool;
     bool const touch_goes_on = std::any_of(
         pens_.begin(), pens_.end(), [](Pen const& pen) { return pen.touches_since.has_value(); });
     // A tool chosen by pressing a control takes effect when the press ends.
@@ -422,13 +422,13 @@ std::vector<tools::Tool> Station::remembered() const
     return tools;
 }
 
-std::vector<tools::Tool> Station::tools_to_go_on_with() const
+std::vector<tools::Tool> Station::tools_for_continuation() const
 {
     std::vector<tools::Tool> tools;
     for (auto& tool : remembered())
-        if (tool != tools::Tool(tool.kind()) && &tool.kind() != &tool_in_hand_.kind())
+        if (tool != tools::Tool(tool.kind()) && &tool.kind() != &selected_tool_.kind())
             tools.push_back(std::move(tool));
-    tools.push_back(tool_in_hand_);
+    tools.push_back(selected_tool_);
     return tools;
 }
 
@@ -437,7 +437,7 @@ std::vector<tools::Tool> Station::tools_to_go_on_with() const
 tools::Tool Station::meaning_of(std::vector<TipSample> const& tips) const
 {
     if (tips.empty())
-        return tool_in_hand_;
+        return selected_tool_;
     // Tool changes have arrival times, while tips have the tablet's latency subtracted.
     auto const after = std::upper_bound(
         tool_changes_.begin() + 1, tool_changes_.end(), tips.front().time + tablet_latency_,

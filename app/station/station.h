@@ -108,7 +108,7 @@ public:
 
     // Turns the current touch into a press on controls, retroactively: a long press opens the tool
     // ring.
-    void press_instead();
+    void convert_touch_to_press();
 
     // Pen movements since the last call, in order; at most the newest kMaxMoments.
     static constexpr std::size_t kMaxMoments = 1024;
@@ -159,7 +159,7 @@ public:
     // True if the pen has sent nothing for a while, during which the surface may have moved: many
     // tablets do not report a resting pen. Always false if heights are scripted.
     bool pen_rests() const;
-    tools::Tool const& tool() const { return tool_in_hand_; }
+    tools::Tool const& tool() const { return selected_tool_; }
     tools::ToolKinds tools() const { return tools_; } // Available tools.
     tools::Layers layers() const { return layers_; }  // Available layers.
     tools::DrawnCurveLists curves() const { return curves_; }
@@ -167,7 +167,7 @@ public:
     std::vector<tools::Tool> remembered() const;
     // Tools to select on another station, in this order, so that both ends of the pen work the same
     // there.
-    std::vector<tools::Tool> tools_to_go_on_with() const;
+    std::vector<tools::Tool> tools_for_continuation() const;
     // Tool of a finished or unfinished stroke with these tips; without tips, the selected tool.
     tools::Tool meaning_of(std::vector<TipSample> const& tips) const;
     bool is_pressing() const { return tool_changes_.back().tool == pressing(); }
@@ -235,7 +235,7 @@ private:
     // tool_changes_.
     std::vector<tools::ToolKind const*> remembered_kinds_;
     std::vector<tools::Tool> forgotten_;
-    tools::Tool tool_in_hand_; // The selected tool, ignoring presses on controls.
+    tools::Tool selected_tool_; // The selected tool, ignoring presses on controls.
     tools::ToolKinds tools_;
     tools::Layers layers_;
     tools::DrawnCurveLists curves_;

@@ -53,7 +53,7 @@ constexpr ToolKind DrawInOrderTool::kKind {
     .min_extent_mm = 6,
     .options = options_type<DrawInOrderTool, visit>(),
     .edits_for = draw_in_order,
-    .describe = say_underground,
+    .describe = underground_message,
     .previewer = branch_previewer,
     .aims_at = next_branch,
     .other_end = { &EraseTool::kKind },

@@ -72,7 +72,7 @@ constexpr ToolKind DrawTool::kKind {
     .min_extent_mm = 6,
     .options = options_type<DrawTool, visit>(),
     .edits_for = draw_selected,
-    .describe = say_underground,
+    .describe = underground_message,
     .previewer = branch_previewer,
     .other_end = { &EraseTool::kKind },
 };

@@ -210,15 +210,15 @@ Result<bool> shapes_without(scene::Scene const& scene, variation::Association as
 
 // Edits for the touched strokes: one for all that lose the same tips, then one for those that are
 // deleted.
-Result<std::vector<scene::Edit>> stroke_edits_of(Touched const& touched, EraseTool::Erasing erasing,
-                                                 scene::Scene const& scene)
+Result<std::vector<scene::Edit>>
+stroke_edits_of(Touched const& touched, EraseTool::EraseExtent erasing, scene::Scene const& scene)
 {
     std::vector<scene::EraseTips> parts;
     scene::DeleteStroke whole;
     for (auto const& [number, tips] : touched.associations) {
         auto ranges = ranges_of(tips);
         auto const id = scene.associations[number].id;
-        if (erasing == EraseTool::Erasing::Whole) {
+        if (erasing == EraseTool::EraseExtent::Whole) {
             whole.strokes.ids.push_back(id);
         } else if (ranges.empty()) { // The eraser touched the line between two tips, so no tip is
                                      // removed.

@@ -13,12 +13,12 @@ struct EraseTool {
     static constexpr double kRadius_mm = 4;
 
     // How much of a stroke is erased. Indicators are always erased whole.
-    enum class Erasing {
+    enum class EraseExtent {
         Whole, // The whole stroke.
         // Only the tips under the eraser, or the whole stroke if the rest would shape nothing.
         Part,
     };
-    Erasing erasing = Erasing::Whole;
+    EraseExtent erasing = EraseExtent::Whole;
 };
 
 } // namespace tractus::tools

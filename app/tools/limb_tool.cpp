@@ -40,7 +40,7 @@ void visit(OptionVisitor& visitor, LimbTool& tool)
 // A point of an axis.
 struct AxisPoint {
     SegmentId segment = 0;
-    double share = 0;             // On the segment, from its base to its end.
+    double share = 0;             // Position on the segment: 0 at its base, 1 at its end.
     Vec3 place_mm = Vec3::Zero(); // World frame.
     double distance_mm = std::numeric_limits<double>::infinity();
 };
@@ -158,7 +158,7 @@ private:
         auto const segment = *bearer.rest->addresses.find_segment(*bearer.base, limb_->at);
         auto const& axis = bearer.base->axes[axis_of(*bearer.base, segment)];
         auto const node = nodes_of(*bearer.base, segment);
-        variation::LimbSeat const seat {
+        variation::LimbAttachment const seat {
             .order = axis.order,
             .direction = tangent_of(bearer.rest->frame[segment]),
             .radius_mm = static_cast<double>(bearer.base->node_radius_mm[node.tip]),
@@ -243,7 +243,7 @@ constexpr ToolKind LimbTool::kKind {
     .min_extent_mm = 6,
     .options = options_type<LimbTool, visit>(),
     .edits_for = draw_limb,
-    .describe = say_underground,
+    .describe = underground_message,
     .previewer
     = []() -> std::unique_ptr<StrokePreviewer> { return std::make_unique<LimbPreviewer>(); },
     .other_end = { &LimbTool::kKind,

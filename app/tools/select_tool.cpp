@@ -10,7 +10,7 @@ namespace tractus::tools {
 
 namespace {
 
-using Selecting = SelectTool::Selecting;
+using SelectionMode = SelectTool::SelectionMode;
 
 // Names in the order of Selecting.
 constexpr std::array<OptionWord, 8> kSelectingWords { {
@@ -34,26 +34,26 @@ Result<variation::Selection> selection_of(Tool const& tool, Stroke const& stroke
 {
     auto const selecting = tool.get<SelectTool>()->selecting;
     auto const& plant = *scene.base;
-    if (selecting == Selecting::Nothing)
+    if (selecting == SelectionMode::Nothing)
         return variation::Selection {};
-    if (selecting == Selecting::Invert)
+    if (selecting == SelectionMode::Invert)
         return variation::inverted(plant, scene.selection);
     ShownSkeleton const shown(scene, tool.angle());
     switch (selecting) {
-    case Selecting::Ends: {
+    case SelectionMode::Ends: {
         auto const first = TRY(shown.segment_under(stroke.tips.front()));
         auto const last = TRY(shown.segment_under(stroke.tips.back()));
         return variation::Selection { TRY(variation::path_by_ends(shown.tree(), first, last)) };
     }
-    case Selecting::Order: {
+    case SelectionMode::Order: {
         auto const segment = TRY(shown.segment_under(stroke.tips.back()));
         return variation::axes_of_order(plant, plant.axes[axis_of(plant, segment)].order);
     }
-    case Selecting::Alike:
-        return variation::siblings_alike(plant, TRY(shown.segment_under(stroke.tips.back())));
-    case Selecting::Add:
+    case SelectionMode::Alike:
+        return variation::similar_siblings(plant, TRY(shown.segment_under(stroke.tips.back())));
+    case SelectionMode::Add:
         return variation::added(scene.selection, TRY(shown.paths_under(stroke)));
-    case Selecting::Take:
+    case SelectionMode::Take:
         return variation::taken(scene.selection, TRY(shown.paths_under(stroke)));
     default:
         return shown.paths_under(stroke);
@@ -63,7 +63,7 @@ Result<variation::Selection> selection_of(Tool const& tool, Stroke const& stroke
 Result<std::vector<scene::Edit>> select(Tool const& tool, Stroke const& stroke,
                                         scene::Scene const& scene)
 {
-    CHECK(!stroke.tips.empty() || tool.can_be_done_at_once());
+    CHECK(!stroke.tips.empty() || tool.needs_no_stroke());
     return std::vector<scene::Edit> { scene::select_paths(scene,
                                                           TRY(selection_of(tool, stroke, scene))) };
 }
@@ -71,14 +71,14 @@ Result<std::vector<scene::Edit>> select(Tool const& tool, Stroke const& stroke,
 bool selects_path(Tool const& tool)
 {
     auto const selecting = tool.get<SelectTool>()->selecting;
-    return selecting == Selecting::Path || selecting == Selecting::Add
-        || selecting == Selecting::Take;
+    return selecting == SelectionMode::Path || selecting == SelectionMode::Add
+        || selecting == SelectionMode::Take;
 }
 
 // Options of the pen's other end: over the skeleton there is nothing to erase, so it deselects.
 std::shared_ptr<void> taking()
 {
-    return std::make_shared<SelectTool>(SelectTool { Selecting::Take });
+    return std::make_shared<SelectTool>(SelectTool { SelectionMode::Take });
 }
 
 } // namespace

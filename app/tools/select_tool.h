@@ -8,7 +8,7 @@ namespace tractus::tools {
 struct SelectTool {
     static ToolKind const kKind;
 
-    enum class Selecting {
+    enum class SelectionMode {
         Path,   // Selects the path under the stroke.
         Ends,   // Selects everything between the branches at the stroke's two ends.
         Add,    // Adds the path to the selection.
@@ -18,7 +18,7 @@ struct SelectTool {
         Invert, // Inverts the selection, wherever the stroke is.
         Nothing,
     };
-    Selecting selecting = Selecting::Path;
+    SelectionMode selecting = SelectionMode::Path;
 };
 
 } // namespace tractus::tools

@@ -55,8 +55,8 @@ public:
         numbers.push_back({ option, value });
     }
 
-    std::vector<ChosenWord> words;
-    std::vector<ChosenNumber> numbers;
+    std::vector<WordSetting> words;
+    std::vector<NumberSetting> numbers;
 };
 
 class NumberSetter final : public OptionVisitor {
@@ -301,10 +301,10 @@ Tool Tool::changed_by(void (*change)(void* options)) const
     return changed;
 }
 
-bool Tool::can_be_done_at_once() const
+bool Tool::needs_no_stroke() const
 {
-    auto const words = chosen_words(*this);
-    return kind_->at_once || std::any_of(words.begin(), words.end(), [](ChosenWord const& chosen) {
+    auto const words = word_settings(*this);
+    return kind_->at_once || std::any_of(words.begin(), words.end(), [](WordSetting const& chosen) {
                return chosen.option.words[static_cast<std::size_t>(chosen.value)].at_once;
            });
 }
@@ -326,7 +326,7 @@ Tool Tool::seen_from(scene::SelectionAngle const& angle) const
 std::string Tool::title() const
 {
     char const* title = kind_->title;
-    for (auto const& [option, value] : chosen_words(*this))
+    for (auto const& [option, value] : word_settings(*this))
         if (auto const* const own = option.words[static_cast<std::size_t>(value)].title)
             title = own;
     return title;
@@ -338,14 +338,14 @@ bool Tool::operator==(Tool const& other) const
         && (options_ == other.options_ || values_of(*this) == values_of(other));
 }
 
-std::vector<ChosenWord> chosen_words(Tool const& tool)
+std::vector<WordSetting> word_settings(Tool const& tool)
 {
     OptionReader reader;
     tool.show(reader);
     return std::move(reader.words);
 }
 
-std::vector<ChosenNumber> chosen_numbers(Tool const& tool)
+std::vector<NumberSetting> number_settings(Tool const& tool)
 {
     OptionReader reader;
     tool.show(reader);
@@ -385,13 +385,14 @@ ToolKind const* find_tool_kind(ToolKinds kinds, std::string_view word)
 
 // The tool a user starts with may differ, if the kind has gained options that older logs do not
 // know.
-Tool tool_of_word(ToolKind const& kind)
+Tool default_tool_of_kind(ToolKind const& kind)
 {
     FirstWords first;
     return Tool(kind).changed_by(first);
 }
 
-std::string words_in_hand(ToolKinds kinds, std::string_view name, std::string_view arguments)
+std::string words_of_selected_tool(ToolKinds kinds, std::string_view name,
+                                   std::string_view arguments)
 {
     std::string words(arguments);
     auto const* const kind = find_tool_kind(kinds, name);
@@ -401,7 +402,7 @@ std::string words_in_hand(ToolKinds kinds, std::string_view name, std::string_vi
         return fmt::format(" {} ", arguments).find(fmt::format(" {} ", word.word))
             != std::string::npos;
     };
-    for (auto const& [option, value] : chosen_words(Tool(*kind)))
+    for (auto const& [option, value] : word_settings(Tool(*kind)))
         if (option.offered == WordOption::Offered::Never
             && std::none_of(option.words.begin(), option.words.end(), is_named))
             words += fmt::format("{}{}", words.empty() ? "" : " ",
@@ -419,7 +420,7 @@ Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view
         return fail(Fault::User,
                     fmt::format("there is no tool \"{}\": there are {}", name, list_words(words)));
     }
-    auto tool = tool_of_word(*kind);
+    auto tool = default_tool_of_kind(*kind);
     bool is_now = false;
     while (!arguments.empty()) {
         auto const word = arguments.substr(0, arguments.find(' '));
@@ -427,7 +428,7 @@ Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view
         if (!word.empty())
             TRY(take_argument(tool, is_now, word));
     }
-    if (is_now && !tool.can_be_done_at_once())
+    if (is_now && !tool.needs_no_stroke())
         return fail(Fault::User,
                     fmt::format("the tool {} needs a stroke: leave out \"{}\"", name, kNow));
     return is_now ? tool.done_at_once() : tool;
@@ -435,7 +436,7 @@ Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view
 
 ToolWords words_for(Tool const& tool)
 {
-    ArgumentWriter writer(values_of(tool_of_word(tool.kind())));
+    ArgumentWriter writer(values_of(default_tool_of_kind(tool.kind())));
     tool.show(writer);
     if (tool.kind().surface == Surface::Skeleton) {
         auto angle = tool.angle();

@@ -55,14 +55,14 @@ public:
     Tool changed_by(void (*change)(void* options)) const;
 
     // The gizmo of the tool's options, and the tool after the user has dragged or pressed one of
-    // its handles (glyph.h). Only for kinds with a gizmo.
+    // its handles (gizmo.h). Only for kinds with a gizmo.
     Gizmo gizmo() const;
     Tool dragged(std::size_t handle, Vec2 const& to) const;
 
     // True if the tool acts at once, without a stroke, and leaves the current tool selected; "now"
     // in logs.
     bool is_done_at_once() const { return at_once_; }
-    bool can_be_done_at_once() const;
+    bool needs_no_stroke() const;
     Tool done_at_once() const;
 
     // View direction of the skeleton under the pen, for a tool that works on it. In logs: "view="
@@ -91,21 +91,21 @@ private:
 };
 
 // One of a tool's word options, and the index of the chosen word.
-struct ChosenWord {
+struct WordSetting {
     WordOption option;
     int value = 0;
 };
-std::vector<ChosenWord> chosen_words(Tool const& tool);
+std::vector<WordSetting> word_settings(Tool const& tool);
 
 // The tool with another word for its word option with this index.
 Tool with_word(Tool const& tool, std::size_t option, int value);
 
 // One of a tool's number options, and its value.
-struct ChosenNumber {
+struct NumberSetting {
     NumberOption option;
     double value = 0;
 };
-std::vector<ChosenNumber> chosen_numbers(Tool const& tool);
+std::vector<NumberSetting> number_settings(Tool const& tool);
 Tool with_number(Tool const& tool, std::size_t option, double value);
 
 // Parses an option's number, typed by the user or read from a log. No value if the text is not a
@@ -117,11 +117,12 @@ std::optional<double> read_number(NumberOption const& option, std::string_view t
 Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view arguments);
 
 // The tool that a log without tool lines means: the kind's word alone.
-Tool tool_of_word(ToolKind const& kind);
+Tool default_tool_of_kind(ToolKind const& kind);
 
 // Adds to `arguments` (which must be valid for parse_tool()) the words that make the tool equal to
 // the one a user selects now: those of options without a button, unless they are given.
-std::string words_in_hand(ToolKinds kinds, std::string_view name, std::string_view arguments);
+std::string words_of_selected_tool(ToolKinds kinds, std::string_view name,
+                                   std::string_view arguments);
 
 // A tool as words that parse_tool() reads.
 struct ToolWords {

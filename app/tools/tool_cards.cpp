@@ -51,7 +51,7 @@ private:
 
 char const* cards_label(ToolKind const& kind)
 {
-    for (auto const& chosen : chosen_words(Tool(kind)))
+    for (auto const& chosen : word_settings(Tool(kind)))
         if (is_of_cards(chosen.option))
             return chosen.option.label;
     return nullptr;
@@ -60,7 +60,7 @@ char const* cards_label(ToolKind const& kind)
 std::vector<ToolCard> ready_cards(Tool const& hand)
 {
     std::vector<ToolCard> cards;
-    auto const options = chosen_words(hand);
+    auto const options = word_settings(hand);
     for (std::size_t i = 0; i < options.size(); ++i)
         if (is_of_cards(options[i].option))
             for (std::size_t word = 0; word < options[i].option.words.size(); ++word)

@@ -59,9 +59,9 @@ public:
 
 private:
     void add_words(Tool const& tool, WordOption const& option, std::size_t number);
-    void add_next_word(Tool const& tool, ChosenWord const& chosen, std::size_t number);
-    void add_cards(ChosenWord const& chosen);
-    void add_number(ChosenNumber const& chosen, std::size_t number);
+    void add_next_word(Tool const& tool, WordSetting const& chosen, std::size_t number);
+    void add_cards(WordSetting const& chosen);
+    void add_number(NumberSetting const& chosen, std::size_t number);
     void add(std::string const& text, Tool const& tool);
 
     Tool hand_;
@@ -85,7 +85,7 @@ void Meanings::add_methods(ToolKinds kinds, std::span<Tool const> remembered)
             && &first_of_method(kinds, *kind) == kind;
         if (!leads)
             continue;
-        add(kind->method, chosen_anew(*kind, remembered));
+        add(kind->method, newly_selected_tool(*kind, remembered));
         meanings_.back().is_on = is_same_method(*kind, hand_.kind());
     }
     begins_group_ = !meanings_.empty();
@@ -95,10 +95,10 @@ void Meanings::add_kind(ToolKind const& kind)
 {
     bool const is_in_hand = &hand_.kind() == &kind;
     auto const tool = is_in_hand ? hand_ : Tool(kind);
-    auto const options = chosen_words(tool);
-    auto const numbers = chosen_numbers(tool);
+    auto const options = word_settings(tool);
+    auto const numbers = number_settings(tool);
     begins_group_ |= kind.begins_group_of_buttons;
-    bool const has_word = std::any_of(options.begin(), options.end(), [&](ChosenWord const& word) {
+    bool const has_word = std::any_of(options.begin(), options.end(), [&](WordSetting const& word) {
         using enum WordOption::Offered;
         auto const offered = word.option.offered;
         return offered == Always || (is_in_hand && offered != Never && offered != BesideLabel);
@@ -135,7 +135,7 @@ void Meanings::add_words(Tool const& tool, WordOption const& option, std::size_t
     }
 }
 
-void Meanings::add_next_word(Tool const& tool, ChosenWord const& chosen, std::size_t number)
+void Meanings::add_next_word(Tool const& tool, WordSetting const& chosen, std::size_t number)
 {
     auto const& [option, value] = chosen;
     auto const count = static_cast<int>(option.words.size());
@@ -151,7 +151,7 @@ void Meanings::add_next_word(Tool const& tool, ChosenWord const& chosen, std::si
 
 // Adds the button that opens the presets; its text contains the preset that exactly matches the
 // current tool.
-void Meanings::add_cards(ChosenWord const& chosen)
+void Meanings::add_cards(WordSetting const& chosen)
 {
     auto const ready = ready_cards(hand_)[static_cast<std::size_t>(chosen.value)];
     add(fmt::format("{}: {}##{} cards", chosen.option.label,
@@ -161,7 +161,7 @@ void Meanings::add_cards(ChosenWord const& chosen)
     meanings_.back().opens_cards = true;
 }
 
-void Meanings::add_number(ChosenNumber const& chosen, std::size_t number)
+void Meanings::add_number(NumberSetting const& chosen, std::size_t number)
 {
     begins_group_ |= number == 0;
     // The part after "##" is the button's identity, which must not change while its text changes
@@ -180,7 +180,7 @@ float button_width(std::string_view text)
     return kAir_px + kLetter_px * static_cast<float>(text.substr(0, text.find("##")).size());
 }
 
-Tool chosen_anew(ToolKind const& kind, std::span<Tool const> remembered)
+Tool newly_selected_tool(ToolKind const& kind, std::span<Tool const> remembered)
 {
     auto const found = std::find_if(remembered.begin(), remembered.end(),
                                     [&](Tool const& tool) { return &tool.kind() == &kind; });
@@ -216,7 +216,8 @@ std::vector<ToolChoice> tool_choices(ToolKinds kinds, std::span<Tool const> reme
                 return is_same_group(choice.tool.kind(), *kind);
             }))
             choices.push_back(
-                { kind->group, chosen_anew(kind_of_group(kinds, *kind, remembered), remembered) });
+                { kind->group,
+                  newly_selected_tool(kind_of_group(kinds, *kind, remembered), remembered) });
     return choices;
 }
 
@@ -236,7 +237,7 @@ std::vector<Meaning> meanings_of(ToolKinds kinds, Tool const& hand,
     return meanings.take();
 }
 
-std::string describe_number(ChosenNumber const& chosen)
+std::string describe_number(NumberSetting const& chosen)
 {
     auto const& option = chosen.option;
     return fmt::format("{} {}", option.label ? option.label : option.name,

@@ -22,7 +22,7 @@ struct ToolChoice {
 std::vector<ToolChoice> tool_choices(ToolKinds kinds, std::span<Tool const> remembered);
 
 // A tool of this kind with the options that a new selection gives it.
-Tool chosen_anew(ToolKind const& kind, std::span<Tool const> remembered);
+Tool newly_selected_tool(ToolKind const& kind, std::span<Tool const> remembered);
 
 // The tool to select when a drawing opens: the one that made the active plant; for a plant from
 // elsewhere, such as a model, the first tool; without a plant, the first tool that makes one.
@@ -50,7 +50,7 @@ std::vector<Meaning> meanings_of(ToolKinds kinds, Tool const& hand,
                                  std::span<Tool const> remembered = {});
 
 // Formats a number option with its label: "Angle 45°".
-std::string describe_number(ChosenNumber const& chosen);
+std::string describe_number(NumberSetting const& chosen);
 
 // Formats a number with its unit: "45°", "30 mm", "2".
 std::string with_unit(std::string_view number, NumberOption const& option);

@@ -81,7 +81,7 @@ struct ToolKind {
     scene::SourceKind const* makes = nullptr;
     OptionsType options;
     GizmoKind const* gizmo = nullptr;            // Gizmo of its options; null: it has only buttons.
-    DrawnGizmoKind const* drawn_gizmo = nullptr; // Gizmo of the active plant's numbers; null: none.
+    DrawnGizmoKind const* drawn_gizmo = nullptr; // Gizmo that edits the active plant; null: none.
 
     // Interprets a finished stroke as edits of `scene`, to be applied in order. `stroke` has no
     // tips if the tool acts at once. Fails with a user error if the stroke has no meaning, for

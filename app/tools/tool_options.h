@@ -48,7 +48,7 @@ struct NumberOption {
     char const* label = nullptr; // Text on the option's button; null: its name.
     enum class Offered {
         Always,       // The option always has a button.
-        WithoutGizmo, // It has a button while the kind's gizmo, which also sets it, is hidden.
+        WithoutGizmo, // The option has a button only while the gizmo that also sets it is hidden.
         OnGizmo,      // The option is set by the gizmo only.
     } offered
         = Offered::Always;

@@ -60,7 +60,7 @@ constexpr Layer kGrownUndergroundLayer {
     .lines = nullptr,
 };
 
-std::string say_underground(Tool const& tool, scene::Scene const& after)
+std::string underground_message(Tool const& tool, scene::Scene const& after)
 {
     auto const below
         = variation::describe_underground(segments_bent_underground(after).size(), *after.base);

@@ -22,6 +22,6 @@ std::vector<SegmentId> segments_bent_underground(scene::BuiltPlant const& plant)
 
 // ToolKind::said for tools that bend branches: the tool's own message and, if strokes have bent
 // segments below the ground, their number. Empty if there are none.
-std::string say_underground(Tool const& tool, scene::Scene const& after);
+std::string underground_message(Tool const& tool, scene::Scene const& after);
 
 } // namespace tractus::tools

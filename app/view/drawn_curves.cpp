@@ -39,7 +39,7 @@ std::string stroke_name(variation::Propagation propagation, std::vector<PathAddr
 }
 
 // The strokes that shape branches. One that shapes several is several associations in a row.
-std::vector<DrawnCurveView> stroke_curves(scene::Scene const& scene, KeptInk const& ink)
+std::vector<DrawnCurveView> stroke_curves(scene::Scene const& scene, CachedInk const& ink)
 {
     std::unordered_map<void const*, std::size_t> line_of;
     for (std::size_t i = 0; i < ink.strokes.size(); ++i)
@@ -115,7 +115,7 @@ DrawnCurveView listed_curve(tools::DrawnCurve drawn)
 
 } // namespace
 
-std::vector<DrawnCurveView> drawn_curves(scene::Scene const& scene, KeptInk const& ink,
+std::vector<DrawnCurveView> drawn_curves(scene::Scene const& scene, CachedInk const& ink,
                                          tools::DrawnCurveLists lists)
 {
     std::vector<DrawnCurveView> curves;

@@ -12,7 +12,7 @@ namespace tractus::view {
 
 // Ink that is kept for strokes, so that their tips need not be read again: `lines` has an element
 // for each of `strokes`.
-struct KeptInk {
+struct CachedInk {
     std::span<SharedVector<TipSample> const> strokes;
     std::span<InkLine const> lines;
 };
@@ -20,7 +20,7 @@ struct KeptInk {
 // Returns the curves of the scene's active plant in the order in which they were drawn: the strokes
 // that shape its branches (shaping_numbers()), each once, those of its limbs, and those of the
 // lists. Strokes without ink are left out, and limbs that the plant does not have at present.
-std::vector<DrawnCurveView> drawn_curves(scene::Scene const& scene, KeptInk const& ink,
+std::vector<DrawnCurveView> drawn_curves(scene::Scene const& scene, CachedInk const& ink,
                                          tools::DrawnCurveLists lists);
 
 } // namespace tractus::view

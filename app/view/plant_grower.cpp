@@ -74,7 +74,7 @@ GrownUnderground underground_of(Plant const& plant, Plant const& base,
 // Grows the plants of successive scenes; unchanged plants are reused.
 class PlantGrower::SceneGrower {
 public:
-    Result<GrownPlants> grow(WantedPlant const& wanted, std::stop_token const& stop)
+    Result<GrownPlants> grow(PlantRequest const& wanted, std::stop_token const& stop)
     {
         auto const& scene = *wanted.scene;
         GrownPlants grown;
@@ -106,11 +106,11 @@ private:
     struct Other {
         // The plant whose mesh this is; shared with the scenes that contain it.
         std::shared_ptr<scene::BuiltPlant const> plant;
-        bool along_ground = false; // As in WantedPlant.
+        bool along_ground = false; // As in PlantRequest.
         mesh::Mesh mesh;
     };
 
-    static Result<GrownPlants> grow_one(scene::BuiltPlant const& built, WantedPlant const& wanted,
+    static Result<GrownPlants> grow_one(scene::BuiltPlant const& built, PlantRequest const& wanted,
                                         scene::SetGrowth const& growth, scene::SceneShaper& shaper,
                                         std::stop_token const& stop)
     {
@@ -144,7 +144,7 @@ static mesh::MeshOptions coarse()
 // Grows the variations of successive requests.
 class PlantGrower::VariationMaker {
 public:
-    MadeVariation make(WantedVariation const& wanted, std::stop_token const& stop)
+    VariationResult make(VariationRequest const& wanted, std::stop_token const& stop)
     {
         auto mesh = grow(wanted, stop);
         if (!mesh)
@@ -153,7 +153,7 @@ public:
     }
 
 private:
-    Result<mesh::Mesh> grow(WantedVariation const& wanted, std::stop_token const& stop)
+    Result<mesh::Mesh> grow(VariationRequest const& wanted, std::stop_token const& stop)
     {
         auto const& how = wanted.individuality;
         auto const& growth = wanted.plant.growth;
@@ -183,17 +183,17 @@ private:
     std::shared_ptr<scene::Scene const> of_; // Immutable and shared.
     double share_ = 0;
     scene::Scene alone_;
-    scene::OwnSeeds own_seeds_;
+    scene::SeedAssignment own_seeds_;
 };
 
 PlantGrower::PlantGrower()
     // Shared, as the function objects are copied; only one copy of each is called.
     : plant_([grower = std::make_shared<SceneGrower>()](
-                 WantedPlant const& wanted,
+                 PlantRequest const& wanted,
                  std::stop_token const& stop) { return grower->grow(wanted, stop); },
              Urgency::Later)
     , variation_([maker = std::make_shared<VariationMaker>()](
-                     WantedVariation const& wanted,
+                     VariationRequest const& wanted,
                      std::stop_token const& stop) { return maker->make(wanted, stop); },
                  Urgency::Later)
     , worn_out_([](std::unique_ptr<mesh::Mesh const> const&) { return true; }, Urgency::Later)
@@ -211,15 +211,15 @@ std::optional<Result<mesh::Mesh>> PlantGrower::take()
     return Result<mesh::Mesh>(std::move((*grown)->mesh));
 }
 
-void PlantGrower::vary(WantedVariations wanted)
+void PlantGrower::vary(VariationsRequest wanted)
 {
     variations_ = std::move(wanted);
     varied_ = std::vector<Variation> {};
     ++wish_;
-    want_next();
+    request_next();
 }
 
-void PlantGrower::want_next()
+void PlantGrower::request_next()
 {
     if (variations_.count > 0)
         variation_.want({ variations_.like, variations_.individuality, wish_ });
@@ -234,7 +234,7 @@ void PlantGrower::take_variation()
         varied_->push_back(*std::move(made->variation));
         --variations_.count;
         ++variations_.like.growth.seed;
-        want_next();
+        request_next();
     } else {
         varied_ = tl::unexpected(std::move(made->variation).error());
         variations_.count = 0;

@@ -17,15 +17,15 @@
 namespace tractus::view {
 
 // A document's plants as the window wants to show them.
-struct WantedPlant {
+struct PlantRequest {
     std::shared_ptr<scene::Scene const> scene; // Scene to grow; immutable, shared with the window.
     scene::SetGrowth growth {};                // Growth of the active plant, in place of its own.
     bool along_ground = false; // Growth bends along the ground instead of into it; see ground.h.
 };
 
 // A request for `count` variations of the active plant, with this seed and the following ones.
-struct WantedVariations {
-    WantedPlant like;
+struct VariationsRequest {
+    PlantRequest like;
     std::size_t count = 0;
     variation::Individuality individuality {}; // Their differences in addition to growth.
 };
@@ -54,10 +54,10 @@ class PlantGrower {
 public:
     PlantGrower();
 
-    void grow(WantedPlant wanted) { plant_.want(std::move(wanted)); }
+    void grow(PlantRequest wanted) { plant_.want(std::move(wanted)); }
 
     // Requests variations; finished and pending ones of an earlier request are dropped.
-    void vary(WantedVariations wanted);
+    void vary(VariationsRequest wanted);
 
     // True while a requested plant has not been returned by take().
     bool is_growing() const { return plant_.is_busy(); }
@@ -86,12 +86,12 @@ private:
         mesh::Mesh mesh;
         GrownUnderground underground;
     };
-    struct WantedVariation {
-        WantedPlant plant;
+    struct VariationRequest {
+        PlantRequest plant;
         variation::Individuality individuality;
         std::uint64_t wish = 0;
     };
-    struct MadeVariation {
+    struct VariationResult {
         Result<Variation> variation;
         std::uint64_t wish = 0;
     };
@@ -99,14 +99,14 @@ private:
     class SceneGrower;
     class VariationMaker;
 
-    void want_next();
+    void request_next();
     void take_variation();
 
-    NewestJob<WantedPlant, Result<GrownPlants>> plant_;
+    NewestJob<PlantRequest, Result<GrownPlants>> plant_;
     GrownUnderground underground_;
-    NewestJob<WantedVariation, MadeVariation> variation_;
+    NewestJob<VariationRequest, VariationResult> variation_;
     NewestJob<std::unique_ptr<mesh::Mesh const>, bool> worn_out_;
-    WantedVariations variations_; // The variations still to come, including the one in progress.
+    VariationsRequest variations_; // The variations still to come, including the one in progress.
     std::uint64_t wish_ = 0; // Number of the latest request; results of earlier ones are ignored.
     Result<std::vector<Variation>> varied_;
 };

@@ -18,7 +18,7 @@ namespace tractus::view {
 
 // Reuses the previewer as long as the tool's kind stays the same, as it caches data between
 // strokes.
-StationView::Preview StationView::Previewing::show(WantedPreview const& wanted)
+StationView::Preview StationView::Previewing::show(PreviewRequest const& wanted)
 {
     auto* const make = wanted.tool.kind().previewer;
     if (!make)
@@ -36,13 +36,13 @@ StationView::Preview StationView::Previewing::show(WantedPreview const& wanted)
 }
 
 StationView::StationView(station::Station const& station, document::Document const& document)
-    : preview_(std::make_unique<NewestJob<WantedPreview, Preview>>(
+    : preview_(std::make_unique<NewestJob<PreviewRequest, Preview>>(
         // Shared, as the function object is copied; only one copy is called.
-        [previewing = std::make_shared<Previewing>()](WantedPreview const& wanted) {
+        [previewing = std::make_shared<Previewing>()](PreviewRequest const& wanted) {
             return previewing->show(wanted);
         }))
-    , proposal_(std::make_unique<NewestJob<WantedProposal, std::shared_ptr<scene::Scene const>>>(
-          [](WantedProposal const& wanted) -> std::shared_ptr<scene::Scene const> {
+    , proposal_(std::make_unique<NewestJob<ProposalRequest, std::shared_ptr<scene::Scene const>>>(
+          [](ProposalRequest const& wanted) -> std::shared_ptr<scene::Scene const> {
               auto scene = scene::apply_edits(*wanted.scene, wanted.edits);
               return scene ? std::make_shared<scene::Scene const>(*std::move(scene)) : nullptr;
           }))
@@ -67,13 +67,13 @@ void StationView::show(station::Station const& station, document::Document const
     // Read after the waiting strokes, so that every stroke is found either among those or in the
     // snapshot.
     auto const snapshot = document.newest();
-    state_.unkept_steps = snapshot->unkept;
+    state_.unsaved_steps = snapshot->unkept;
     if (snapshot->drawn_revision != shown_drawn_revision_)
         show_scene(snapshot);
     else if (snapshot->revision != shown_revision_)
         grow_plant(snapshot);
     else
-        take_kept(snapshot);
+        take_saved_snapshot(snapshot);
     if (!is_drawing && std::exchange(is_outcome_proposed_, false))
         propose({}); // Ends the preview, as the stroke changed nothing.
     show_drawn_gizmo();
@@ -173,7 +173,7 @@ void StationView::show_live(station::Station const& station, document::Document 
     if (auto const before = std::exchange(state_.hand, station.tool());
         grown_scene_ && !(before == state_.hand)) {
         layers_.show(*grown_scene_, state_.hand); // The new tool may ask for other layers.
-        see_layers();
+        update_layers();
     }
     state_.remembered = station.remembered();
     if (std::exchange(aims_at_, state_.hand.kind().aims_at) != state_.hand.kind().aims_at)
@@ -313,16 +313,16 @@ void StationView::show_curves(scene::Scene const& scene)
 void StationView::show_layers(scene::Scene const& scene)
 {
     layers_.show(scene, state_.hand);
-    state_.layers = seen_layers();
+    state_.layers = visible_layers();
 }
 
 void StationView::pass(Duration step)
 {
     layers_.pass(step, state_.hand);
-    see_layers();
+    update_layers();
 }
 
-std::vector<ShownLayer> StationView::seen_layers() const
+std::vector<ShownLayer> StationView::visible_layers() const
 {
     auto layers = layers_.seen();
     if (!grown_underground_mm_.empty())
@@ -344,7 +344,7 @@ void StationView::show_underground(GrownUnderground const& underground)
         ? ""
         : fmt::format("growth takes {} of {} segments below the ground",
                       grown_underground_mm_.size(), underground.segments);
-    see_layers();
+    update_layers();
 }
 
 void StationView::set_along_ground(bool is_on)
@@ -355,7 +355,7 @@ void StationView::set_along_ground(bool is_on)
         collect({ state_.collection_wanted, state_.individuality });
 }
 
-void StationView::want_plant(WantedPlant wanted)
+void StationView::request_plant(PlantRequest wanted)
 {
     wanted.along_ground = state_.along_ground;
     grower_->grow(std::move(wanted));
@@ -363,11 +363,11 @@ void StationView::want_plant(WantedPlant wanted)
 }
 
 // Updates the layers if their visibility or lines changed.
-void StationView::see_layers()
+void StationView::update_layers()
 {
-    if (state_.layers == seen_layers())
+    if (state_.layers == visible_layers())
         return;
-    state_.layers = seen_layers();
+    state_.layers = visible_layers();
     ++state_.strokes_revision;
     ++state_.skeleton_revision; // Layers are also shown with the skeleton.
 }
@@ -410,7 +410,7 @@ void StationView::grow_plant(std::shared_ptr<document::Snapshot const> const& sn
 }
 
 // Takes a snapshot whose strokes were moved to the file; nothing visible differs.
-void StationView::take_kept(std::shared_ptr<document::Snapshot const> const& snapshot)
+void StationView::take_saved_snapshot(std::shared_ptr<document::Snapshot const> const& snapshot)
 {
     if (&snapshot->scene == grown_scene_.get())
         return;
@@ -425,7 +425,7 @@ void StationView::preview(scene::SetGrowth const& growth)
     state_.seed = growth.seed;
     state_.growth = { std::string(variation::growth_preset_of(growth.parameters)),
                       growth.variability, growth.age };
-    want_plant({ grown_scene_, growth });
+    request_plant({ grown_scene_, growth });
     state_.season = grown_scene_->state.season;
 }
 
@@ -434,7 +434,7 @@ void StationView::preview(std::optional<scene::Season> const& season)
     auto seen
         = std::make_shared<scene::Scene const>(scene::preview_in_season(*grown_scene_, season));
     auto const& growth = seen->growth;
-    want_plant({ seen, growth });
+    request_plant({ seen, growth });
 }
 
 void StationView::propose(std::vector<scene::Edit> edits)
@@ -463,7 +463,7 @@ void StationView::show_in_place(std::shared_ptr<scene::Scene const> const& scene
     show_skeleton();
     show_layers(*scene);
     ++state_.strokes_revision;
-    want_plant({ scene, scene->growth });
+    request_plant({ scene, scene->growth });
 }
 
 static bool is_same_file(std::shared_ptr<scene::BackPicture const> const& one,
@@ -532,7 +532,7 @@ void StationView::show_growth()
     preview(grown_scene_->growth);
 }
 
-void StationView::collect(AskForCollection const& wanted)
+void StationView::collect(RequestCollection const& wanted)
 {
     constexpr std::size_t kMax = 100;
     state_.collection.clear();
@@ -590,7 +590,7 @@ void StationView::show_grown()
     show_underground(grower_->underground());
 }
 
-Result<scene::SetGrowth> growth_set_to(GrowthView const& wanted, scene::SetGrowth growth)
+Result<scene::SetGrowth> with_growth_settings(GrowthView const& wanted, scene::SetGrowth growth)
 {
     if (!wanted.preset.empty())
         growth.parameters = TRY(variation::growth_preset(wanted.preset));

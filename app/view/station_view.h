@@ -62,7 +62,7 @@ public:
     void propose(std::vector<scene::Edit> edits);
 
     // Grows variations of the plant, starting at its own seed.
-    void collect(AskForCollection const& wanted);
+    void collect(RequestCollection const& wanted);
 
     // Bends plants along the ground instead of into it from now on.
     void set_along_ground(bool is_on);
@@ -72,7 +72,7 @@ public:
     std::shared_ptr<scene::Scene const> const& grown_scene() const { return grown_scene_; }
 
 private:
-    struct WantedPreview {
+    struct PreviewRequest {
         std::shared_ptr<scene::Scene const> scene; // Immutable and shared.
         tools::Tool tool {};
         std::vector<TipSample> ink {};
@@ -87,14 +87,14 @@ private:
     };
     // The previewer of strokes in progress; used on the background thread.
     struct Previewing {
-        Preview show(WantedPreview const& wanted);
+        Preview show(PreviewRequest const& wanted);
 
         std::unique_ptr<tools::StrokePreviewer> (*made_by)() = nullptr;
         std::unique_ptr<tools::StrokePreviewer> previewer {};
         std::shared_ptr<std::vector<tools::SkeletonLine> const> last {};
     };
 
-    struct WantedProposal {
+    struct ProposalRequest {
         std::shared_ptr<scene::Scene const> scene; // Immutable and shared.
         std::vector<scene::Edit> edits;
     };
@@ -125,10 +125,10 @@ private:
     void show_strokes(scene::Scene const& scene);
     void show_curves(scene::Scene const& scene);
     void show_layers(scene::Scene const& scene);
-    void see_layers();
-    std::vector<ShownLayer> seen_layers() const;
+    void update_layers();
+    std::vector<ShownLayer> visible_layers() const;
     void show_underground(GrownUnderground const& underground);
-    void want_plant(WantedPlant wanted);
+    void request_plant(PlantRequest wanted);
     void show_variations();
     void show_preview(station::Station const& station, Inks inks);
     void take_preview();
@@ -137,7 +137,7 @@ private:
     void show_selecting(station::Station const& station, Inks inks);
     void show_skeleton(tools::ShownSkeleton::Touched const& touched = {});
     void grow_plant(std::shared_ptr<document::Snapshot const> const& snapshot);
-    void take_kept(std::shared_ptr<document::Snapshot const> const& snapshot);
+    void take_saved_snapshot(std::shared_ptr<document::Snapshot const> const& snapshot);
 
     // On the heap, as a thread refers to it.
     std::unique_ptr<PlantGrower> grower_ = std::make_unique<PlantGrower>();
@@ -168,12 +168,12 @@ private:
     scene::SelectionAngle shown_angle_;
     bool is_selecting_ = false;
     // On the heap, as a thread refers to it.
-    std::unique_ptr<NewestJob<WantedPreview, Preview>> preview_;
+    std::unique_ptr<NewestJob<PreviewRequest, Preview>> preview_;
     std::uint64_t previewed_live_ = 0; // live_revision for which a preview was requested last.
     // Preview shown in the state.
     std::shared_ptr<std::vector<tools::SkeletonLine> const> previewed_;
     // On the heap, as a thread refers to it. Returns null if the edits fail.
-    std::unique_ptr<NewestJob<WantedProposal, std::shared_ptr<scene::Scene const>>> proposal_;
+    std::unique_ptr<NewestJob<ProposalRequest, std::shared_ptr<scene::Scene const>>> proposal_;
     std::unique_ptr<NewestJob<std::shared_ptr<std::string const>, ReadPicture>> reading_;
     std::shared_ptr<scene::BackPicture const> picture_; // Picture that is shown or being decoded.
     // Scene of the plant and skeleton currently shown.
@@ -192,6 +192,6 @@ private:
 
 // Applies the user's settings to a plant's growth; everything else stays. Fails with a user error
 // for an unknown preset.
-Result<scene::SetGrowth> growth_set_to(GrowthView const& wanted, scene::SetGrowth growth);
+Result<scene::SetGrowth> with_growth_settings(GrowthView const& wanted, scene::SetGrowth growth);
 
 } // namespace tractus::view

@@ -57,10 +57,10 @@ struct DrawnCurveView {
     std::uint64_t edit = 0; // As in tools::DrawnCurve; also `name`.
     std::string name {};
     InkLine line {};
-    // For a stroke that shapes branches or became a limb, the paths of those: see PickCurve. Else
-    // empty.
+    // Paths of the branches that the stroke shapes, or of the limb that it became (see PickCurve);
+    // otherwise empty.
     std::vector<PathAddress> paths {};
-    bool is_selected = false; // One of those paths shares a segment with the selection.
+    bool is_selected = false; // True if one of `paths` shares a segment with the selection.
 };
 
 // A stroke that had no effect.
@@ -218,9 +218,9 @@ struct WindowState {
     bool mouse_draws = false;
     bool mouse_moves_surface = false;
     // A simulated hand draws with its own tools; its pen does not operate the window.
-    bool hand_is_played = false;
+    bool is_hand_simulated = false;
     // True if the user holds a tablet's pen.
-    bool has_pen() const { return is_live && !mouse_draws && !hand_is_played; }
+    bool has_pen() const { return is_live && !mouse_draws && !is_hand_simulated; }
     RecordingView recording; // State of the recording; meaningful only if is_live.
     // Pictures or exports are being written in the background. The status will report the path or
     // the error.
@@ -231,8 +231,8 @@ struct WindowState {
     std::optional<std::string> drawing_name {};
     bool may_write_rules = false; // True if WriteRules is available.
     bool has_session = false;     // True if the drawing is saved in a file. Undo works without one.
-    std::size_t unkept_steps = 0; // Steps shown that are not on disk yet.
-    double progress = 0;          // Playback position in the recording, 0 to 1.
+    std::size_t unsaved_steps = 0; // Steps shown that are not on disk yet.
+    double progress = 0;           // Playback position in the recording, 0 to 1.
     bool playing = true;
     double speed = 1;       // Playback speed of the recording; 1 is real time.
     std::uint64_t seed = 0; // Seed of the current variation.
@@ -262,7 +262,7 @@ struct ChangeSeason {
     std::optional<scene::Season> season {};
     ChangeGrowth::Slider slider = ChangeGrowth::Slider::Released;
 };
-struct AskForCollection {
+struct RequestCollection {
     std::size_t count = 12; // Number of variations; 0 closes the collection.
     variation::Individuality individuality = variation::kPlantsOfOneBed;
 };
@@ -404,7 +404,7 @@ struct CloseCalibration { };
 
 using WindowCommand
     = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool, Undo,
-                   Redo, ChangeGrowth, AskForCollection, PickVariation, SetPressingAreas,
+                   Redo, ChangeGrowth, RequestCollection, PickVariation, SetPressingAreas,
                    PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
                    OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
                    AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard, OpenPictures,

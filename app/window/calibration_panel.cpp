@@ -260,7 +260,7 @@ void CalibrationPanel::show_controls(calibration::CalibrationModel& model)
         show_height(model);
         ImGui::BeginDisabled(!may_capture);
         if (ImGui::Button("Capture", size))
-            model.perform(calibration::CaptureAt { height_mm });
+            model.perform(calibration::CaptureHeight { height_mm });
         ImGui::EndDisabled();
         ImGui::SameLine();
         ImGui::BeginDisabled(!has_captures);

@@ -136,7 +136,7 @@ void CardsPanel::show_own(view::WindowModel& model, Workspace& workspace, Contro
     ImGui::SameLine();
     bool const is_pressed = controls.button("Rename", 110);
     if (is_pressed && typed_ == name)
-        return workspace.ask_name({ Workspace::AskedName::Of::Card, name });
+        return workspace.ask_name({ Workspace::NameRequest::Of::Card, name });
     if (is_pressed || is_entered)
         return model.perform(view::RenameCard { name, typed_ });
     ImGui::SameLine();

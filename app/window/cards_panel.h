@@ -17,7 +17,7 @@ public:
     {
     }
 
-    // Shows the cards for the current tool above `bar`; clears `bench.cards_are_shown` when it is
+    // Shows the cards for the current tool above `bar`; clears `workspace.cards_are_shown` if it is
     // closed or there are no cards. Returns the panel's rectangle.
     WindowPart show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                     WindowPart const& bar);

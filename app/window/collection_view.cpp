@@ -71,12 +71,12 @@ void CollectionView::draw(view::WindowState const& state, view::VariationView co
 
 void CollectionView::begin(view::WindowModel& model)
 {
-    model.perform(view::AskForCollection { kVariations, model.state().individuality });
+    model.perform(view::RequestCollection { kVariations, model.state().individuality });
 }
 
 void CollectionView::end(view::WindowModel& model)
 {
-    model.perform(view::AskForCollection { 0, model.state().individuality });
+    model.perform(view::RequestCollection { 0, model.state().individuality });
 }
 
 void CollectionView::show(view::WindowModel& model, render::Renderer& renderer,

@@ -179,7 +179,7 @@ void Controls::show_status(view::WindowState const& state) const
         ImGui::TextColored(theme::imgui_color(theme::palette().indicator), "%s",
                            state.underground.c_str());
     }
-    if (state.unkept_steps > 0) {
+    if (state.unsaved_steps > 0) {
         ImGui::SameLine();
         ImGui::TextDisabled("not on the disk yet");
     }
@@ -211,7 +211,7 @@ void Controls::show_recording(view::RecordingView const& recording)
 // True if a handle of the gizmo sets this number: it then needs no button while the gizmo is shown.
 static bool is_set_by_gizmo(tools::Meaning const& meaning)
 {
-    return tools::chosen_numbers(meaning.tool)[*meaning.number].option.offered
+    return tools::number_settings(meaning.tool)[*meaning.number].option.offered
         == tools::NumberOption::Offered::WithoutGizmo;
 }
 
@@ -230,7 +230,7 @@ std::vector<BarButton> Controls::tool_meanings(view::WindowModel& model, Workspa
         bool const is_on_gizmo = meaning.number && is_set_by_gizmo(meaning);
         if (workspace.gizmo_is_seen ? is_on_gizmo : meaning.is_beside_gizmo)
             continue;
-        bool const is_asked = meaning.number && meaning.number == workspace.asked_number;
+        bool const is_asked = meaning.number && meaning.number == workspace.edited_number;
         BarButton button { .text = meaning.text,
                            .width = meaning.width,
                            .is_on = meaning.is_on || is_asked
@@ -261,14 +261,15 @@ std::vector<BarButton> Controls::view_meanings(Workspace& workspace)
     constexpr double kButtonStep = kZoomStep * kZoomStep * kZoomStep;
     auto const drag
         = [&](ViewDrag wished) { return [&workspace, wished] { workspace.drag = wished; }; };
-    auto const zoom
-        = [&](double factor) { return [&workspace, factor] { workspace.zoom_wished *= factor; }; };
+    auto const zoom = [&](double factor) {
+        return [&workspace, factor] { workspace.requested_zoom *= factor; };
+    };
     return { { "Turn", 96, workspace.drag == ViewDrag::Turn, true, drag(ViewDrag::Turn) },
              { "Move", 96, workspace.drag == ViewDrag::Move, false, drag(ViewDrag::Move) },
              { "Nearer", 110, false, true, zoom(kButtonStep) },
              { "Farther", 110, false, false, zoom(1 / kButtonStep) },
              { "Whole plant", 150, false, false,
-               [&workspace] { workspace.whole_is_wished = true; } } };
+               [&workspace] { workspace.is_whole_requested = true; } } };
 }
 
 std::vector<BarButton> Controls::main_buttons(view::WindowModel& model, Workspace& workspace,

@@ -29,9 +29,9 @@ using Slider = view::ChangeGrowth::Slider;
 // The index of the tool's number that the handle sets; nullopt if it sets none.
 std::optional<std::size_t> number_of(tools::Tool const& tool, tools::Gizmo::Handle const& handle)
 {
-    auto const numbers = tools::chosen_numbers(tool);
+    auto const numbers = tools::number_settings(tool);
     auto const found
-        = std::find_if(numbers.begin(), numbers.end(), [&](tools::ChosenNumber const& number) {
+        = std::find_if(numbers.begin(), numbers.end(), [&](tools::NumberSetting const& number) {
               return std::string_view(number.option.name) == handle.number;
           });
     if (found == numbers.end())
@@ -76,7 +76,7 @@ std::optional<WindowPart> GizmoPanel::show(view::WindowModel& model, Workspace& 
                    { { corner.x + side / 2, corner.y + side / 2 }, side / 2 });
         ImGui::SetCursorScreenPos(corner);
         ImGui::Dummy({ side, side });
-        say_what_is_shown(gizmo);
+        show_gizmo_message(gizmo);
     }
     auto const corner = ImGui::GetWindowPos();
     auto const size = ImGui::GetWindowSize();
@@ -84,7 +84,7 @@ std::optional<WindowPart> GizmoPanel::show(view::WindowModel& model, Workspace& 
     return WindowPart { corner.x, corner.y, size.x, size.y };
 }
 
-void GizmoPanel::say_what_is_shown(tools::Gizmo const& gizmo) const
+void GizmoPanel::show_gizmo_message(tools::Gizmo const& gizmo) const
 {
     auto const shown
         = std::find_if(gizmo.handles.begin(), gizmo.handles.end(),
@@ -139,7 +139,7 @@ void GizmoPanel::take_hand(view::WindowModel& model, Workspace& workspace,
     auto const pointer = ImGui::GetIO().MousePos;
     if (ImGui::IsItemActivated()) {
         held_ = shown_ = handle.id;
-        off_px_ = { at.x - pointer.x, at.y - pointer.y };
+        grab_offset_px_ = { at.x - pointer.x, at.y - pointer.y };
         moved_to_.reset();
     }
     if (held_ != handle.id)
@@ -151,7 +151,7 @@ void GizmoPanel::take_hand(view::WindowModel& model, Workspace& workspace,
     auto const& delta = ImGui::GetIO().MouseDelta;
     if (delta.x != 0 || delta.y != 0)
         move(model, workspace, handle,
-             square.to_frame({ pointer.x + off_px_.x, pointer.y + off_px_.y }));
+             square.to_frame({ pointer.x + grab_offset_px_.x, pointer.y + grab_offset_px_.y }));
 }
 
 void GizmoPanel::press(view::WindowModel& model, Workspace& workspace,

@@ -25,7 +25,7 @@ public:
                                    Controls const& controls, WindowPart const& pad);
 
 private:
-    void say_what_is_shown(tools::Gizmo const& gizmo) const;
+    void show_gizmo_message(tools::Gizmo const& gizmo) const;
     void show_gizmo(view::WindowModel& model, Workspace& workspace, tools::Gizmo const& gizmo,
                     GizmoSquare const& square);
     void take_hand(view::WindowModel& model, Workspace& workspace,
@@ -41,7 +41,9 @@ private:
     float scale_ = 1;
     std::optional<std::size_t> held_ {};  // Id of the handle being dragged.
     std::optional<std::size_t> shown_ {}; // Id of the handle that was last dragged or hovered over.
-    ImVec2 off_px_ { 0, 0 }; // Vector from the point where the handle was grabbed to its centre.
+    ImVec2 grab_offset_px_ {
+        0, 0
+    }; // Vector from the point where the handle was grabbed to its centre.
     std::optional<Vec2> moved_to_ {}; // New position of the dragged handle, if it has moved.
 };
 

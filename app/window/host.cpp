@@ -226,7 +226,7 @@ void Host::set_title(std::string const& title)
         glfwSetWindowTitle(window_, title.c_str());
 }
 
-bool Host::take_wish_to_close()
+bool Host::take_close_request()
 {
     bool const wants = glfwWindowShouldClose(window_);
     glfwSetWindowShouldClose(window_, GLFW_FALSE);

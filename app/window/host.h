@@ -33,7 +33,7 @@ public:
 
     // Sets the window's title; an empty title changes nothing.
     void set_title(std::string const& title);
-    bool take_wish_to_close(); // True if the user has asked to close the window, by its button or a
+    bool take_close_request(); // True if the user has asked to close the window, by its button or a
                                // key, since the last call.
     // `step_s`: time since the last frame; default: by the clock. Returns mouse and keyboard events
     // up to this frame.

@@ -11,7 +11,7 @@ namespace tractus::window {
 namespace {
 
 constexpr float kIndividualityWidth_px = 430;
-constexpr float kIndividualityShare = 0.42f; // Of a narrow room.
+constexpr float kIndividualityShare = 0.42f; // Maximum width, as a share of the room's.
 constexpr float kSwitchWidth_px = 128;
 
 struct Trait {
@@ -85,7 +85,7 @@ void IndividualityPanel::show(view::WindowModel& model, Controls const& controls
     ImGui::EndChild();
     if (is_released) {
         moving_.reset();
-        model.perform(view::AskForCollection { count, how });
+        model.perform(view::RequestCollection { count, how });
     }
 }
 

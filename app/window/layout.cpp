@@ -62,7 +62,7 @@ WindowPart Layout::beside_menu() const
 // While a text field is active it receives all keys, including those that would move the surface.
 bool Layout::takes_text() const
 {
-    return ImGui::GetIO().WantTextInput || workspace_.asked_name;
+    return ImGui::GetIO().WantTextInput || workspace_.name_request;
 }
 
 void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPointer const& pen,
@@ -91,7 +91,7 @@ void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPoint
         show_stage(model, renderer, input);
         ImGui::End();
         show_ring(model, pen);
-        fulfil_view_wishes();
+        apply_view_requests();
         tell_pressing_areas(model);
         return;
     }
@@ -107,17 +107,17 @@ void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPoint
     if (pad_part_)
         if (auto const gizmo = gizmo_panel_.show(model, workspace_, controls_, *pad_part_))
             covered_.push_back(*gizmo);
-    if (workspace_.asked_number)
+    if (workspace_.edited_number)
         covered_.push_back(number_panel_.show(model, workspace_, controls_, bar));
     if (workspace_.cards_are_shown)
         covered_.push_back(cards_panel_.show(model, workspace_, controls_, bar));
-    if (workspace_.asked_name)
+    if (workspace_.name_request)
         covered_.push_back(name_panel_.show(model, workspace_, controls_, bar, input.presses));
     show_menu(model, renderer);
     if (workspace_.keys_are_listed)
         covered_.push_back(show_shortcuts(model.state().tools, kPanelFlags, scale_));
     show_ring(model, pen);
-    fulfil_view_wishes();
+    apply_view_requests();
     follow_angle(model);
     tell_pressing_areas(model);
 }
@@ -139,7 +139,7 @@ void Layout::show_stage(view::WindowModel& model, render::Renderer& renderer,
         mouse_.let_go(model);
     else if (!ring_.is_open())
         mouse_.hold(model, pen_area_, input.mouse);
-    move_surface_as_wished(model, input, draws);
+    apply_surface_request(model, input, draws);
 }
 
 // Shows the start page, where the pen operates controls in the whole window.
@@ -183,10 +183,10 @@ void Layout::show_menu(view::WindowModel& model, render::Renderer& renderer)
         model.perform(view::WatchDevices { watches });
 }
 
-void Layout::fulfil_view_wishes()
+void Layout::apply_view_requests()
 {
-    double const factor = std::exchange(workspace_.zoom_wished, 1);
-    bool const whole = std::exchange(workspace_.whole_is_wished, false);
+    double const factor = std::exchange(workspace_.requested_zoom, 1);
+    bool const whole = std::exchange(workspace_.is_whole_requested, false);
     if (workspace_.is_shown(Shown::Skeleton)) {
         zoom(workspace_.angle, whole ? 1 / workspace_.angle.zoom : factor);
         if (whole)
@@ -280,7 +280,7 @@ void Layout::show_views(view::WindowModel& model, render::Renderer& renderer,
         else
             show_collection(model, renderer, beside_menu());
         if (workspace_.shown != Shown::Pad)
-            move_surface_as_wished(model, input, false);
+            apply_surface_request(model, input, false);
         return;
     }
     auto const room = beside_menu();
@@ -380,7 +380,7 @@ void Layout::show_pad(view::WindowModel& model, render::Renderer& renderer, Wind
     pad_part_ = part;
     pad_part_->height = std::min(part.height, above_controls().height);
     pad_is_pointed_at_ = ImGui::IsItemHovered();
-    move_surface_as_wished(model, input, pad_is_pointed_at_);
+    apply_surface_request(model, input, pad_is_pointed_at_);
     show_gauge(state, part, area);
     if (draws_here)
         draw_refusal(state, area, { part.left, part.top }, { part.width, pad_part_->height });
@@ -511,13 +511,13 @@ void Layout::show_ring(view::WindowModel& model, PenPointer const& pen)
         return;
     bool const mouse_asks
         = !pen.leads() && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && pad_is_pointed_at_;
-    if (!ring_.is_open() && (mouse_asks || pen.asks_for_ring())) {
+    if (!ring_.is_open() && (mouse_asks || pen.requests_tool_ring())) {
         ring_.open(pen.leads() ? pen.place_px() : ImGui::GetIO().MousePos, scale_);
         // A long touch that opened the ring becomes a press, so that it does not draw.
         model.perform(view::PressInstead {});
     }
     bool const let_go
-        = pen.leads() ? pen.has_let_barrel_go() : ImGui::IsMouseReleased(ImGuiMouseButton_Right);
+        = pen.leads() ? pen.has_released_barrel() : ImGui::IsMouseReleased(ImGuiMouseButton_Right);
     auto const entries = ring_entries(model);
     auto const chosen = ring_.show(entries, let_go);
     if (ring_.is_open())
@@ -530,7 +530,7 @@ void Layout::show_ring(view::WindowModel& model, PenPointer const& pen)
 void Layout::follow_angle(view::WindowModel& model) const
 {
     auto const& state = model.state();
-    if (!state.is_live || state.hand_is_played || !Workspace::selects(state)
+    if (!state.is_live || state.is_hand_simulated || !Workspace::selects(state)
         || state.hand.angle() == workspace_.angle || state.pen.touching)
         return;
     model.perform(view::ChooseTool { state.hand.seen_from(workspace_.angle) });

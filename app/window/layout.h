@@ -51,7 +51,7 @@ public:
               HandInput const& input);
 
     // True if the user has asked to close the window since the last call.
-    bool take_wish_to_close() { return std::exchange(workspace_.wants_to_close, false); }
+    bool take_close_request() { return std::exchange(workspace_.is_close_requested, false); }
 
     Workspace& workspace() { return workspace_; }
 
@@ -77,7 +77,7 @@ private:
     void show_collection(view::WindowModel& model, render::Renderer& renderer,
                          WindowPart const& part);
     void show_title(WindowPart const& part, char const* title, char const* detail) const;
-    void fulfil_view_wishes();
+    void apply_view_requests();
     std::vector<RingEntry> ring_entries(view::WindowModel& model);
     void show_ring(view::WindowModel& model, PenPointer const& pen);
     void tell_pressing_areas(view::WindowModel& model);

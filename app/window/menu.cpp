@@ -102,8 +102,8 @@ void Menu::show_keeping(view::WindowModel& model, Workspace& workspace, Controls
     show_leaving(model, controls);
     if (model.state().may_write_rules && controls.button("Write its rules", item_px()))
         model.perform(view::WriteRules {});
-    if (auto const& name = model.state().drawing_name; name && !workspace.asked_name) {
-        using Of = Workspace::AskedName::Of;
+    if (auto const& name = model.state().drawing_name; name && !workspace.name_request) {
+        using Of = Workspace::NameRequest::Of;
         if (controls.button("Name ...", item_px(2)))
             workspace.ask_name({ Of::Drawing, *name });
         ImGui::SameLine();
@@ -181,7 +181,7 @@ void Menu::show_displays(view::WindowState const& state, Workspace& workspace,
         auto const text
             = is_only_one ? "Full screen" : fmt::format("Fill {}: {}", i + 1, display.name);
         if (controls.button(text.c_str(), item_px(), is_filled))
-            workspace.full_screen_wished = Workspace::FullScreen { !is_filled, i };
+            workspace.requested_full_screen = Workspace::FullScreen { !is_filled, i };
         if (tablets == i)
             ImGui::TextWrapped("The tablet's own display: the ink lies under the pen.");
     }
@@ -202,7 +202,7 @@ void Menu::show_window(view::WindowState const& state, Workspace& workspace,
     if (controls.button("Keys", item_px(3), workspace.keys_are_listed))
         workspace.keys_are_listed = !workspace.keys_are_listed;
     if (controls.button("Close", item_px()))
-        workspace.wants_to_close = true;
+        workspace.is_close_requested = true;
 }
 
 void Menu::show_plant(view::WindowModel& model, Controls const& controls)

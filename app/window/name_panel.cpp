@@ -12,7 +12,7 @@ namespace tractus::window {
 
 namespace {
 
-using AskedName = Workspace::AskedName;
+using NameRequest = Workspace::NameRequest;
 
 constexpr float kNameMargin_px = 14;
 constexpr float kWidestKey_px = 64;
@@ -27,27 +27,27 @@ struct Words {
     char const* button;
 };
 
-Words words_of(AskedName::Of of)
+Words words_of(NameRequest::Of of)
 {
     switch (of) {
-    case AskedName::Of::Drawing:
+    case NameRequest::Of::Drawing:
         return { "What is the drawing called?", "Name it" };
-    case AskedName::Of::Copy:
+    case NameRequest::Of::Copy:
         return { "What is the copy called?", "Copy" };
-    case AskedName::Of::Card:
+    case NameRequest::Of::Card:
         return { "What is the card called?", "Rename" };
     }
     return {};
 }
 
-void perform(view::WindowModel& model, AskedName const& asked, std::string const& name)
+void perform(view::WindowModel& model, NameRequest const& asked, std::string const& name)
 {
     switch (asked.of) {
-    case AskedName::Of::Drawing:
+    case NameRequest::Of::Drawing:
         return model.perform(view::NameDrawing { name });
-    case AskedName::Of::Copy:
+    case NameRequest::Of::Copy:
         return model.perform(view::SaveCopy { name });
-    case AskedName::Of::Card:
+    case NameRequest::Of::Card:
         return model.perform(view::RenameCard { asked.now, name });
     }
 }
@@ -99,9 +99,9 @@ void mark_selected(std::string const& text)
 WindowPart NamePanel::show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                            WindowPart const& bar, std::span<KeyPress const> presses)
 {
-    bool const is_new = asked_ != workspace.asked_name;
+    bool const is_new = asked_ != workspace.name_request;
     if (is_new) {
-        asked_ = workspace.asked_name;
+        asked_ = workspace.name_request;
         typed_ = asked_->now;
         is_selected_ = !typed_.empty();
         types_capitals_ = true;
@@ -124,7 +124,7 @@ WindowPart NamePanel::show(view::WindowModel& model, Workspace& workspace, Contr
     height_px_ = size.y;
     ImGui::End();
     ImGui::PopStyleVar(2);
-    if (!workspace.asked_name)
+    if (!workspace.name_request)
         asked_.reset();
     return { corner.x, corner.y, size.x, size.y };
 }
@@ -138,7 +138,7 @@ void NamePanel::show_name(view::WindowModel& model, Workspace& workspace, Contro
     bool const is_done = controls.button(words.button, kNameButton_px) || confirms_;
     ImGui::SameLine();
     if (controls.button("Close##name", kNameButton_px) || is_done || gives_up_)
-        workspace.asked_name.reset();
+        workspace.name_request.reset();
     if (is_done)
         perform(model, *asked_, typed_);
 }

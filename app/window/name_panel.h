@@ -20,7 +20,7 @@ public:
     {
     }
 
-    // Shows it for `bench.asked_name` above `bar`, and resets that when it is done or closed.
+    // Edits `workspace.name_request` in a panel above `bar`; resets that when done or closed.
     // `presses` are this frame's key presses. Returns the panel's rectangle.
     WindowPart show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                     WindowPart const& bar, std::span<KeyPress const> presses);
@@ -37,8 +37,8 @@ private:
     void press(char key);
 
     float scale_ = 1;
-    float height_px_ = 0;                          // Height of the panel in the last frame.
-    std::optional<Workspace::AskedName> asked_ {}; // What the name is for.
+    float height_px_ = 0;                            // Height of the panel in the last frame.
+    std::optional<Workspace::NameRequest> asked_ {}; // What the name is for.
     std::string typed_ {};
     bool is_selected_ = false; // True if the whole text is selected.
     bool types_capitals_ = true;

@@ -44,12 +44,12 @@ std::string range_of(tools::NumberOption const& option)
 WindowPart NumberPanel::show(view::WindowModel& model, Workspace& workspace,
                              Controls const& controls, WindowPart const& bar)
 {
-    auto const numbers = tools::chosen_numbers(workspace.hand(model.state()));
-    if (!workspace.asked_number || *workspace.asked_number >= numbers.size()) {
-        workspace.asked_number.reset();
+    auto const numbers = tools::number_settings(workspace.hand(model.state()));
+    if (!workspace.edited_number || *workspace.edited_number >= numbers.size()) {
+        workspace.edited_number.reset();
         return {};
     }
-    auto const number = *workspace.asked_number;
+    auto const number = *workspace.edited_number;
     auto const& chosen = numbers[number];
     if (std::exchange(asked_, chosen.option.name) != chosen.option.name) {
         typed_.clear();
@@ -66,7 +66,7 @@ WindowPart NumberPanel::show(view::WindowModel& model, Workspace& workspace,
     ImGui::BeginGroup();
     show_value(chosen, controls);
     if (controls.button("Close", kValueWidth_px))
-        workspace.asked_number.reset();
+        workspace.edited_number.reset();
     if (!objection_.empty())
         ImGui::TextColored(theme::imgui_color(theme::palette().indicator), "%s",
                            objection_.c_str());
@@ -85,7 +85,7 @@ WindowPart NumberPanel::show(view::WindowModel& model, Workspace& workspace,
 
 // While a slider is dragged only a preview is shown; on release the value is set.
 void NumberPanel::adjust(view::WindowModel& model, Workspace& workspace,
-                         tools::ChosenNumber const& chosen, std::size_t number)
+                         tools::NumberSetting const& chosen, std::size_t number)
 {
     auto const wanted = std::exchange(wanted_, std::nullopt);
     bool const moves = std::exchange(moves_, false);
@@ -102,7 +102,7 @@ void NumberPanel::adjust(view::WindowModel& model, Workspace& workspace,
 }
 
 // Shows the number in words, its range, a slider, and buttons for a step down and up.
-void NumberPanel::show_value(tools::ChosenNumber const& chosen, Controls const& controls)
+void NumberPanel::show_value(tools::NumberSetting const& chosen, Controls const& controls)
 {
     auto const& option = chosen.option;
     ImGui::TextUnformatted(tools::describe_number(chosen).c_str());
@@ -128,7 +128,7 @@ void NumberPanel::show_value(tools::ChosenNumber const& chosen, Controls const& 
     ImGui::PopButtonRepeat();
 }
 
-void NumberPanel::show_keys(tools::ChosenNumber const& chosen, Controls const& controls)
+void NumberPanel::show_keys(tools::NumberSetting const& chosen, Controls const& controls)
 {
     float const gap_px = ImGui::GetStyle().ItemSpacing.x / scale_;
     float const keys_px = kKeysInRow * kKeyWidth_px + (kKeysInRow - 1) * gap_px;

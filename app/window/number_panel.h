@@ -16,18 +16,18 @@ public:
     {
     }
 
-    // Shows it for `bench.asked_number` above `bar`, and resets that when it is closed or the
+    // Edits `workspace.edited_number` in a panel above `bar`; resets that when it is closed or the
     // current tool has no such number. Returns the panel's rectangle.
     WindowPart show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                     WindowPart const& bar);
 
 private:
-    void show_value(tools::ChosenNumber const& chosen, Controls const& controls);
-    void show_keys(tools::ChosenNumber const& chosen, Controls const& controls);
+    void show_value(tools::NumberSetting const& chosen, Controls const& controls);
+    void show_keys(tools::NumberSetting const& chosen, Controls const& controls);
     void press_key(char key);
     void take_typed(tools::NumberOption const& option);
     void change_to(tools::NumberOption const& option, double value);
-    void adjust(view::WindowModel& model, Workspace& workspace, tools::ChosenNumber const& chosen,
+    void adjust(view::WindowModel& model, Workspace& workspace, tools::NumberSetting const& chosen,
                 std::size_t number);
 
     float scale_ = 1;

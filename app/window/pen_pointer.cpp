@@ -8,8 +8,8 @@ namespace tractus::window {
 
 void PenPointer::feed(view::WindowState const& state, PenArea const& area, float step_s)
 {
-    asks_for_ring_ = false;
-    has_let_barrel_go_ = false;
+    requests_tool_ring_ = false;
+    has_released_barrel_ = false;
     if (!state.has_pen()) {
         leads_ = false;
         return;
@@ -36,8 +36,8 @@ void PenPointer::take_next()
         path_.pop_front();
         bool const begins = next.touching && !pen_.touching;
         bool const ends = !next.touching && pen_.touching;
-        asks_for_ring_ |= next.barrel && !pen_.barrel;
-        has_let_barrel_go_ |= !next.barrel && pen_.barrel;
+        requests_tool_ring_ |= next.barrel && !pen_.barrel;
+        has_released_barrel_ |= !next.barrel && pen_.barrel;
         bool const changes = begins || ends || next.barrel != pen_.barrel;
         pen_ = next;
         if (begins) {
@@ -53,14 +53,14 @@ void PenPointer::take_next()
 void PenPointer::watch_rest(float step_s)
 {
     bool const draws = pen_.touching && !pen_.pressing;
-    rests_ = rests_ && draws && (pen_.tip_mm - touch_mm_).norm() <= kAtRest_mm;
+    rests_ = rests_ && draws && (pen_.tip_mm - touch_mm_).norm() <= kRestRadius_mm;
     if (!rests_)
         return;
     rest_s_ += step_s;
     if (rest_s_ < kLongPress_s)
         return;
     rests_ = false;
-    asks_for_ring_ = true;
+    requests_tool_ring_ = true;
     pen_.pressing = true; // Sets the state that the station will report once it knows of the press.
 }
 

@@ -15,7 +15,7 @@ public:
     static constexpr float kLongPress_s = 0.6f;
     // A touch counts as resting below this movement, measured in space, so that raising the surface
     // with a resting pen counts as drawing.
-    static constexpr float kAtRest_mm = 1.5f;
+    static constexpr float kRestRadius_mm = 1.5f;
 
     // Reads the pen's events and places ImGui's mouse, using the area of the last frame. Call once
     // per frame, before ImGui's NewFrame.
@@ -29,8 +29,8 @@ public:
     bool has_more() const { return !path_.empty(); }
 
     // True if in this frame its barrel button was pressed, or its touch has rested long enough.
-    bool asks_for_ring() const { return asks_for_ring_; }
-    bool has_let_barrel_go() const { return has_let_barrel_go_; }
+    bool requests_tool_ring() const { return requests_tool_ring_; }
+    bool has_released_barrel() const { return has_released_barrel_; }
 
 private:
     void take_next();
@@ -40,8 +40,8 @@ private:
     view::PenView pen_;              // The pen's state that was last passed to ImGui.
     bool leads_ = false;
     ImVec2 place_px_ { 0, 0 };
-    bool asks_for_ring_ = false;
-    bool has_let_barrel_go_ = false;
+    bool requests_tool_ring_ = false;
+    bool has_released_barrel_ = false;
     Vec3f touch_mm_ = Vec3f::Zero(); // Place where the current touch began.
     float rest_s_ = 0;   // Seconds for which the current touch has stayed where it began.
     bool rests_ = false; // True while the current touch has not left the place where it began.

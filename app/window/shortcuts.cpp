@@ -21,11 +21,11 @@ constexpr double kKeySpeed_mm_s = 80;
 void take_escape(Workspace& workspace, ToolRing& ring)
 {
     bool const is_anything_open = ring.is_open() || workspace.menu_is_open()
-        || workspace.keys_are_listed || workspace.asked_number;
+        || workspace.keys_are_listed || workspace.edited_number;
     ring.close();
     workspace.close_menu();
     workspace.keys_are_listed = false;
-    workspace.asked_number.reset();
+    workspace.edited_number.reset();
     if (is_anything_open)
         return;
     if (workspace.is_on_stage)
@@ -33,7 +33,7 @@ void take_escape(Workspace& workspace, ToolRing& ring)
     else if (workspace.will_fill_display())
         workspace.turn_full_screen();
     else
-        workspace.wants_to_close = true;
+        workspace.is_close_requested = true;
 }
 
 void take_undo_key(view::WindowModel& model, bool is_redo)
@@ -53,7 +53,8 @@ void take_tool_key(char key, view::WindowModel& model, Workspace& workspace)
         return workspace.choose_view_tool();
     for (auto const* const kind : state.tools)
         if (kind->key == key)
-            return workspace.choose(model, tools::chosen_anew(*kind, workspace.remembered(state)));
+            return workspace.choose(model,
+                                    tools::newly_selected_tool(*kind, workspace.remembered(state)));
 }
 
 // Returns the keys and names of the tools that have keys: "D C" and "Draw, Select".
@@ -88,7 +89,7 @@ void take_shortcut(KeyPress const& press, view::WindowModel& model, Workspace& w
     case KeyPress::kEscape:
         return take_escape(workspace, ring);
     case 'Q':
-        workspace.wants_to_close = true;
+        workspace.is_close_requested = true;
         return;
     case 'N':
         return model.perform(view::NextVariation {});
@@ -108,10 +109,10 @@ void take_calibration_shortcut(KeyPress const& press, view::WindowModel& model,
     if (press.key == KeyPress::kEscape && is_beside_drawing)
         model.perform(view::CloseCalibration {});
     else if (press.key == KeyPress::kEscape || press.key == 'Q')
-        workspace.wants_to_close = true;
+        workspace.is_close_requested = true;
 }
 
-void move_surface_as_wished(view::WindowModel& model, HandInput const& input, bool wheel_counts)
+void apply_surface_request(view::WindowModel& model, HandInput const& input, bool wheel_counts)
 {
     if (!model.state().mouse_moves_surface)
         return;

@@ -16,7 +16,7 @@ void take_calibration_shortcut(KeyPress const& press, view::WindowModel& model,
 
 // Moves the surface by keys and, if `wheel_counts`, by the mouse wheel, when no sensor measures its
 // height.
-void move_surface_as_wished(view::WindowModel& model, HandInput const& input, bool wheel_counts);
+void apply_surface_request(view::WindowModel& model, HandInput const& input, bool wheel_counts);
 
 // Shows a list of the keys in a panel over the views. Returns its rectangle.
 WindowPart show_shortcuts(tools::ToolKinds tools, ImGuiWindowFlags flags, float scale);

@@ -114,7 +114,7 @@ void StartView::show_head(view::StartPageModel& page, Workspace& workspace,
     ImGui::SameLine();
     bool const goes_back = state.is_beside_drawing && controls.button("Back", kWidths_px[2]);
     if (!state.is_beside_drawing && controls.button("Close", kWidths_px[2]))
-        workspace.wants_to_close = true;
+        workspace.is_close_requested = true;
     if (has_note_below)
         ImGui::TextWrapped("%s", state.note.c_str());
     ImGui::Dummy({ 1, 2 * scale_ });
@@ -305,7 +305,7 @@ void StartView::take_key(KeyPress const& press, view::StartPageModel& page, Work
     else if (press.key == KeyPress::kEscape && page.state().is_beside_drawing)
         page.leave();
     else if (press.key == KeyPress::kEscape || press.key == 'Q')
-        workspace.wants_to_close = true;
+        workspace.is_close_requested = true;
 }
 
 void StartView::leave()

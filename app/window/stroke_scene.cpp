@@ -61,7 +61,7 @@ struct GroundGrid {
 
 GroundGrid ground_grid(view::WindowState const& state)
 {
-    constexpr float kMinWidth = 0.6f; // Of the grid, as a share of the height above it.
+    constexpr float kMinWidth = 0.6f; // Minimum grid width as a share of the curves' height.
     auto const box = curves_box(state);
     Vec3f const low_mm = box.min_mm.cast<float>();
     Vec3f const high_mm = box.max_mm.cast<float>();

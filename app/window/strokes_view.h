@@ -43,7 +43,7 @@ private:
     FollowedCurves curves_;
     FollowedCurves ground_;
     std::vector<std::size_t> highlighted_;
-    std::optional<std::size_t> picked_; // Until a curve is added or removed.
+    std::optional<std::size_t> picked_; // Picked curve; reset when a curve is added or removed.
     std::size_t curve_count_ = 0;
     std::uint64_t newest_edit_ = 0;
     std::uint64_t picks_ = 0; // Number of changes of picked_.

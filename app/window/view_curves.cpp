@@ -280,10 +280,10 @@ Eigen::Affine3f pad_of_world(view::WindowState const& state)
     auto const& paper = state.paper;
     T_pad_world.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
     T_pad_world.linear() /= static_cast<float>(paper.unit);
-    Vec3 const stands_mm = paper.stands_mm / paper.unit;
+    Vec3 const world_point_mm = paper.world_point_mm / paper.unit;
     T_pad_world.translation()
-        = Vec3(paper.base_mm.x() - stands_mm.x(), paper.base_mm.y() - stands_mm.z(),
-               state.surface_height_mm + stands_mm.y())
+        = Vec3(paper.base_mm.x() - world_point_mm.x(), paper.base_mm.y() - world_point_mm.z(),
+               state.surface_height_mm + world_point_mm.y())
               .cast<float>();
     return T_pad_world;
 }

@@ -130,7 +130,7 @@ private:
     ViewCanvas canvas_;
     Orbit orbit_;
     std::optional<render::GpuMesh> mesh_;
-    std::optional<render::GpuCurves> underground_; // Of the plant in mesh_.
+    std::optional<render::GpuCurves> underground_; // Parts of the plant in mesh_ below the ground.
     FollowedCurves growing_;
     Bounds framed_mm_; // Box that the orbit looks at.
     // Box that the orbit looks at in the stage view: everything shown there so far.

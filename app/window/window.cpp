@@ -116,7 +116,7 @@ public:
         auto const recorded = state.recording.is_on ? 1 + state.recording.bytes / 100'000 : 0;
         // Sizes are compared as displayed, in steps of 100 kB.
         bool const same_recording = std::exchange(recorded_, recorded) == recorded;
-        bool const same_unkept = std::exchange(unkept_, state.unkept_steps) == state.unkept_steps;
+        bool const same_unkept = std::exchange(unkept_, state.unsaved_steps) == state.unsaved_steps;
         return !same_revisions || !same_status || !same_trouble || !same_recording || !same_unkept;
     }
 
@@ -151,7 +151,7 @@ Result<void> fill_at_first(Host& host, view::WindowState const& state, WindowOpt
 // Fulfils a request to enter or leave full screen and updates the workspace.
 void fill_as_wished(Host& host, view::WindowState const& state, Workspace& workspace)
 {
-    if (auto const wish = std::exchange(workspace.full_screen_wished, std::nullopt)) {
+    if (auto const wish = std::exchange(workspace.requested_full_screen, std::nullopt)) {
         auto const number = wish->display ? std::to_string(*wish->display + 1) : std::string();
         auto const display = wished_display(host, state, number);
         host.fill_display(wish->is_on && display ? std::optional(*display) : std::nullopt);
@@ -176,7 +176,7 @@ static Result<void> show_window(Host& host, view::WindowModel& model, WindowOpti
     Layout layout(host.title_font(), host.scale());
     layout.workspace().is_left_handed = options.look.is_left_handed;
     layout.workspace().is_on_stage = options.is_on_stage;
-    layout.workspace().shown_first = shown_of_word(options.view);
+    layout.workspace().shown_first = parse_shown(options.view);
     PenPointer pen;
     auto const draw_frame = [&] {
         auto const step_s = counts_frames(options)
@@ -195,8 +195,8 @@ static Result<void> show_window(Host& host, view::WindowModel& model, WindowOpti
     auto kept_look = options.look;
     double last_s = glfwGetTime();
     auto const closes = [&] {
-        bool const of_desktop = host.take_wish_to_close();
-        bool const of_person = layout.take_wish_to_close() || of_desktop;
+        bool const of_desktop = host.take_close_request();
+        bool const of_person = layout.take_close_request() || of_desktop;
         return (options.should_close && options.should_close()) || (of_person && model.may_close());
     };
     for (int frame = 0; !closes() && !is_over(frame, model, options); ++frame) {

@@ -76,7 +76,7 @@ std::span<std::string_view const> shown_words()
     return kShownWords;
 }
 
-std::optional<Workspace::Shown> shown_of_word(std::string_view word)
+std::optional<Workspace::Shown> parse_shown(std::string_view word)
 {
     auto const found = std::find(kShownWords.begin(), kShownWords.end(), word);
     if (found == kShownWords.end())
@@ -91,7 +91,7 @@ void Workspace::show_next()
 
 void Workspace::turn_full_screen()
 {
-    full_screen_wished = FullScreen { !will_fill_display() };
+    requested_full_screen = FullScreen { !will_fill_display() };
 }
 
 void Workspace::enter_stage()
@@ -106,20 +106,20 @@ void Workspace::enter_stage()
 
 bool Workspace::will_fill_display() const
 {
-    return full_screen_wished ? full_screen_wished->is_on : filled_display.has_value();
+    return requested_full_screen ? requested_full_screen->is_on : filled_display.has_value();
 }
 
 void Workspace::close_panels()
 {
-    asked_number.reset();
+    edited_number.reset();
     cards_are_shown = false;
-    asked_name.reset();
+    name_request.reset();
 }
 
 void Workspace::ask_number(std::size_t number)
 {
     close_panels();
-    asked_number = number;
+    edited_number = number;
 }
 
 void Workspace::show_cards()
@@ -128,11 +128,11 @@ void Workspace::show_cards()
     cards_are_shown = true;
 }
 
-void Workspace::ask_name(AskedName name)
+void Workspace::ask_name(NameRequest name)
 {
     close_panels();
     close_menu();
-    asked_name = std::move(name);
+    name_request = std::move(name);
 }
 
 void Workspace::open_menu(MenuPage page)

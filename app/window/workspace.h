@@ -39,8 +39,8 @@ struct Workspace {
     bool turns_views = false;
     ViewDrag drag = ViewDrag::Turn;
     // Requests by the view tool's buttons to the visible views; the layout fulfils and resets them.
-    double zoom_wished = 1;
-    bool whole_is_wished = false;
+    double requested_zoom = 1;
+    bool is_whole_requested = false;
     // Viewing direction of the skeleton, also used for selecting branches.
     scene::SelectionAngle angle { .shape = scene::SelectionAngle::Shape::AsBent };
     // The open page of the menu.
@@ -63,30 +63,30 @@ struct Workspace {
         bool is_on = true;
         std::optional<std::size_t> display {};
     };
-    std::optional<FullScreen> full_screen_wished {};
+    std::optional<FullScreen> requested_full_screen {};
     bool keys_are_listed = false;
     // Left-handed layout: the menu and the current tool's drawing are on the left, where a left
     // hand reaches them without covering the views; the height scale, which is only read, is on the
     // right.
     bool is_left_handed = false;
     // Index of the number of the current tool whose panel is open.
-    std::optional<std::size_t> asked_number {};
+    std::optional<std::size_t> edited_number {};
     bool cards_are_shown = false; // True if the cards of the current tool's kind are shown.
     // What the name panel is asking a name for, and its current name.
-    struct AskedName {
+    struct NameRequest {
         enum class Of { Drawing, Copy, Card } of = Of::Drawing;
         std::string now {};
 
-        bool operator==(AskedName const& other) const = default;
+        bool operator==(NameRequest const& other) const = default;
     };
-    std::optional<AskedName> asked_name {};
+    std::optional<NameRequest> name_request {};
     // Shows the gizmo of the current tool, if its kind has one.
     bool gizmo_is_shown = true;
     bool drawn_gizmo_is_shown = false; // Shows the gizmo of what was last drawn with the tool.
     bool gizmo_is_seen = false; // A gizmo was shown in the last frame and needs room in this one.
     // The current tool with the value that a moving slider or handle has now.
     std::optional<tools::Tool> adjusted {};
-    bool wants_to_close = false;
+    bool is_close_requested = false;
 
     // The current tool, as it is being adjusted.
     tools::Tool const& hand(view::WindowState const& state) const;
@@ -106,7 +106,7 @@ struct Workspace {
     // Opens a panel above the bar that asks for a number or name, and closes any other panel.
     void ask_number(std::size_t number);
     void show_cards();
-    void ask_name(AskedName name); // Opens the name panel and closes the menu.
+    void ask_name(NameRequest name); // Opens the name panel and closes the menu.
     void close_panels();
     void open_menu(MenuPage page);
     void close_menu() { menu = MenuPage::None; }
@@ -133,6 +133,6 @@ private:
 std::span<std::string_view const> shown_words();
 
 // No value for another word.
-std::optional<Workspace::Shown> shown_of_word(std::string_view word);
+std::optional<Workspace::Shown> parse_shown(std::string_view word);
 
 } // namespace tractus::window

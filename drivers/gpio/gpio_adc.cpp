@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint16_t kBusSpi = 0x1c; // Value of BUS_SPI in linux/input.h.
 constexpr std::size_t kReportSize = 4;
-constexpr unsigned kNothingAnswered = 1;
+constexpr unsigned kNoAnswer = 1;
 constexpr unsigned kHeldTooLong = 2;
 
 struct Converter {
@@ -131,7 +131,7 @@ Result<void> GpioAdcSource::try_out()
 
 RawReport encode(Mcp3208Reading const& reading, unsigned repeats)
 {
-    unsigned const flags = (reading.is_answered ? 0 : kNothingAnswered)
+    unsigned const flags = (reading.is_answered ? 0 : kNoAnswer)
         | (reading.held > kMcp3208HoldLimit ? kHeldTooLong : 0);
     RawReport report { .received = reading.sampled, .size = kReportSize };
     report.storage[0] = static_cast<std::byte>(flags);
@@ -182,7 +182,7 @@ Result<void> GpioAdcDecoder::decode(Timestamp received, std::span<std::byte cons
                     fmt::format("{} report: {} bytes, expected {}", converter_.name, report.size(),
                                 kReportSize));
     auto const byte = [&](std::size_t i) { return std::to_integer<std::int32_t>(report[i]); };
-    if ((byte(0) & static_cast<std::int32_t>(kNothingAnswered)) != 0)
+    if ((byte(0) & static_cast<std::int32_t>(kNoAnswer)) != 0)
         return fail(Fault::Device,
                     fmt::format("{}: nothing answers on DOUT (check its wires and its supply)",
                                 converter_.name));

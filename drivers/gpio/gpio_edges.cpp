@@ -167,7 +167,7 @@ find_beginning(GpioEdges& edges, std::function<Result<QuadratureLevels>()> const
             last_number = read.back().number;
         return read.empty();
     };
-    auto const believed = edges.now() + kGpioEdgesUntrue;
+    auto const believed = edges.now() + kGpioEdgesSettleTime;
     while (edges.now() < believed)
         TRY(is_quiet(believed - edges.now()));
     for (int i = 0; i < kTrials; ++i) {

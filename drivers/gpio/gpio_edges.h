@@ -37,7 +37,7 @@ struct QuadratureLevels {
 // driver polls (hid-cp2112: every 40 ms), and the first poll is compared with the state left by a
 // previous user or with low levels. A line that has been high all the time then produces a false
 // rising edge.
-constexpr Duration kGpioEdgesUntrue = std::chrono::milliseconds(100);
+constexpr Duration kGpioEdgesSettleTime = std::chrono::milliseconds(100);
 
 // Determines the starting state for counting on newly opened lines: a quiet moment after the
 // initial false edges, when the levels agree with the last edge. Earlier edges are discarded. Fails

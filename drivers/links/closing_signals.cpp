@@ -44,7 +44,7 @@ ClosingSignals::~ClosingSignals()
         ::sigaction(kSignals[i], &earlier_actions[i], nullptr);
 }
 
-bool ClosingSignals::have_come()
+bool ClosingSignals::has_signal_arrived()
 {
     return signal_has_come;
 }

@@ -13,7 +13,7 @@ public:
     ClosingSignals& operator=(ClosingSignals const&) = delete;
 
     // True if a signal has arrived during the life of this or an earlier object.
-    static bool have_come();
+    static bool has_signal_arrived();
 };
 
 } // namespace tractus::drivers

@@ -46,7 +46,7 @@ public:
 
     Result<void> write(std::span<std::byte const> packet) override;
     Result<std::optional<RawReport>> read(Duration timeout) override;
-    std::uint64_t too_long_count() const override { return too_long_count_; }
+    std::uint64_t oversized_count() const override { return too_long_count_; }
 
 private:
     tl::unexpected<Error> lost() const

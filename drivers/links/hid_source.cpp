@@ -33,7 +33,7 @@ public:
     {
         return link_->read(timeout);
     }
-    std::uint64_t too_long_count() const override { return link_->too_long_count(); }
+    std::uint64_t oversized_count() const override { return link_->oversized_count(); }
 
 private:
     DeviceInfo info_;

@@ -26,7 +26,7 @@ public:
     virtual Result<std::optional<RawReport>> read(Duration timeout) = 0;
 
     // Number of packets dropped because they are longer than a RawReport.
-    virtual std::uint64_t too_long_count() const { return 0; }
+    virtual std::uint64_t oversized_count() const { return 0; }
 
     virtual Timestamp now() = 0;
     virtual void sleep(Duration duration) = 0;

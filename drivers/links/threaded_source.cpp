@@ -40,7 +40,7 @@ void ThreadedSource::Shared::run()
 {
     while (!stop.load(std::memory_order_relaxed)) {
         auto const report = source->read(kReadTimeout);
-        too_long.store(source->too_long_count(), std::memory_order_relaxed);
+        too_long.store(source->oversized_count(), std::memory_order_relaxed);
         if (!report) {
             error = report.error();
             break;

@@ -22,7 +22,7 @@ namespace tractus::drivers {
 //    08 80 10 27 10 27 00 00
 //
 // followed by a blank line. It contains neither names nor ids. An interface without a DESCRIPTOR
-// block has no report descriptor. Fails, as the user's fault, if there is no block at all.
+// block has no report descriptor. Fails with a user error if there is no block at all.
 Result<Log> parse_usbhid_dump(std::istream& in, std::string_view name);
 
 // True if the line can be the head of a block written by usbhid-dump.
@@ -30,12 +30,12 @@ bool begins_usbhid_dump_block(std::string_view line);
 
 // Reads what `libinput record` writes (YAML), best with --with-hidraw: the report descriptor of
 // each device ("hid") and the raw reports among its events. For a pen without raw reports, its
-// input events are used instead (drivers/reports/event_pen.h). Fails, as the user's fault, if the
+// input events are used instead (drivers/reports/event_pen.h). Fails with a user error if the
 // text is not YAML, or if no device has raw reports and none is a pen.
 Result<Log> parse_libinput_record(std::istream& in, std::string_view name);
 
 // Reads a recording of a pen by evemu-record, versions 1.0 to 1.3: the kernel's input events, which
-// become reports of a HID pen (drivers/reports/event_pen.h). Fails, as the user's fault, if the
+// become reports of a HID pen (drivers/reports/event_pen.h). Fails with a user error if the
 // device is no pen.
 Result<Log> parse_evemu(std::istream& in, std::string_view name);
 

@@ -19,11 +19,11 @@ public:
     void warn(std::size_t line, std::string message);
 
     // Appends a report. A report that no device could have sent is skipped with a warning. Fails,
-    // as the user's fault, if the recording exceeds the memory limit.
+    // with a user error, if the recording exceeds the memory limit.
     Result<void> append_report(std::size_t line, std::size_t device, Timestamp time,
                                std::span<std::byte const> bytes);
 
-    // Adds a device and returns its index. Fails, as the user's fault, beyond the number of devices
+    // Adds a device and returns its index. Fails with a user error beyond the number of devices
     // that a computer can have.
     Result<std::size_t> add_device(DeviceInfo info);
 

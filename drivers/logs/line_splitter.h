@@ -20,7 +20,7 @@ public:
     // break.
     LineSplitter(std::string name, std::function<Result<void>(std::string_view line)> take);
 
-    // Adds the next piece, which may end anywhere. Fails, as the user's fault, at a line that is
+    // Adds the next piece, which may end anywhere. Fails with a user error at a line that is
     // too long, and as `take` does.
     Result<void> feed(std::string_view piece);
 

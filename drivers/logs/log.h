@@ -61,7 +61,7 @@ struct LogWarning {
     std::string message {};
 };
 
-struct LogRest; // Location of the reports that are not in memory.
+struct LogRemainder; // Location of the reports that are not in memory.
 
 // A log. Only the first reports of a large file are in memory; read all of them with a LogCursor.
 struct Log {
@@ -69,9 +69,9 @@ struct Log {
     std::vector<DeviceInfo> devices;
     std::vector<LogRecord>
         records; // Records in the file's order; of a large file, only the first ones.
-    std::vector<std::byte> bytes;        // The bytes of all records, one after another.
-    std::shared_ptr<LogRest const> rest; // Null if all reports are in memory.
-    std::vector<LogTool> tools;          // Tools in the file's order.
+    std::vector<std::byte> bytes;             // The bytes of all records, one after another.
+    std::shared_ptr<LogRemainder const> rest; // Null if all reports are in memory.
+    std::vector<LogTool> tools;               // Tools in the file's order.
     std::string
         rig_text; // The file's C lines, each ended by a line break; empty if there are none.
     std::vector<LogWarning> warnings; // The first kMaxLogWarnings warnings.
@@ -109,7 +109,7 @@ public:
     ~LogCursor();
 
     // Returns the next report without advancing; null after the last one. The pointer is valid
-    // until skip(). Fails, as the user's fault, if the file cannot be read again, or now contains a
+    // until skip(). Fails with a user error if the file cannot be read again, or now contains a
     // different number of reports.
     Result<LogReport const*> peek();
     void skip();
@@ -139,7 +139,7 @@ private:
 // part, the times of the new part continue 0.2 s later, and a warning says so. The calibration of a
 // later part is skipped. Skips with a warning: reports longer than 512 bytes or with another number
 // of bytes than they announce, an incomplete last line, a second, different descriptor of the same
-// device. Fails, as the user's fault, with file and line: a text without any R line, an R line
+// device. Fails with a user error with file and line: a text without any R line, an R line
 // whose length is not the number of its bytes, a report of a device without an R line, a line of
 // more than 1 MiB, an implausible number of rig lines or changes of tool, text in UTF-16.
 Result<Log> parse_log(std::string_view text, std::string_view name);

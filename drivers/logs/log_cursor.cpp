@@ -1,5 +1,5 @@
 #include "drivers/logs/log.h"
-#include "drivers/logs/log_rest.h"
+#include "drivers/logs/log_remainder.h"
 
 #include <cerrno>
 #include <cstring>
@@ -11,7 +11,7 @@ namespace tractus::drivers {
 // Reads the reports that are not in memory, one piece of the file at a time.
 class LogCursor::Rest {
 public:
-    Rest(std::string_view name, LogRest const& rest)
+    Rest(std::string_view name, LogRemainder const& rest)
         : rest_(rest)
         , text_(name, rest.place)
         , offset_(rest.place.offset)
@@ -49,7 +49,7 @@ private:
             : text_.feed(std::string_view(piece_).substr(0, static_cast<std::size_t>(size)));
     }
 
-    LogRest const& rest_;
+    LogRemainder const& rest_;
     LogText text_;
     std::uint64_t offset_;
     std::size_t next_ = 0; // Index of the next record in the text's log.

@@ -1,6 +1,6 @@
 #include "drivers/logs/log.h"
 
-#include "drivers/logs/log_rest.h"
+#include "drivers/logs/log_remainder.h"
 #include "drivers/logs/log_text.h"
 #include "engine/base/file.h"
 
@@ -26,7 +26,7 @@ Result<Log> read_log_file(std::filesystem::path const& path)
 {
     // The file is opened before it is read, so that later reads get the same file even if its name
     // is reused.
-    auto rest = std::make_shared<LogRest>(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    auto rest = std::make_shared<LogRemainder>(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     LogText text(path.string(), kMaxLogBytes);
     std::error_code no_file;
     text.expect(std::min<std::size_t>(std::filesystem::file_size(path, no_file), kMaxLogBytes * 2));

@@ -60,7 +60,7 @@ public:
     // Reserves memory for a text of at most `bytes`.
     void expect(std::size_t bytes);
 
-    // Adds the next piece of the text, which may end anywhere. Fails, as the user's fault, for what
+    // Adds the next piece of the text, which may end anywhere. Fails with a user error for what
     // parse_log() refuses.
     Result<void> feed(std::string_view piece);
 

@@ -36,7 +36,7 @@ public:
     // Writes a change of tool: `tool` is one word, `arguments` is the rest of the line.
     void write_tool(Timestamp time, std::string_view tool, std::string_view arguments = {});
 
-    // Flushes the stream to the operating system. Fails, as the user's fault, if the disk is full.
+    // Flushes the stream to the operating system. Fails with a user error if the disk is full.
     Result<void> flush();
 
 private:

@@ -14,8 +14,8 @@ namespace tractus::drivers {
 // is the active area from our table. If the descriptor gives no plausible size, this one is used,
 // or else the size known to the kernel; `width_to_height` gives the proportions if neither exists.
 //
-// Fails, as the user's fault, with the reason if the device is no pen or sends reports in its
-// maker's own format, and as the device's fault if its descriptor is broken.
+// Fails with a user error with the reason if the device is no pen or sends reports in its
+// maker's own format, and with a device error if its descriptor is broken.
 Result<std::unique_ptr<PenDecoder>>
 make_descriptor_decoder(DeviceInfo const& info, std::optional<Vec2> const& size_mm = std::nullopt,
                         std::optional<double> width_to_height = std::nullopt);

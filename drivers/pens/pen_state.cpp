@@ -10,22 +10,23 @@ std::optional<Duration> PenState::silence_limit() const
 {
     if (!last_.in_range)
         return std::nullopt;
-    if (maybe_left_)
-        return *maybe_left_ - last_.time + habits_.false_leave;
+    if (reported_left_at_)
+        return *reported_left_at_ - last_.time + habits_.false_leave;
     if (habits_.rests_in_silence)
         return std::nullopt;
     if (!last_.touching)
-        return can_say_leaving() ? std::nullopt : std::optional<Duration>(kSilence);
+        return can_report_leaving() ? std::nullopt : std::optional<Duration>(kSilence);
     auto const interval = rhythm_.streaming_interval();
     if (!interval)
         return std::nullopt;
-    return std::max(can_say_leaving() ? kUnsaidSilence : kSilence, kSilentIntervals * *interval);
+    return std::max(can_report_leaving() ? kUnreportedLeaveSilence : kSilence,
+                    kSilentIntervals * *interval);
 }
 
 std::optional<PenSample> PenState::leave(Timestamp time)
 {
-    maybe_left_.reset();
-    rhythm_.break_off();
+    reported_left_at_.reset();
+    rhythm_.interrupt_run();
     if (!last_.in_range)
         return std::nullopt;
     went_silent_touching_ = last_.touching;
@@ -100,13 +101,13 @@ bool PenState::is_in_doubt(PenSample const& sample)
 {
     if (habits_.false_leave == Duration::zero() || !last_.in_range)
         return false;
-    if (!sample.in_range && !maybe_left_)
-        maybe_left_ = sample.time;
-    if (!maybe_left_)
+    if (!sample.in_range && !reported_left_at_)
+        reported_left_at_ = sample.time;
+    if (!reported_left_at_)
         return false;
     if (sample.in_range && (sample.touching || !last_.touching))
-        maybe_left_.reset();
-    return maybe_left_.has_value();
+        reported_left_at_.reset();
+    return reported_left_at_.has_value();
 }
 
 // Updates what is known of the tablet's reporting pace from a sample in range. `last_` is still the
@@ -120,9 +121,9 @@ void PenState::follow_rhythm(Timestamp received, PenFields const& fields, PenSam
     rhythm_.push(received, fields);
 }
 
-bool PenState::has_moved_unseen(PenSample const& sample) const
+bool PenState::has_moved_during_silence(PenSample const& sample) const
 {
-    return last_.touching && sample.touching && !can_say_leaving()
+    return last_.touching && sample.touching && !can_report_leaving()
         && sample.time - last_.time > kSilence
         && (sample.position_mm - last_.position_mm).norm() > kFarthestAfterRest_mm;
 }
@@ -138,8 +139,8 @@ std::optional<PenSample> PenState::leave_as_reported(Timestamp time)
 std::optional<PenSample> PenState::push(Timestamp received, PenFields fields, PenScale const& scale)
 {
     auto const as_reported = fields;
-    if (maybe_left_ && received - *maybe_left_ > habits_.false_leave)
-        return leave_as_reported(*maybe_left_);
+    if (reported_left_at_ && received - *reported_left_at_ > habits_.false_leave)
+        return leave_as_reported(*reported_left_at_);
     undo_habits(fields);
     says_in_range_ = fields.in_range.has_value();
 
@@ -164,7 +165,7 @@ std::optional<PenSample> PenState::push(Timestamp received, PenFields fields, Pe
         return std::nullopt;
     has_position_ = true;
     place(sample, fields, scale);
-    if (has_moved_unseen(sample))
+    if (has_moved_during_silence(sample))
         return leave_as_reported(received);
     follow_rhythm(received, as_reported, sample);
     sample.buttons = fields.buttons;

@@ -67,7 +67,7 @@ public:
 
     // Silence after which a pen counts as gone although the format can report leaving and has not.
     // It is this long so that a computer that stalls for less loses nothing.
-    static constexpr Duration kUnsaidSilence = std::chrono::seconds(1);
+    static constexpr Duration kUnreportedLeaveSilence = std::chrono::seconds(1);
 
     // A touching pen that rested in silence and is next reported farther away than this was lifted
     // and put down again: a hand that starts to move covers about a millimetre until the next
@@ -93,9 +93,9 @@ public:
 private:
     void undo_habits(PenFields& fields) const;
     bool is_in_doubt(PenSample const& sample);
-    bool can_say_leaving() const { return says_in_range_ && habits_.reports_leaving; }
+    bool can_report_leaving() const { return says_in_range_ && habits_.reports_leaving; }
     void follow_rhythm(Timestamp received, PenFields const& fields, PenSample const& sample);
-    bool has_moved_unseen(PenSample const& sample) const;
+    bool has_moved_during_silence(PenSample const& sample) const;
     std::optional<PenSample> leave_as_reported(Timestamp time);
     bool is_other_tool(PenSample const& sample) const;
     void read_pressure(PenSample& sample, PenFields const& fields, PenScale const& scale) const;
@@ -109,7 +109,7 @@ private:
     bool has_position_ = false;
     bool says_in_range_ = false; // True if the last report contained an in-range flag.
     std::optional<Timestamp>
-        maybe_left_; // Time at which the device reported that the pen had left.
+        reported_left_at_; // Time at which the device reported that the pen had left.
 };
 
 } // namespace tractus::drivers

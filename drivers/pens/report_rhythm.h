@@ -18,12 +18,12 @@ namespace tractus::drivers {
 // the same place without having hovered: it had only rested.
 class ReportRhythm {
 public:
-    // Adds a report of the pen in range.
+    // Adds a report received while the pen was in range.
     void push(Timestamp received, PenFields const& fields);
 
     // Ends the run of reports when the pen leaves: the time until it returns is not a report
     // interval.
-    void break_off() { last_.reset(); }
+    void interrupt_run() { last_.reset(); }
 
     // Revokes the proof: a pen that had fallen silent had only rested.
     void disprove() { is_disproved_ = true; }

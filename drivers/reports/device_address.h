@@ -98,7 +98,7 @@ using DeviceAddress = std::variant<HidrawAddress, LibusbAddress, UsbAddress, Gpi
 
 // True for devices that are read only if the user names them: what is connected to a GPIO chip's
 // lines is unknown, and a serial port or an analogue input can be anything.
-inline bool is_only_named(DeviceAddress const& address)
+inline bool needs_explicit_name(DeviceAddress const& address)
 {
     return !std::holds_alternative<HidrawAddress>(address)
         && !std::holds_alternative<EventAddress>(address)
@@ -113,7 +113,7 @@ inline bool is_on_gpio(DeviceAddress const& address)
         || std::holds_alternative<GpioEncoderAddress>(address);
 }
 
-// Parses an address. Fails, as the user's fault, with the form that was expected.
+// Parses an address. Fails with a user error with the form that was expected.
 Result<DeviceAddress> parse_device_address(std::string_view text);
 
 // Prints an address as parse_device_address() reads it.

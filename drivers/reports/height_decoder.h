@@ -39,7 +39,7 @@ public:
     virtual std::int32_t full_scale() const = 0;
 
     // Appends the report's samples to `out`, oldest first: none for a report that is not about the
-    // height, several for a frame with several readings. Fails, as the device's fault, if part of
+    // height, several for a frame with several readings. Fails with a device error if part of
     // the report is broken; its valid samples are appended even then, and the decoder stays usable.
     virtual Result<void> decode(Timestamp received, std::span<std::byte const> report,
                                 std::vector<HeightSample>& out)

@@ -2,7 +2,7 @@
 
 namespace tractus::drivers {
 
-std::optional<PenSample> PenSilence::leave_if_over(PenDecoder& pen, Timestamp now) const
+std::optional<PenSample> PenSilence::leave_after_silence(PenDecoder& pen, Timestamp now) const
 {
     auto const limit = pen.silence_limit();
     if (!limit || now - last_ <= *limit)

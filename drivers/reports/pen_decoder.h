@@ -53,7 +53,7 @@ public:
     // Appends the report's samples to `out`, oldest first. There are none if the report is not
     // about a pen, or the pen is still out of range. There are several if the tablet collects
     // samples and sends them together, as Wacom's do over Bluetooth; their times lie between the
-    // previous report and this one. Fails, as the device's fault, if the report is too short for
+    // previous report and this one. Fails with a device error if the report is too short for
     // its fields or its id is not in the descriptor; then `out` is unchanged, the decoder stays
     // usable, and the report is ignored.
     virtual Result<void> decode(Timestamp received, std::span<std::byte const> report,
@@ -87,7 +87,7 @@ public:
     // the time at which the limit was reached; otherwise no value. Call it with the time of each
     // report of any device before decoding that report and, with live devices, also whenever no
     // report is waiting.
-    std::optional<PenSample> leave_if_over(PenDecoder& pen, Timestamp now) const;
+    std::optional<PenSample> leave_after_silence(PenDecoder& pen, Timestamp now) const;
 
     // Notes that the decoder has returned a sample.
     void heard(PenSample const& sample) { last_ = sample.time; }

@@ -39,7 +39,7 @@ public:
 
     // Number of reports so far that were dropped because they exceed a RawReport. Called from the
     // thread that reads.
-    virtual std::uint64_t too_long_count() const { return 0; }
+    virtual std::uint64_t oversized_count() const { return 0; }
 };
 
 } // namespace tractus::drivers

@@ -16,7 +16,7 @@ bool is_height_frame_device(DeviceInfo const&);
 // was taken: the sensor's clock is mapped to the host's, so a late frame does not shift the height.
 // The times contain the minimum transmission time as their only latency, and never go back.
 //
-// Fails, as the device's fault, if the greatest reading is missing from the device's string.
+// Fails with a device error if the greatest reading is missing from the device's string.
 // Decoding fails for reports with corrupt frames, bytes between frames or impossible readings, and
 // continues with the next frame.
 Result<std::unique_ptr<HeightDecoder>> make_height_frame_decoder(DeviceInfo const&);

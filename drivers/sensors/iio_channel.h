@@ -26,12 +26,12 @@ constexpr char const* kIioFolder = "/sys/bus/iio/devices";
 // Lists the channels that can be a height sensor: voltages, distances, angles and positions.
 std::vector<DeviceInfo> list_iio_channels(std::filesystem::path const& folder = kIioFolder);
 
-// Describes the channel at an address. Fails, as the user's fault, if there is none.
+// Describes the channel at an address. Fails with a user error if there is none.
 Result<DeviceInfo> describe_iio_channel(std::string const& address,
                                         std::filesystem::path const& folder = kIioFolder);
 
-// Opens the channel at `info.location`. Fails, as the user's fault, if there is none, it cannot be
-// read, or the settings are invalid. A read fails, as the device's fault, when the device is gone
+// Opens the channel at `info.location`. Fails with a user error if there is none, it cannot be
+// read, or the settings are invalid. A read fails with a device error when the device is gone
 // or has not answered for a second.
 Result<std::unique_ptr<ReportSource>>
 open_iio_channel(DeviceInfo info, std::filesystem::path const& folder = kIioFolder);
@@ -39,8 +39,8 @@ open_iio_channel(DeviceInfo info, std::filesystem::path const& folder = kIioFold
 // True if a device, live or from a log, is an industrial I/O channel.
 bool is_iio_channel(DeviceInfo const& info);
 
-// Makes the decoder of a channel's reports; `info` must satisfy is_iio_channel(). Fails, as the
-// user's fault, if the settings in a log are invalid.
+// Makes the decoder of a channel's reports; `info` must satisfy is_iio_channel(). Fails with a
+// user error if the settings in a log are invalid.
 Result<std::unique_ptr<HeightDecoder>> make_iio_channel_decoder(DeviceInfo const& info);
 
 } // namespace tractus::drivers

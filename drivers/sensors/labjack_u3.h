@@ -20,7 +20,7 @@ struct LabJackU3Options {
     int channel = 0;
 };
 
-// Parses "AIN3", or an empty text for the defaults. Fails, as the user's fault, for anything else.
+// Parses "AIN3", or an empty text for the defaults. Fails with a user error for anything else.
 Result<LabJackU3Options> parse_labjack_u3_options(std::string_view settings);
 
 // True if the ids are those of a U3.
@@ -32,11 +32,11 @@ bool is_labjack_u3(DeviceInfo const&);
 // model, the serial number, the channel, and the calibration constants of that input from the U3's
 // memory.
 //
-// Fails, as the user's fault, if the device cannot be opened, and as the device's if it does not
+// Fails with a user error if the device cannot be opened, and as the device's if it does not
 // reply as a U3.
 Result<std::unique_ptr<ReportSource>> open_labjack_u3(DeviceInfo info);
 
-// Opens a U3 over any link. Fails, as the device's fault, if it does not reply as a U3.
+// Opens a U3 over any link. Fails with a device error if it does not reply as a U3.
 Result<std::unique_ptr<ReportSource>>
 open_labjack_u3(DeviceInfo info, std::unique_ptr<PacketLink> link, LabJackU3Options const& options);
 

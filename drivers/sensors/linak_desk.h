@@ -29,7 +29,7 @@ bool is_linak_desk(DeviceInfo const&);
 // know its height. In that case, at opening and later, the cable is initialised as its maker's
 // program does it, which tells the motors to stop.
 //
-// Fails, as the user's fault, if the node cannot be opened, or if the desk does not know its height
+// Fails with a user error if the node cannot be opened, or if the desk does not know its height
 // even after the initialisation: it must then be moved to its lowest position with its own keys.
 Result<std::unique_ptr<ReportSource>> open_linak_desk(DeviceInfo info);
 
@@ -39,8 +39,8 @@ Result<std::unique_ptr<ReportSource>> open_linak_desk(DeviceInfo info);
 Result<std::unique_ptr<ReportSource>> open_linak_desk(DeviceInfo info,
                                                       std::unique_ptr<PacketLink> link);
 
-// Makes the decoder for the desk's reports. Decoding skips other reports, and fails, as the
-// device's fault, for a reply that is truncated, lacks the height, or contains an impossible one.
+// Makes the decoder for the desk's reports. Decoding skips other reports, and fails with a
+// device error for a reply that is truncated, lacks the height, or contains an impossible one.
 std::unique_ptr<HeightDecoder> make_linak_desk_decoder();
 
 } // namespace tractus::drivers

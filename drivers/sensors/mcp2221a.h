@@ -29,7 +29,7 @@ struct Mcp2221aOptions {
 };
 
 // Parses comma-separated options in any order, "GP2,4.096V"; an empty text gives the defaults.
-// Fails, as the user's fault, for unknown words.
+// Fails with a user error for unknown words.
 Result<Mcp2221aOptions> parse_mcp2221a_options(std::string_view settings);
 
 // True if the ids are those of the chip as delivered; its ids can be reprogrammed.
@@ -44,11 +44,11 @@ bool is_mcp2221a(DeviceInfo const&);
 // The name in info() contains the pin, which make_mcp2221a_decoder() reads, and, if the reference
 // is a known voltage, the volts per count (drivers/sensors/sensor_volts.h).
 //
-// Fails, as the user's fault, if the node cannot be opened, and as the device's if the chip does
+// Fails with a user error if the node cannot be opened, and as the device's if the chip does
 // not reply as an MCP2221A.
 Result<std::unique_ptr<ReportSource>> open_mcp2221a(DeviceInfo info);
 
-// Opens the chip over any link. Fails, as the device's fault, if it does not reply as an MCP2221A.
+// Opens the chip over any link. Fails with a device error if it does not reply as an MCP2221A.
 Result<std::unique_ptr<ReportSource>>
 open_mcp2221a(DeviceInfo info, std::unique_ptr<PacketLink> link, Mcp2221aOptions const& options);
 

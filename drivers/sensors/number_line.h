@@ -27,13 +27,13 @@ struct NumberFormat {
     int decimals = 0;
 };
 
-// Parses "max=…"; returns no value for another word. Fails, as the user's fault, if there is no
+// Parses "max=…"; returns no value for another word. Fails with a user error if there is no
 // valid number, if it is not above 0, or if it has more than six decimals or exceeds 2,000,000,000
 // counts.
 Result<std::optional<NumberFormat>> parse_greatest_number(std::string_view word);
 
 // Makes the decoder for reports that contain a number. Values slightly below 0, which differential
-// converters give for a short circuit, become 0. Decoding fails, as the device's fault, for other
+// converters give for a short circuit, become 0. Decoding fails with a device error for other
 // text, and for numbers above the maximum.
 std::unique_ptr<HeightDecoder> make_number_decoder(NumberFormat format);
 

@@ -33,7 +33,7 @@ struct Polling {
 };
 
 // Opens a source that polls within read(), and therefore on the thread that reads. A lost reply is
-// followed by the next request; reading fails, as the device's fault, when there was no reply for a
+// followed by the next request; reading fails with a device error when there was no reply for a
 // second.
 //
 // Opening fails when `set_up` does.

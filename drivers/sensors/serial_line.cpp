@@ -135,7 +135,7 @@ public:
 
     DeviceInfo const& info() const override { return info_; }
     Result<std::optional<RawReport>> read(Duration timeout) override;
-    std::uint64_t too_long_count() const override { return too_long_; }
+    std::uint64_t oversized_count() const override { return too_long_; }
 
 private:
     Result<void> read_some(Duration timeout);

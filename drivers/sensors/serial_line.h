@@ -22,21 +22,21 @@ namespace tractus::drivers {
 std::vector<DeviceInfo> list_serial_lines(std::filesystem::path const& tty_folder
                                           = "/sys/class/tty");
 
-// Describes the serial port at a node, listed or not. Fails, as the user's fault, if the node does
+// Describes the serial port at a node, listed or not. Fails with a user error if the node does
 // not exist.
 Result<DeviceInfo> describe_serial_line(std::string const& node);
 
 // Opens the node at `info.location` exclusively. A report is a line without its line break, with
 // the time at which it ended. The first line, which may be incomplete, and empty lines are dropped.
-// Fails, as the user's fault, for invalid settings and for a node that cannot be opened. A read
-// fails, as the device's fault, when the device is gone.
+// Fails with a user error for invalid settings and for a node that cannot be opened. A read
+// fails with a device error when the device is gone.
 Result<std::unique_ptr<ReportSource>> open_serial_line(DeviceInfo info);
 
 // True if a device, live or from a log, is a serial height sensor.
 bool is_serial_line(DeviceInfo const& info);
 
-// Makes the decoder of a serial sensor's reports; `info` must satisfy is_serial_line(). Fails, as
-// the user's fault, if the settings in a log are invalid.
+// Makes the decoder of a serial sensor's reports; `info` must satisfy is_serial_line(). Fails, with
+// a user error if the settings in a log are invalid.
 Result<std::unique_ptr<HeightDecoder>> make_serial_line_decoder(DeviceInfo const& info);
 
 } // namespace tractus::drivers

@@ -25,7 +25,7 @@ struct UsbHeightSensorOptions {
 };
 
 // Parses "2000us,internal": the period, and supply or internal; an empty text gives the defaults.
-// Fails, as the user's fault, for other words.
+// Fails with a user error for other words.
 Result<UsbHeightSensorOptions> parse_usb_height_sensor_options(std::string_view settings);
 
 // Opens the station's own height sensor (firmware-notes/height-sensor-protocol.md) at
@@ -33,7 +33,7 @@ Result<UsbHeightSensorOptions> parse_usb_height_sensor_options(std::string_view 
 // stream, discards earlier frames, and starts it. A report is one transfer, normally one frame.
 // Destroying the source stops the sensor.
 //
-// Fails, as the user's fault, if the sensor cannot be opened or refuses the options, and as the
+// Fails with a user error if the sensor cannot be opened or refuses the options, and as the
 // device's if it is no such sensor or has another protocol version. A read fails, as the device's
 // fault, when the sensor was unplugged, whatever error libusb reports.
 Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info);

@@ -21,11 +21,11 @@ namespace tractus::drivers {
 // has no driver until the device is plugged in again.
 class LibusbHid {
 public:
-    // Opens one interface of the device at info.location. Fails, as the user's fault, if there is
+    // Opens one interface of the device at info.location. Fails with a user error if there is
     // none, it may not be opened, or another program uses it.
     static Result<LibusbHid> open(LibusbAddress const& address, DeviceInfo const& info);
 
-    // Sends a complete report, beginning with its report id. Fails as the device's fault.
+    // Sends a complete report, beginning with its report id. Fails with a device error.
     Result<void> send_feature(std::span<std::byte const> report);
     Result<void> send_output(std::span<std::byte const> report);
 

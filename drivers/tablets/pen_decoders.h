@@ -8,7 +8,7 @@
 
 namespace tractus::drivers {
 
-// Makes the decoder for a device from its report descriptor. Fails, as the user's fault, with the
+// Makes the decoder for a device from its report descriptor. Fails with a user error with the
 // reason if the device is no pen or sends reports in its maker's own format, and as the device's
 // fault if its descriptor is broken.
 Result<std::unique_ptr<PenDecoder>> make_pen_decoder(DeviceInfo const&);

@@ -28,7 +28,7 @@ TabletShape tablet_shape(DeviceInfo const& info, TabletMatch const& match);
 //
 // When the pen continues in reports of the other kind, it leaves first.
 //
-// Fails like make_descriptor_decoder() if the node carries no pen data and, as the user's fault, if
+// Fails like make_descriptor_decoder() if the node carries no pen data and with a user error if
 // its format is not known.
 Result<std::unique_ptr<PenDecoder>> make_tablet_decoder(DeviceInfo const& info,
                                                         TabletMatch const& match);

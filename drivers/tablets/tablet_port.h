@@ -14,13 +14,13 @@ class TabletPort {
 public:
     virtual ~TabletPort() = default;
 
-    // Sends a complete report, beginning with its report id. Fails, as the device's fault, if the
+    // Sends a complete report, beginning with its report id. Fails with a device error if the
     // tablet does not accept it.
     virtual Result<void> send_feature(std::span<std::byte const> report) = 0;
     virtual Result<void> send_output(std::span<std::byte const> report) = 0;
 
     // Returns the text of a USB string descriptor (see string_descriptor_text()); empty if the
-    // tablet has none with this index. Fails, as the user's fault, if the tablet cannot be asked.
+    // tablet has none with this index. Fails with a user error if the tablet cannot be asked.
     virtual Result<std::string> read_string(int index) = 0;
 };
 

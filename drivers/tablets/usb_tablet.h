@@ -37,7 +37,7 @@ std::vector<DeviceInfo> list_usb_tablets(std::filesystem::path const& devices_fo
                                          = "/sys/bus/usb/devices");
 
 // Describes the device at `info.location`, including its report descriptor, for which the kernel's
-// driver is detached for a moment; settings are kept. Fails, as the user's fault, if there is no
+// driver is detached for a moment; settings are kept. Fails with a user error if there is no
 // such device or it may not be opened.
 Result<DeviceInfo> describe_usb_tablet(DeviceInfo info);
 

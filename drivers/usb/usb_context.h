@@ -25,7 +25,7 @@ struct CloseUsbContext {
 };
 using UsbContext = std::unique_ptr<libusb_context, CloseUsbContext>;
 
-// Makes a libusb context. Fails, as the user's fault, if the system has no USB that may be used.
+// Makes a libusb context. Fails with a user error if the system has no USB that may be used.
 Result<UsbContext> make_usb_context();
 
 // Returns where a device is plugged in, as the kernel names its folder in /sys/bus/usb/devices:
@@ -39,7 +39,7 @@ std::string usb_error_text(int code);
 // them to the kernel's driver.
 class UsbDevice {
 public:
-    // Opens the device plugged in at `address` ("1-2.3"). Fails, as the user's fault, if there is
+    // Opens the device plugged in at `address` ("1-2.3"). Fails with a user error if there is
     // none or it may not be opened; the message says what to do.
     static Result<UsbDevice> open(std::string_view address);
 
@@ -51,12 +51,12 @@ public:
     libusb_context* context() const { return context_.get(); }
     libusb_device_handle* handle() const { return handle_; }
 
-    // Claims an interface exclusively, and detaches the kernel's driver if one is bound. Fails, as
-    // the user's fault, if another program has claimed it.
+    // Claims an interface exclusively, and detaches the kernel's driver if one is bound. Fails,
+    // with a user error if another program has claimed it.
     Result<void> claim(int interface_number);
 
     // Returns the bytes of a string descriptor in US English without its two-byte header; texts are
-    // UTF-16LE. Fails, as the device's fault, if there is no such descriptor or the device does not
+    // UTF-16LE. Fails with a device error if there is no such descriptor or the device does not
     // answer.
     Result<std::vector<std::byte>> string_bytes(std::uint8_t index) const;
 

@@ -19,7 +19,7 @@ struct UsbPipes {
 // Opens the USB device at `info.location` ("usb:1-2.3") as a packet link through libusb, and claims
 // the interface exclusively. A packet is one transfer of at most 512 bytes.
 //
-// Fails, as the user's fault, if the device is not there, may not be opened, or is in use.
+// Fails with a user error if the device is not there, may not be opened, or is in use.
 Result<std::unique_ptr<PacketLink>> open_usb_link(DeviceInfo const& info, UsbPipes const& pipes);
 
 } // namespace tractus::drivers

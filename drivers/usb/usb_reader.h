@@ -17,14 +17,14 @@ namespace tractus::drivers {
 class UsbReader {
 public:
     // Starts reading. `device` must outlive the reader and must have claimed the endpoint's
-    // interface; `who` names the device in messages. Fails, as the device's fault, if the system
+    // interface; `who` names the device in messages. Fails with a device error if the system
     // does not accept the transfers.
     static Result<std::unique_ptr<UsbReader>> start(UsbDevice const& device, std::uint8_t endpoint,
                                                     std::string who);
     virtual ~UsbReader() = default;
 
     // Returns the bytes of the next transfer, at most 512. No value if none arrives within
-    // `timeout`. Fails, as the device's fault, when the device is gone and all its data has been
+    // `timeout`. Fails with a device error when the device is gone and all its data has been
     // read.
     virtual Result<std::optional<RawReport>> read(Duration timeout) = 0;
 };

@@ -75,7 +75,7 @@ void parallel_for(std::size_t count, std::size_t grain,
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                       [&](tbb::blocked_range<std::size_t> const& range) {
                           acquire(&begun);
-                          PieceOfWork const piece(urgency);
+                          UrgencyScope const piece(urgency);
                           work(range.begin(), range.end());
                           release(&done);
                       });
@@ -109,7 +109,7 @@ void parallel_in_order(std::size_t slots, OrderedWork const& work)
     };
     auto const make = [&](std::size_t slot) {
         acquire(&slot_order[slot]);
-        PieceOfWork const piece(urgency);
+        UrgencyScope const piece(urgency);
         if (!ended)
             work.make(slot);
         release(&slot_order[slot]);

@@ -35,13 +35,13 @@ Urgency present_urgency()
     return present;
 }
 
-PieceOfWork::PieceOfWork(Urgency urgency)
+UrgencyScope::UrgencyScope(Urgency urgency)
     : before_(std::exchange(present, urgency))
 {
     lower_to(urgency);
 }
 
-PieceOfWork::~PieceOfWork()
+UrgencyScope::~UrgencyScope()
 {
     present = before_;
 }

@@ -20,12 +20,12 @@ Urgency present_urgency();
 
 // Gives the calling thread's work this urgency while the object lives; the destructor restores the
 // urgency from before.
-class PieceOfWork {
+class UrgencyScope {
 public:
-    explicit PieceOfWork(Urgency urgency);
-    ~PieceOfWork();
-    PieceOfWork(PieceOfWork const&) = delete;
-    PieceOfWork& operator=(PieceOfWork const&) = delete;
+    explicit UrgencyScope(Urgency urgency);
+    ~UrgencyScope();
+    UrgencyScope(UrgencyScope const&) = delete;
+    UrgencyScope& operator=(UrgencyScope const&) = delete;
 
 private:
     Urgency before_;

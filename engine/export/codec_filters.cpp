@@ -10,7 +10,7 @@ namespace tractus::exports {
 namespace {
 
 constexpr float kOne = 127;
-// Number of bits that whole_bits() can represent, without the sign.
+// Number of bits that round_to_integer_bits() can represent, without the sign.
 constexpr int kMantissaBits = 22;
 constexpr int kMinExponent = -12;
 
@@ -34,9 +34,9 @@ FourInts octahedral_bytes(TurnedVectors const& v, FourInts const& w)
     FourFloats const y = v.y * scale;
     FourFloats const folded_x = v.z < 0 ? with_signs(kOne - magnitudes(y), x) : x;
     FourFloats const folded_y = v.z < 0 ? with_signs(kOne - magnitudes(x), y) : y;
-    return (whole_bits(bounded(folded_x, kOne)) & 0xFF)
-        | (whole_bits(bounded(folded_y, kOne)) & 0xFF) << 8 | static_cast<int>(kOne) << 16
-        | (w & 0xFF) << 24;
+    return (round_to_integer_bits(bounded(folded_x, kOne)) & 0xFF)
+        | (round_to_integer_bits(bounded(folded_y, kOne)) & 0xFF) << 8
+        | static_cast<int>(kOne) << 16 | (w & 0xFF) << 24;
 }
 
 TurnedVectors turned_tangents(Eigen::Vector4f const* four, FourFloats& w)
@@ -84,7 +84,7 @@ void encode_octahedral(std::span<Eigen::Vector4f const> tangents, std::int8_t* t
     for_each_four(tangents, [&](Eigen::Vector4f const* from, std::size_t first, std::size_t count) {
         FourFloats w;
         auto const turned = turned_tangents(from, w);
-        auto const four = octahedral_bytes(turned, whole_bits(bounded(w * kOne, kOne)));
+        auto const four = octahedral_bytes(turned, round_to_integer_bits(bounded(w * kOne, kOne)));
         std::memcpy(to + 4 * first, &four, 4 * count);
     });
 }
@@ -100,7 +100,8 @@ void encode_exponential(std::span<float const> values, std::uint32_t* to)
     auto const exponent_bits
         = static_cast<std::int32_t>(static_cast<std::uint32_t>(exponent) << 24);
     auto const encode = [&](FourFloats const& four) -> FourInts {
-        auto const mantissas = whole_bits(bounded(four * scale, most)) - whole_bits(FourFloats {});
+        auto const mantissas = round_to_integer_bits(bounded(four * scale, most))
+            - round_to_integer_bits(FourFloats {});
         return (mantissas & 0xFFFFFF) | exponent_bits;
     };
     std::size_t i = 0;

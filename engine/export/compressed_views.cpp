@@ -123,7 +123,7 @@ Result<CompressedElements> elements_of(CompressedView const& view, tinygltf::Mod
         .stride = view.stride,
         .bytes = std::as_bytes(std::span(buffer)).subspan(view.offset, view.bytes),
     };
-    if (auto const* const flaw = flaw_in(elements))
+    if (auto const* const flaw = find_flaw(elements))
         return fail_view(view.view, flaw);
     return elements;
 }

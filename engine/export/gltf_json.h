@@ -38,7 +38,7 @@ public:
     std::size_t add(Json const& element);
 
     std::size_t count() const { return count_; }
-    std::string const& text() const { return text_; } // Without the brackets.
+    std::string const& text() const { return text_; } // The elements without the array's brackets.
 
 private:
     std::string text_;

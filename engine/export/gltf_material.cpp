@@ -31,7 +31,7 @@ Vec3 linear_color(Vec3f const& srgb)
     return srgb.cwiseMax(0.0f).cwiseMin(1.0f).cast<double>().unaryExpr(&linear_from_srgb);
 }
 
-std::string_view kind_word(Material::Kind kind)
+std::string_view material_kind_name(Material::Kind kind)
 {
     for (auto const& [known, word] : kKindWords)
         if (known == kind)
@@ -39,7 +39,7 @@ std::string_view kind_word(Material::Kind kind)
     return "solid";
 }
 
-std::optional<Material::Kind> kind_of_word(std::string_view word)
+std::optional<Material::Kind> parse_material_kind(std::string_view word)
 {
     for (auto const& [kind, known] : kKindWords)
         if (known == word)

@@ -15,7 +15,7 @@ double srgb_from_linear(double linear);
 Vec3 linear_color(Vec3f const& srgb);
 
 // Name of a material kind in the extras of a glTF material, and the inverse.
-std::string_view kind_word(Material::Kind kind);
-std::optional<Material::Kind> kind_of_word(std::string_view word);
+std::string_view material_kind_name(Material::Kind kind);
+std::optional<Material::Kind> parse_material_kind(std::string_view word);
 
 } // namespace tractus::exports

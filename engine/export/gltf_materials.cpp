@@ -77,7 +77,7 @@ std::size_t GltfMaterials::index_of(Material const& material)
         refer(passes, "diffuseTransmissionTexture", textures.translucency);
     }
     made["extras"]
-        = { { "kind", kind_word(material.kind) },
+        = { { "kind", material_kind_name(material.kind) },
             { "translucency", six_digits(std::clamp(material.translucency, 0.0f, 1.0f)) } };
     auto const [place, is_new] = indices_.emplace(json_text(made), json_.materials.count());
     if (is_new)

@@ -76,7 +76,7 @@ void compress_indices(std::span<std::uint32_t const> indices, BulkVector<std::by
     to.resize(size);
 }
 
-char const* flaw_in(CompressedElements const& elements)
+char const* find_flaw(CompressedElements const& elements)
 {
     if (elements.count == 0)
         return "has no elements";
@@ -86,7 +86,7 @@ char const* flaw_in(CompressedElements const& elements)
 
 bool decompress(CompressedElements const& elements, std::span<std::byte> to)
 {
-    CHECK(!flaw_in(elements) && to.size() == elements.count * elements.stride);
+    CHECK(!find_flaw(elements) && to.size() == elements.count * elements.stride);
     auto const* const bytes = reinterpret_cast<unsigned char const*>(elements.bytes.data());
     auto const size = elements.bytes.size();
     if (elements.mode == CodecMode::Triangles)

@@ -18,7 +18,7 @@ enum class CodecFilter { None, Octahedral, Quaternion, Exponential };
 // times as long for the triangle order of tubes, and is no smaller.
 void compress_indices(std::span<std::uint32_t const> indices, BulkVector<std::byte>& to);
 
-// The description of compressed elements in a file.
+// A block of compressed elements in a file: its codec, dimensions and bytes.
 struct CompressedElements {
     CodecMode mode = CodecMode::Attributes;
     CodecFilter filter = CodecFilter::None;
@@ -30,9 +30,9 @@ struct CompressedElements {
 // Returns the reason why such elements cannot be decompressed, whatever the bytes, as the end of a
 // sentence; null if there is none. Their decompressed size is then at most 64 times the compressed
 // size.
-char const* flaw_in(CompressedElements const& elements);
+char const* find_flaw(CompressedElements const& elements);
 
-// Decompresses elements for which flaw_in() is null into `to`, of count * stride bytes. Safe for
+// Decompresses elements for which find_flaw() is null into `to`, of count * stride bytes. Safe for
 // arbitrary bytes. Returns false if they are damaged.
 bool decompress(CompressedElements const& elements, std::span<std::byte> to);
 

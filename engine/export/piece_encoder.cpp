@@ -80,7 +80,7 @@ public:
         auto const number = bounded(scaled, kMaxShort);
         low_ = number < low_ ? number : low_;
         high_ = number > high_ ? number : high_;
-        return whole_bits(number) & 0xFFFF;
+        return round_to_integer_bits(number) & 0xFFFF;
     }
 
     // Limits of the numbers written.
@@ -128,7 +128,7 @@ void encode_byte_normals(std::span<Vec3f const> normals, EncodedPiece& piece)
 {
     auto* const to = room_for<std::int8_t>(piece, 1, 4 * normals.size());
     auto const encode = [](FourFloats const& components) -> FourInts {
-        return whole_bits(bounded(components * kMaxByte, kMaxByte)) & 0xFF;
+        return round_to_integer_bits(bounded(components * kMaxByte, kMaxByte)) & 0xFF;
     };
     for_each_four(normals, [&](Vec3f const* from, std::size_t first, std::size_t count) {
         auto const n = turned_vectors(from);
@@ -217,7 +217,7 @@ SurfaceFormat quantized_format(Bounds const& bounds_mm)
     if (bounds_mm.empty() || !size_mm.allFinite() || !(size_mm.maxCoeff() > 0))
         return format;
     Vec3 const center_mm = 0.5 * (bounds_mm.min_mm + bounds_mm.max_mm);
-    // As rounded for the subtraction.
+    // Rounded to float, because vertices are stored relative to the rounded origin.
     format.origin_m = to_gltf(center_mm).cast<float>().cast<double>();
     // Slightly more than the size requires, so that rounding stays within 16 bits.
     format.step_m = 0.001 * size_mm.maxCoeff() / (2 * (double { kMaxShort } - 1));

@@ -49,7 +49,7 @@ public:
         if (!from.extras.IsObject())
             return material;
         if (auto const& kind = from.extras.Get("kind"); kind.IsString())
-            material.kind = kind_of_word(kind.Get<std::string>()).value_or(material.kind);
+            material.kind = parse_material_kind(kind.Get<std::string>()).value_or(material.kind);
         if (auto const& passing = from.extras.Get("translucency"); passing.IsNumber())
             material.translucency = share(passing.GetNumberAsDouble());
         return material;

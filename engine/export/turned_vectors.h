@@ -57,7 +57,7 @@ inline FourFloats bounded(FourFloats const& values, float most)
 
 // Rounds values below 2^15 in absolute value to the nearest integer, ties to even; the results are
 // in the low bits. Works by adding a number so large that no fraction bits remain.
-inline FourInts whole_bits(FourFloats const& values)
+inline FourInts round_to_integer_bits(FourFloats const& values)
 {
     return std::bit_cast<FourInts>(values + 0x1.8p23f);
 }

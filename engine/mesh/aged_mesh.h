@@ -41,14 +41,14 @@ public:
 
 private:
     // A polygon or organ: its index in the plant and its first vertex in the surface.
-    struct Rider {
+    struct AttachedPart {
         std::uint32_t number = 0;
         std::uint32_t first_vertex = 0;
     };
     struct Parts {
         std::vector<MeshPlan::Ring> rings {};
-        std::vector<Rider> polygons {};
-        std::vector<Rider> organs {};
+        std::vector<AttachedPart> polygons {};
+        std::vector<AttachedPart> organs {};
     };
     struct Carrier;
 

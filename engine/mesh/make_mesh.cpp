@@ -46,7 +46,8 @@ TriangleMesh make_prototype(Plant const& plant, OrganShapeId id, MeshOptions con
     auto const& material = plant.materials[shape.material];
     // A material's own pictures are mapped by patch; an exporter's default pictures are made for
     // the bounding box.
-    auto const lies = material.textures.base_color ? TextureLies::OnPatches : TextureLies::OnBox;
+    auto const lies
+        = material.textures.base_color ? TextureMapping::OnPatches : TextureMapping::OnBox;
     auto full = organ_mesh(shape, options.subdivision, lies);
     auto const kind = material.kind;
     bool const is_thin = kind == Material::Kind::Leaf || kind == Material::Kind::Petal;

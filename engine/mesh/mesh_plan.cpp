@@ -154,7 +154,7 @@ void MeshPlan::trace_axes(std::stop_token const& stop)
             - axes[first].first_segment;
     };
     parallel_for(stations_.size(), 1, [&](std::size_t begin, std::size_t end) {
-        SpineRoom room;
+        SpineBuffers room;
         for (auto block = begin; block != end && !stop.stop_requested(); ++block) {
             auto& stations = stations_[block];
             auto const last = std::min(axes.size(), (block + 1) * kAxesPerBlock);

@@ -289,7 +289,7 @@ void add_ball(TriangleMesh& mesh, OrganShape const& shape)
 
 } // namespace
 
-TriangleMesh organ_mesh(OrganShape const& shape, int subdivision, TextureLies lies)
+TriangleMesh organ_mesh(OrganShape const& shape, int subdivision, TextureMapping lies)
 {
     if (shape.kind == OrganShape::Kind::Surface)
         return surface_mesh(shape, subdivision, lies);

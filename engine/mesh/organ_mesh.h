@@ -21,6 +21,6 @@ namespace tractus::mesh {
 //
 // Negative lengths count as 0; an organ without length or width has no triangles.
 TriangleMesh organ_mesh(OrganShape const& shape, int subdivision = 4,
-                        TextureLies lies = TextureLies::OnBox);
+                        TextureMapping lies = TextureMapping::OnBox);
 
 } // namespace tractus::mesh

@@ -24,7 +24,7 @@ struct Parent {
     bool continued; // The axis continues its parent from the parent's end: a sympodial fork.
 };
 
-void collect_nodes(Plant const& plant, Axis const& axis, std::vector<SpineRoom::Node>& nodes)
+void collect_nodes(Plant const& plant, Axis const& axis, std::vector<SpineBuffers::Node>& nodes)
 {
     nodes.clear();
     auto const positions = plant.positions(axis);
@@ -49,7 +49,7 @@ void collect_nodes(Plant const& plant, Axis const& axis, std::vector<SpineRoom::
     }
 }
 
-int sides_for(std::vector<SpineRoom::Node> const& nodes, MeshOptions const& options,
+int sides_for(std::vector<SpineBuffers::Node> const& nodes, MeshOptions const& options,
               double thickest_mm)
 {
     double radius = 0;
@@ -87,7 +87,7 @@ std::optional<Parent> find_parent(Plant const& plant, Axis const& axis)
 
 class Tracer {
 public:
-    Tracer(MeshOptions const& options, SpineRoom& room)
+    Tracer(MeshOptions const& options, SpineBuffers& room)
         : rounding_(options.subdivision > 1)
         , pieces_(std::max(1, options.subdivision))
         , nodes_(room.nodes)
@@ -196,7 +196,7 @@ private:
 
     bool rounding_;
     int pieces_;
-    std::vector<SpineRoom::Node> const& nodes_;
+    std::vector<SpineBuffers::Node> const& nodes_;
     std::vector<SpineStation>& stations_;
 };
 
@@ -238,7 +238,7 @@ struct Collar {
     }
 };
 
-Collar collar_on(Parent const& parent, SpineRoom const& spine, MeshOptions const& options)
+Collar collar_on(Parent const& parent, SpineBuffers const& spine, MeshOptions const& options)
 {
     double const radius = spine.nodes[0].radius_mm;
     double const length = spine.stations.back().arc_mm;
@@ -251,7 +251,7 @@ Collar collar_on(Parent const& parent, SpineRoom const& spine, MeshOptions const
              std::min(inside, 0.5 * length), std::min(4.5 * radius, 0.4 * length), false };
 }
 
-void apply_collar(SpineRoom& spine, Collar const& collar)
+void apply_collar(SpineBuffers& spine, Collar const& collar)
 {
     auto& stations = spine.stations;
     double const spacing = 0.15 * collar.fall_mm;
@@ -270,7 +270,7 @@ void apply_collar(SpineRoom& spine, Collar const& collar)
 } // namespace
 
 Spine trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& options,
-                  double thickest_mm, SpineRoom& room)
+                  double thickest_mm, SpineBuffers& room)
 {
     room.stations.clear();
     collect_nodes(plant, axis, room.nodes);

@@ -18,7 +18,7 @@ struct SpineStation {
 
 // An axis prepared for meshing: bends rounded, collar widened, coincident nodes merged.
 struct Spine {
-    // Empty, or at least two; owned by the SpineRoom of the caller.
+    // Empty, or at least two; owned by the SpineBuffers of the caller.
     std::span<SpineStation const> stations;
     int sides = 0;
     bool closed_base = false; // The axis has no parent: its first section is filled.
@@ -27,7 +27,7 @@ struct Spine {
 };
 
 // Reusable memory for tracing spines one after another.
-struct SpineRoom {
+struct SpineBuffers {
     std::vector<SpineStation> stations {};
 
     struct Node {
@@ -44,6 +44,6 @@ struct SpineRoom {
 // Returns the spine of `axis`, with its stations in `room`, whose contents are replaced.
 // `thickest_mm` is the plant's greatest radius.
 Spine trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& options,
-                  double thickest_mm, SpineRoom& room);
+                  double thickest_mm, SpineBuffers& room);
 
 } // namespace tractus::mesh

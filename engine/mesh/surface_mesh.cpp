@@ -296,7 +296,7 @@ private:
 
 } // namespace
 
-TriangleMesh surface_mesh(OrganShape const& shape, int subdivision, TextureLies lies)
+TriangleMesh surface_mesh(OrganShape const& shape, int subdivision, TextureMapping lies)
 {
     TriangleMesh mesh;
     mesh.material = shape.material;
@@ -307,7 +307,7 @@ TriangleMesh surface_mesh(OrganShape const& shape, int subdivision, TextureLies 
     auto grid = sample(shape, strip_count(shape, size, subdivision), size);
     join_seams(shape, grid, size);
     std::optional<PatchTexture> texture;
-    if (lies == TextureLies::OnPatches)
+    if (lies == TextureMapping::OnPatches)
         if (auto rows = rows_of(shape.patches))
             texture.emplace(shape.patches, *std::move(rows), grid.strips);
     SurfaceWriter writer(grid, box, std::move(texture), mesh);

@@ -6,7 +6,7 @@
 namespace tractus::mesh {
 
 // How texture coordinates are assigned to a surface.
-enum class TextureLies {
+enum class TextureMapping {
     OnBox, // By position in the surface's bounding box: u across, v along the organ.
     // By patch, if the patches form a grid, whose outer sides are those of the texture. u runs to
     // the right and v along the organ, regardless of the orientation of the patches. Falls back to
@@ -20,6 +20,6 @@ enum class TextureLies {
 // `subdivision` (MeshOptions) and with the curvature of the patches. Patches that are declared
 // neighbours share the vertices of their seam where these coincide, and its normals in any case.
 TriangleMesh surface_mesh(OrganShape const& shape, int subdivision,
-                          TextureLies lies = TextureLies::OnBox);
+                          TextureMapping lies = TextureMapping::OnBox);
 
 } // namespace tractus::mesh

@@ -22,7 +22,7 @@ public:
         , part_(part)
         , place_(place)
         , hidden_(hidden)
-        , shift_(place.looks.value_or(next_looks(plant)))
+        , shift_(place.looks.value_or(next_appearance_offsets(plant)))
         , is_turned_(place.turn.coeffs() != Quat::Identity().coeffs())
     {
         CHECK(hidden.empty() || hidden.size() == part.segment_count());
@@ -169,14 +169,14 @@ private:
     Plant const& part_;
     PartPlace const& place_;
     std::vector<bool> const& hidden_;
-    PartLooks shift_; // Added to the numbers of the part's looks.
+    AppearanceOffsets shift_; // Added to the numbers of the part's looks.
     bool is_turned_;
     std::vector<SegmentId> segments_; // By segment of the part: its number in the whole.
 };
 
 } // namespace
 
-PartLooks next_looks(Plant const& plant)
+AppearanceOffsets next_appearance_offsets(Plant const& plant)
 {
     return { static_cast<MaterialId>(plant.materials.size()),
              static_cast<OrganShapeId>(plant.organ_shapes.size()),

@@ -13,14 +13,14 @@ namespace tractus {
 void append_plant(Plant& plant, Plant const& other, Vec3 const& moved_mm);
 
 // Numbers in a plant of the first material, organ shape and contour of one of its parts.
-struct PartLooks {
+struct AppearanceOffsets {
     MaterialId material = 0;
     OrganShapeId shape = 0;
     ContourId contour = 0;
 };
 
 // Returns the numbers that the next part appended to the plant gets.
-PartLooks next_looks(Plant const& plant);
+AppearanceOffsets next_appearance_offsets(Plant const& plant);
 
 // Placement of a plant that becomes a part of another.
 struct PartPlace {
@@ -35,7 +35,7 @@ struct PartPlace {
     bool keeps_base = false;
     // Numbers of the looks that an earlier part brought, if this part has the same materials,
     // shapes and contours. Default: it brings its own.
-    std::optional<PartLooks> looks {};
+    std::optional<AppearanceOffsets> looks {};
 };
 
 // Appends a plant as a part of another, without the segments marked in `hidden` and their

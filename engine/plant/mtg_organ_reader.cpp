@@ -74,7 +74,7 @@ void MtgOrganReader::place(MeasuredPlant& measured, double scale)
             *size *= scale;
         if (organ.depth)
             *organ.depth *= scale;
-        if (is_sound(organ, measured.base_mm))
+        if (is_plausible_organ(organ, measured.base_mm))
             sound.push_back(organ);
         else
             leave_out(of_class);
@@ -82,7 +82,7 @@ void MtgOrganReader::place(MeasuredPlant& measured, double scale)
     add_mtg_organs(measured, sound);
 }
 
-std::string MtgOrganReader::describe_left_out(std::string const& file) const
+std::string MtgOrganReader::describe_omitted(std::string const& file) const
 {
     std::string counts;
     for (auto const& of : classes_)

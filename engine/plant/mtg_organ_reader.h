@@ -42,7 +42,7 @@ public:
     void place(MeasuredPlant& measured, double scale);
 
     // Returns a warning about omitted organs, or an empty string if there are none.
-    std::string describe_left_out(std::string const& file) const;
+    std::string describe_omitted(std::string const& file) const;
 
 private:
     struct Class {

@@ -247,7 +247,7 @@ std::optional<MtgOrgan> MtgOrganColumns::read(std::span<std::string_view const> 
     return organ;
 }
 
-bool is_sound(MtgOrgan const& organ, Vec3 const& base_mm)
+bool is_plausible_organ(MtgOrgan const& organ, Vec3 const& base_mm)
 {
     auto const is_size = [](double size_mm) { return std::abs(size_mm) <= kLargestOrgan_mm; };
     return is_size(organ.length) && is_size(organ.width) && is_size(organ.depth.value_or(0))

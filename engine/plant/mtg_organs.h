@@ -23,8 +23,8 @@ struct MtgOrgan {
     MtgOrganClass kind = MtgOrganClass::Other;
     std::uint32_t node = kNone; // The graph node that the organ is attached to; kNone: the ground.
     Vec3 position = Vec3::Zero();
-    Vec3 direction = Vec3::UnitY(); // Along the organ; of any length except 0.
-    Vec3 normal = Vec3::UnitZ();    // Out of the upper side.
+    Vec3 direction = Vec3::UnitY(); // Direction from base to tip; any length except 0.
+    Vec3 normal = Vec3::UnitZ();    // Normal of the upper side.
     double length = 0;
     double width = 0;
     // Extent along the normal: the size of a ball in that direction, or how far a leaf bends out of
@@ -66,7 +66,7 @@ private:
 
 // True if size and position are plausible for an organ of this plant: at most 10 km large and at
 // most 10 km away. Lengths in millimetres.
-bool is_sound(MtgOrgan const& organ, Vec3 const& base_mm);
+bool is_plausible_organ(MtgOrgan const& organ, Vec3 const& base_mm);
 
 // Adds the valid organs to the plant, with shapes and materials for them: one shape for all organs
 // of a class with the same `shape`, sized for the largest of them. Lengths in millimetres.

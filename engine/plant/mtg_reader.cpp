@@ -400,7 +400,7 @@ Result<MtgPlant> MtgReader::take()
     auto measured = TRY(measured_plant_from_nodes(name_, nodes_));
     organs_.place(measured, scale);
     MtgPlant result { .plant = std::move(measured.plant) };
-    if (auto warning = organs_.describe_left_out(name_); !warning.empty())
+    if (auto warning = organs_.describe_omitted(name_); !warning.empty())
         result.warnings.push_back(std::move(warning));
     return result;
 }

@@ -25,7 +25,7 @@ Result<void> check_picture_size(std::int64_t width, std::int64_t height, std::in
 using PngImage = std::unique_ptr<png_image, void (*)(png_image*)>;
 
 Result<void> read_png_pixels(std::string_view bytes, std::int64_t most_pixels,
-                             PixelRoom const& room)
+                             PixelAllocator const& room)
 {
     png_image png {};
     png.version = PNG_IMAGE_VERSION;

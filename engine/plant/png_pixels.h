@@ -14,14 +14,14 @@ namespace tractus {
 Result<void> check_picture_size(std::int64_t width, std::int64_t height, std::int64_t most_pixels);
 
 // Allocates 4 bytes per pixel, 4-byte aligned; the memory must stay valid while they are written.
-using PixelRoom = std::function<std::uint8_t*(int width, int height)>;
+using PixelAllocator = std::function<std::uint8_t*(int width, int height)>;
 
 // Reads the pixels of a PNG file (ISO/IEC 15948) of any kind: rows from the top; red, green, blue
 // and alpha, not premultiplied; opaque if the file has no alpha. Safe for arbitrary bytes: claimed
 // sizes are checked before memory is allocated. Fails with a user error, in a sentence without the
 // file's name.
 Result<void> read_png_pixels(std::string_view bytes, std::int64_t most_pixels,
-                             PixelRoom const& room);
+                             PixelAllocator const& room);
 
 // The pixels of a picture, as read by read_png_pixels().
 struct PixelRows {

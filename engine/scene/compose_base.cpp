@@ -24,7 +24,7 @@ public:
     void add(PartPrefix const& prefix, BasePlant const& base, PartPlace const& place)
     {
         auto const order = place.on == kNone ? 0 : order_of(place.on) + 1;
-        models_.push_back({ &base, next_looks(whole_), order });
+        models_.push_back({ &base, next_appearance_offsets(whole_), order });
         append({ .prefix = prefix, .plant = base.plant, .index = base.rest->addresses.index() },
                place);
         for (auto const& warning : base.warnings)
@@ -58,7 +58,7 @@ public:
         Vec3 const step_mm = whole_.node_position_mm[tip] - base_mm;
         auto const radius = [&](NodeId node) { return double(whole_.node_radius_mm[node]); };
         auto const model = models_[part_with(graft.at)];
-        variation::LimbSeat seat {
+        variation::LimbAttachment seat {
             .order = order_of(*on) - std::min(model.order, order_of(*on)),
             .radius_mm = radius(base) + limb.joint * (radius(tip) - radius(base)),
         };
@@ -89,8 +89,8 @@ private:
     // The plant that a part was built from, or, of a limb, that it is modelled on.
     struct PartModel {
         BasePlant const* base = nullptr;
-        PartLooks looks {};      // Its looks in the whole.
-        std::uint32_t order = 0; // Branching order of its stems in the whole.
+        AppearanceOffsets looks {}; // Its looks in the whole.
+        std::uint32_t order = 0;    // Branching order of its stems in the whole.
     };
 
     PlantAddresses addresses() const { return PlantAddresses(parts_); }

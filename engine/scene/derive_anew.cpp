@@ -73,7 +73,7 @@ std::optional<DeriveAnew> derive_anew(Scene const& scene, variation::PlantKey co
     if (!before)
         return std::nullopt;
     auto const alone = active_plant_alone(scene);
-    OwnSeeds const own_seeds(alone, share);
+    SeedAssignment const own_seeds(alone, share);
     if (!own_seeds.has(key))
         return std::nullopt;
     auto const own = own_seeds.scene_of(alone, key);

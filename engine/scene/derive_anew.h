@@ -26,9 +26,9 @@ struct DeriveAnew {
     std::vector<PathAddress> at {};        // Where each of them is then.
 };
 
-// Returns the edit that derives the active plant as OwnSeeds (varied_scene.h) does for the plant of
-// `key`, if that were the only one of the document; no value if its segments stay. `share` as in
-// Individuality::seeds.
+// Returns the edit that derives the active plant as SeedAssignment (varied_scene.h) does for the
+// plant of `key`, if that were the only one of the document; no value if its segments stay. `share`
+// as in Individuality::seeds.
 std::optional<DeriveAnew> derive_anew(Scene const& scene, variation::PlantKey const& key,
                                       double share);
 

@@ -16,7 +16,7 @@ Paper paper_of(DocumentState const& state)
         return paper;
     if (auto const own = paper_of(*plant))
         return *own;
-    paper.stands_mm = plant->stands_at_mm;
+    paper.world_point_mm = plant->stands_at_mm;
     paper.base_mm.x() = plant->stands_at_mm.x();
     return paper;
 }

@@ -14,7 +14,7 @@ namespace tractus::scene {
 struct Paper {
     // Position of the base on the sheet, in tablet-centred millimetres.
     Vec2 base_mm = Vec2::Zero();
-    Vec3 stands_mm = Vec3::Zero(); // Position of the same point in the world.
+    Vec3 world_point_mm = Vec3::Zero(); // Position of the same point in the world.
     // World millimetres per millimetre of the sheet: 1, except for plants that were drawn smaller
     // because they are farther away (picture_ground.h).
     double unit = 1;
@@ -22,13 +22,13 @@ struct Paper {
     Vec3 world_of_sheet(Vec2 const& sheet_mm) const
     {
         Vec2 const off = unit * (sheet_mm - base_mm);
-        return stands_mm + Vec3(off.x(), 0, off.y());
+        return world_point_mm + Vec3(off.x(), 0, off.y());
     }
 
     // Projects a point onto the sheet, along y.
     Vec2 sheet_of_world(Vec3 const& world_mm) const
     {
-        Vec3 const off = world_mm - stands_mm;
+        Vec3 const off = world_mm - world_point_mm;
         return base_mm + Vec2(off.x(), off.z()) / unit;
     }
 };

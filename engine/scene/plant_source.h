@@ -126,12 +126,12 @@ public:
 
     bool can_vary() const { return !empty() && kind_->vary; }
 
-    bool can_take_rules() const { return !empty() && kind_->with_rules; }
+    bool accepts_rules() const { return !empty() && kind_->with_rules; }
 
     PlantSource with_rules(std::optional<SourceRules> const& rules) const
     {
         auto other = *this;
-        if (can_take_rules())
+        if (accepts_rules())
             other.drawn_ = kind_->with_rules(drawn_.get(), rules);
         return other;
     }

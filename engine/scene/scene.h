@@ -31,7 +31,7 @@ struct BuiltPlant {
     // and shared between successive scenes, the views and the threads that grow it.
     std::shared_ptr<Plant const> base = std::make_shared<Plant const>();
     variation::SharedRestShape rest {}; // The rest shape of `base`.
-    // `dressed` is `base` with the leaves chosen for the plant; `in_season` is that in the
+    // `foliated` is `base` with the leaves chosen for the plant; `in_season` is that in the
     // document's season, with different organs on the same segments. `in_season` is the plant that
     // grows.
     std::shared_ptr<Plant const> foliated = base;

@@ -4,7 +4,7 @@
 #include "engine/scene/lsystem_source.h"
 #include "engine/scene/scene_builder.h"
 #include "engine/variation/individual.h"
-#include "engine/variation/like_branches.h"
+#include "engine/variation/similar_branches.h"
 
 #include <algorithm>
 #include <limits>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::uint32_t kModelSeeds = 0x6D6F6400; // Random stream of the seeds of models.
 constexpr std::uint32_t kMaxSeeds = 6;
-// Branches that differ less than this (LikeBranches::greatest_difference()) are alike enough for
+// Branches that differ less than this (SimilarBranches::greatest_difference()) are alike enough for
 // the strokes drawn on them, so that no further seed is tried.
 constexpr double kAlike = 0.5;
 
@@ -74,10 +74,10 @@ std::optional<DocumentState> reseeded(DocumentState state, std::uint64_t seed, s
 
 // Moves the strokes of a plant to the branches of another individual, `grown`, that are most
 // similar to those that they were drawn on, `drawn`. A stroke without such a branch stays at its
-// address. Returns how much the branches differ at most (LikeBranches::greatest_difference()).
+// address. Returns how much the branches differ at most (SimilarBranches::greatest_difference()).
 double move_strokes(PlantState& state, BuiltPlant const& drawn, BuiltPlant const& grown)
 {
-    variation::LikeBranches branches(*drawn.base, *grown.base);
+    variation::SimilarBranches branches(*drawn.base, *grown.base);
     for (std::size_t i = 0; i < drawn.associations.size(); ++i) {
         auto const& association = drawn.associations[i].what;
         if (association.is_orphaned)
@@ -165,17 +165,17 @@ Scene active_plant_alone(Scene const& scene)
     return alone ? *std::move(alone) : scene;
 }
 
-OwnSeeds::OwnSeeds(Scene const& scene, double share)
+SeedAssignment::SeedAssignment(Scene const& scene, double share)
     : share_(share > 0 && has_stochastic_models(scene) ? share : 0)
 {
 }
 
-bool OwnSeeds::has(variation::PlantKey const& key) const
+bool SeedAssignment::has(variation::PlantKey const& key) const
 {
     return variation::has_own_seed(key, { .seeds = share_ });
 }
 
-Scene OwnSeeds::scene_of(Scene const& scene, variation::PlantKey const& key) const
+Scene SeedAssignment::scene_of(Scene const& scene, variation::PlantKey const& key) const
 {
     return has(key) ? with_own_seed(scene, key.seed, key.plant_index) : scene;
 }

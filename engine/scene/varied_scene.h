@@ -20,12 +20,12 @@ Result<Scene> varied(Scene const& scene, SourceVariation const& variation);
 
 // Decides which plants of a collection have a seed of their own for their models' stochastic rules,
 // and derives those.
-class OwnSeeds {
+class SeedAssignment {
 public:
-    OwnSeeds() = default; // No plant has one.
+    SeedAssignment() = default; // No plant has one.
 
     // `share` as in Individuality::seeds. Without stochastic rules in the scene no plant has one.
-    OwnSeeds(Scene const& scene, double share);
+    SeedAssignment(Scene const& scene, double share);
 
     // True if the plant of `key` is derived by a seed of its own.
     bool has(variation::PlantKey const& key) const;

@@ -21,7 +21,7 @@ Result<DocumentState> applied(DocumentState state, WriteRules const& edit, Scene
 {
     auto const number = TRY(plant_number(state, edit.plant));
     auto const& source = state.plants[number]->source;
-    if (!source.can_take_rules())
+    if (!source.accepts_rules())
         return fail(Fault::User,
                     fmt::format("plant {} has no rules that one could write", name_of(edit.plant)));
     auto other

@@ -8,7 +8,7 @@
 namespace tractus::scene {
 
 // Sets the rules of a plant's model whose numbers come from a drawing
-// (PlantSource::can_take_rules()). Items drawn on the plant's branches are kept.
+// (PlantSource::accepts_rules()). Items drawn on the plant's branches are kept.
 struct WriteRules {
     static EditKind const kKind;
 

@@ -9,7 +9,7 @@ namespace tractus {
 // Number of control points that remain after all reverse rounds: enough for a helix of three turns.
 constexpr std::size_t kControlPoints = 18;
 
-std::vector<Vec3> smooth_hand(std::span<Vec3 const> points, double detail_weight)
+std::vector<Vec3> smooth_hand_line(std::span<Vec3 const> points, double detail_weight)
 {
     CHECK(points.size() >= 2);
     CHECK(detail_weight >= 0 && detail_weight <= 1);

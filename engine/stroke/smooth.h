@@ -15,6 +15,6 @@ namespace tractus {
 // the curve alone. `points`: at least two distinct ones. Both ends keep their positions. Below 1
 // the result has different points from the input, evenly spaced before smoothing, and at least as
 // many.
-std::vector<Vec3> smooth_hand(std::span<Vec3 const> points, double detail_weight);
+std::vector<Vec3> smooth_hand_line(std::span<Vec3 const> points, double detail_weight);
 
 } // namespace tractus

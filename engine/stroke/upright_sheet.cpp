@@ -6,7 +6,7 @@
 
 namespace tractus {
 
-StrokeSurface decide_surface(std::vector<TipSample> const& tips, StrokeSurface wanted)
+StrokeSurface resolve_surface(std::vector<TipSample> const& tips, StrokeSurface wanted)
 {
     if (wanted != StrokeSurface::Decided || tips.empty())
         return wanted == StrokeSurface::Paper ? StrokeSurface::Paper : StrokeSurface::Space;

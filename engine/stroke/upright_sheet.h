@@ -16,7 +16,7 @@ enum class StrokeSurface {
 };
 
 // Resolves Decided to Space or Paper for these tips; returns the other values unchanged.
-StrokeSurface decide_surface(std::vector<TipSample> const& tips, StrokeSurface wanted);
+StrokeSurface resolve_surface(std::vector<TipSample> const& tips, StrokeSurface wanted);
 
 // Returns the stroke's tips in the plant's frame: millimetres, z up. On paper a height above that
 // of pen-down is towards the user: (x, height at pen-down - height, y).

@@ -62,7 +62,8 @@ struct Association {
     Stroke stroke {}; // World frame, at any scale: only its shape matters.
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
-    double detail_weight = 1; // Share of the hand's detail that is kept, 0 to 1: see smooth_hand().
+    double detail_weight
+        = 1; // Share of the hand's detail that is kept, 0 to 1: see smooth_hand_line().
     StrokeLaying laying = StrokeLaying::LeastTwist;
 
     // Descendants of the path that do not take the stroke, in ascending order: limbs that were

@@ -42,7 +42,7 @@ std::vector<AxisAge> find_axis_ages(Plant const& plant, RestShape const& rest);
 
 // Maturity, from 0 to 1, of a part that was born at the age `birth` (0 to kSkeletonShare), in a
 // plant of the given age. 1 for the whole plant.
-inline double ripeness(double age, double birth)
+inline double maturity(double age, double birth)
 {
     return std::clamp((age - birth) / (1 - birth), 0.0, 1.0);
 }

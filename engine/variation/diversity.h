@@ -13,7 +13,7 @@ namespace tractus::variation {
 // corresponding nodes. Both lists have the same size; 0 for empty ones.
 double distance_mm(std::span<Vec3 const> one, std::span<Vec3 const> other);
 
-// Statistics of several distances.
+// Number, mean and standard deviation of distances between plants (distance_mm()).
 struct DistanceSpread {
     std::size_t count = 0;
     double mean_mm = 0;

@@ -67,7 +67,7 @@ Grower::Grower(GrowthPlan const& plan)
     : plan_(plan)
     , plant_(plan.base)
     , parent_frame_(plan.parent_frame.size(), Quat::Identity())
-    , sagger_(plan)
+    , sag_simulator_(plan)
 {
 }
 
@@ -86,7 +86,7 @@ Plant const& Grower::grow(PlantKey const& key, double age, std::stop_token const
     if (stop.stop_requested())
         return plant_;
     if (plan_.parameters.sag > 0)
-        sagger_.sag(plant_, parent_frame_, stop);
+        sag_simulator_.sag(plant_, parent_frame_, stop);
     if (stop.stop_requested())
         return plant_;
     carry_organs(plan_, parent_frame_, plant_);
@@ -119,7 +119,7 @@ void Grower::age_plant(double age)
             for (std::uint32_t i = 0; i <= axis.segment_count; ++i) {
                 auto const node = axis.first_node + i;
                 plant_.node_radius_mm[node] = base.node_radius_mm[node]
-                    * static_cast<float>(ripeness(age, axis_age.birth_at(along_mm)));
+                    * static_cast<float>(maturity(age, axis_age.birth_at(along_mm)));
                 if (i < axis.segment_count)
                     along_mm += plan_.segments[axis.first_segment + i].length_mm;
             }

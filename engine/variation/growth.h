@@ -46,7 +46,7 @@ private:
     Plant plant_;
     // By parent segment (GrowthPlan::parent_frame): its frame after growth.
     std::vector<Quat> parent_frame_;
-    Sagger sagger_;
+    SagSimulator sag_simulator_;
     std::optional<YoungLeaves> young_leaves_; // Created when a young plant is first grown.
     bool is_aged_ = false; // The radii and sizes of plant_ differ from the base plant's.
 };

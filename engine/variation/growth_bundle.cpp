@@ -110,7 +110,7 @@ AxisProgress GrowthBundle::progress_of(AxisId axis) const
     if (age_ >= 1)
         return { length_mm, 1 };
     auto const& age = plan_.axes[axis].age;
-    return { std::min(age.along_at_mm(age_), length_mm), ripeness(age_, age.birth_at(length_mm)) };
+    return { std::min(age.along_at_mm(age_), length_mm), maturity(age_, age.birth_at(length_mm)) };
 }
 
 // Returns the segment of an axis at a number from its base, or one of its other segments if the

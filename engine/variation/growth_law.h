@@ -101,7 +101,7 @@ struct GrowthStep {
     int substeps = 1;
 };
 
-// Returns the step of Steps::PerSegment, without its delay.
+// Returns the coefficients of one step with Steps::PerSegment, ignoring the delay.
 GrowthStep unit_step(GrowthParameters const& parameters);
 
 // Returns the exact step over `length` (0 or more, in units of a step) for Steps::PerLength without

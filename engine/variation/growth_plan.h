@@ -37,20 +37,20 @@ struct GrowthPlan {
 
     // Offsets and orientations are in the frame of the parent segment, or in the plant frame on the
     // ground.
-    struct AxisSeat {
+    struct AxisAttachment {
         Seat seat;
         Vec3 offset_mm = Vec3::Zero(); // From the seat's node to the axis' base; usually zero.
         AxisAge age;
     };
 
-    struct OrganSeat {
+    struct OrganAttachment {
         Seat seat;
         Vec3 offset_mm = Vec3::Zero();
         Quat orientation = Quat::Identity();
         double birth = 0; // Age of the plant at which the organ appears, 0 to kSkeletonShare.
     };
 
-    struct PolygonSeat {
+    struct PolygonAttachment {
         Seat seat;
         double birth = 0;
     };
@@ -61,9 +61,9 @@ struct GrowthPlan {
 
     AxisLevels levels;
     std::vector<Segment> segments; // In the plant's order; also the following lists.
-    std::vector<AxisSeat> axes;
-    std::vector<OrganSeat> organs;
-    std::vector<PolygonSeat> polygons;
+    std::vector<AxisAttachment> axes;
+    std::vector<OrganAttachment> organs;
+    std::vector<PolygonAttachment> polygons;
     std::vector<Vec3> vertex_offset_mm; // Polygon vertices relative to the seat of their polygon.
     // Normals of nodes with a section that is not round (Plant::node_section), in the frame of the
     // segment that begins there, or of the axis' last. Empty if all sections are round; otherwise

@@ -41,7 +41,7 @@ double sag_angle(double softness, double sine, double cosine)
 } // namespace
 
 // Computes the mass and moment of each segment with its descendants, at present positions.
-void Sagger::find_loads(Plant const& plant)
+void SagSimulator::find_loads(Plant const& plant)
 {
     load_.assign(plant.segment_count(), {});
     for (std::size_t id = plant.axes.size(); id-- > 0;) { // Children have higher numbers.
@@ -68,7 +68,7 @@ void Sagger::find_loads(Plant const& plant)
     }
 }
 
-void Sagger::bend_axis(AxisId id, Plant& plant)
+void SagSimulator::bend_axis(AxisId id, Plant& plant)
 {
     auto const& axis = plant.axes[id];
     auto& position = plant.node_position_mm;
@@ -113,7 +113,7 @@ void Sagger::bend_axis(AxisId id, Plant& plant)
     }
 }
 
-void Sagger::bend(Plant& plant)
+void SagSimulator::bend(Plant& plant)
 {
     for_each_level(plan_.levels, [&](std::span<AxisId const> axes) {
         for (auto const id : axes)
@@ -121,7 +121,7 @@ void Sagger::bend(Plant& plant)
     });
 }
 
-void Sagger::sag(Plant& plant, std::span<Quat> parent_frame, std::stop_token const& stop)
+void SagSimulator::sag(Plant& plant, std::span<Quat> parent_frame, std::stop_token const& stop)
 {
     grown_mm_ = plant.node_position_mm;
     turn_.assign(plant.segment_count(), Quat::Identity());

@@ -16,10 +16,10 @@ namespace tractus::variation {
 // straight down. Loads are evaluated in the deformed position, in a few iterations; for bends up to
 // about 30 degrees the result is within about one per cent of the rod's equilibrium. Organs have no
 // weight, and there is no torsion.
-class Sagger {
+class SagSimulator {
 public:
     // `plan` must outlive the sagger.
-    explicit Sagger(GrowthPlan const& plan)
+    explicit SagSimulator(GrowthPlan const& plan)
         : plan_(plan)
     {
     }

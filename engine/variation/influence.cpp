@@ -38,7 +38,7 @@ private:
 };
 
 void add_local(Plant const& plant, std::span<Vec3 const> nodes_mm, LocalInfluence const& influence,
-               std::span<AxisRest const> where, std::vector<Vec3>& local)
+               std::span<AxisRemainder const> where, std::vector<Vec3>& local)
 {
     constexpr std::size_t kAxesPerPiece = 256;
     parallel_for(where.size(), kAxesPerPiece, [&](std::size_t begin, std::size_t end) {
@@ -54,9 +54,9 @@ void add_local(Plant const& plant, std::span<Vec3 const> nodes_mm, LocalInfluenc
 }
 
 // Returns the segments on which an indicator acts, without duplicates.
-std::vector<AxisRest> places_of(Plant const& plant, MotionIndicator const& indicator)
+std::vector<AxisRemainder> places_of(Plant const& plant, MotionIndicator const& indicator)
 {
-    std::vector<AxisRest> places;
+    std::vector<AxisRemainder> places;
     if (indicator.below.empty()) {
         for (AxisId id = 0; id < plant.axes.size(); ++id)
             places.push_back({ id, plant.axes[id].first_segment });

@@ -26,7 +26,7 @@ constexpr double kPressedDown = 0.1;
 class LimbMaker {
 public:
     LimbMaker(Plant const& plant, RestShape const& rest, std::span<LimbPoint const> points,
-              LimbSeat const& seat)
+              LimbAttachment const& seat)
         : plant_(plant)
         , rest_(rest)
         , curve_(points, seat)
@@ -149,7 +149,7 @@ private:
     Plant const& plant_;
     RestShape const& rest_;
     LimbCurve curve_;
-    LimbSeat const& seat_;
+    LimbAttachment const& seat_;
     AxisId id_; // Of the pattern.
     Axis const& pattern_;
     double ratio_ = 1;   // Length of the limb divided by that of the pattern.
@@ -163,7 +163,7 @@ private:
 } // namespace
 
 Plant make_limb(Plant const& plant, RestShape const& rest, std::span<LimbPoint const> points,
-                LimbSeat const& seat)
+                LimbAttachment const& seat)
 {
     return LimbMaker(plant, rest, points, seat).make();
 }

@@ -18,7 +18,7 @@ struct LimbPoint {
 };
 
 // The place where a limb is joined to its bearer.
-struct LimbSeat {
+struct LimbAttachment {
     std::uint32_t order = 0;        // Branching order of the bearer.
     Vec3 direction = Vec3::UnitZ(); // Direction of the bearer there; unit vector.
     double radius_mm = 0;           // Radius of the bearer there; 0 if it is not known.
@@ -49,6 +49,6 @@ AxisId pattern_for_limb(Plant const& plant, RestShape const& rest, std::uint32_t
 // The limb's first axis is the limb itself and begins at the origin. Numbers of materials, shapes
 // and contours are those in `plant`; the limb has copies of them.
 Plant make_limb(Plant const& plant, RestShape const& rest, std::span<LimbPoint const> points,
-                LimbSeat const& seat);
+                LimbAttachment const& seat);
 
 } // namespace tractus::variation

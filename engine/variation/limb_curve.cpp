@@ -32,7 +32,7 @@ Vec3 start_direction(std::span<LimbPoint const> points, double reach_mm)
 
 } // namespace
 
-LimbCurve::LimbCurve(std::span<LimbPoint const> points, LimbSeat const& seat)
+LimbCurve::LimbCurve(std::span<LimbPoint const> points, LimbAttachment const& seat)
 {
     CHECK(points.size() >= 2);
     join(points, seat);
@@ -55,7 +55,7 @@ void LimbCurve::add(LimbPoint const& point)
 
 // A limb leaves its bearer at an acute angle and turns into the stroke: a cubic Hermite curve. From
 // inside the bearer's wood it leads straight out.
-void LimbCurve::join(std::span<LimbPoint const> points, LimbSeat const& seat)
+void LimbCurve::join(std::span<LimbPoint const> points, LimbAttachment const& seat)
 {
     Vec3 const to_mm = points.front().place_mm;
     double const far_mm = to_mm.norm();

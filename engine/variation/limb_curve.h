@@ -12,7 +12,7 @@ namespace tractus::variation {
 class LimbCurve {
 public:
     // `points`: at least two distinct ones.
-    LimbCurve(std::span<LimbPoint const> points, LimbSeat const& seat);
+    LimbCurve(std::span<LimbPoint const> points, LimbAttachment const& seat);
 
     double length_mm() const { return length_to_mm_.back(); }
 
@@ -28,7 +28,7 @@ public:
 
 private:
     void add(LimbPoint const& point);
-    void join(std::span<LimbPoint const> points, LimbSeat const& seat);
+    void join(std::span<LimbPoint const> points, LimbAttachment const& seat);
 
     std::vector<LimbPoint> points_;
     std::vector<double> length_to_mm_; // Arc length to each point.

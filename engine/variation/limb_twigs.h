@@ -38,7 +38,7 @@ private:
 
     // What the pattern bears at a node: twigs with all that they bear, and numbers of organs and
     // polygons at the node or on the twigs.
-    struct Borne {
+    struct NodeAttachments {
         std::vector<AxisId> axes;
         std::vector<std::size_t> organs;
         std::vector<std::size_t> polygons;
@@ -61,7 +61,7 @@ private:
     RestShape const& rest_;
     AxisId pattern_;
     double scale_;
-    std::unordered_map<SegmentId, Borne> borne_; // By segment of the pattern.
+    std::unordered_map<SegmentId, NodeAttachments> borne_; // By segment of the pattern.
     // Copies of segments and axes at the latest node, by their numbers in the plant.
     std::unordered_map<SegmentId, SegmentId> segments_;
     std::unordered_map<AxisId, Copy> axes_;

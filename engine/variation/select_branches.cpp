@@ -33,7 +33,7 @@ Selection axes_of_order(Plant const& plant, std::uint32_t order)
     return selection;
 }
 
-Selection siblings_alike(Plant const& plant, SegmentId segment)
+Selection similar_siblings(Plant const& plant, SegmentId segment)
 {
     auto const& like = plant.axes[axis_of(plant, segment)];
     double const length_mm = axis_length_mm(plant, like);

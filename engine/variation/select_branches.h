@@ -20,7 +20,7 @@ Selection axes_of_order(Plant const& plant, std::uint32_t order);
 
 // Returns the axis of a segment and its similar siblings: axes with the same parent axis and half
 // to twice its length. All complete, in the plant's order.
-Selection siblings_alike(Plant const& plant, SegmentId segment);
+Selection similar_siblings(Plant const& plant, SegmentId segment);
 
 // Returns all segments that are not selected, as paths along one axis each.
 Selection inverted(Plant const& plant, Selection const& selection);

@@ -55,13 +55,13 @@ private:
     std::vector<SegmentId> undetermined_;
 };
 
-// A pen that draws over a projected skeleton; make one for each stroke. The way between two samples
+// A pen that draws over a projected skeleton; make one per stroke. The line between two samples
 // is walked in steps of at most one unit of the plane, so that a fast movement misses no thin
 // branch.
 //
 // Normally the frontmost segment is touched. Exception: once a path has begun, a point where
 // several branches overlap is ambiguous and determines only their last common ancestor, which is
-// touched; the further way of the pen shows which branch was meant. So the trunk can be followed
+// touched; the rest of the stroke shows which branch was meant. So the trunk can be followed
 // behind branches that grow towards the viewer.
 class SelectionPen {
 public:

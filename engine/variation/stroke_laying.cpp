@@ -157,11 +157,11 @@ double start_share(std::span<double const> lengths_mm, std::optional<double> fir
     return std::clamp(shown, kMinStartShare, kMaxStartShare);
 }
 
-ShownStroke shown_stroke(ArcLength const& curve, std::span<double const> lengths_mm, StrokeFit fit,
-                         double share)
+SampledStroke sample_stroke(ArcLength const& curve, std::span<double const> lengths_mm,
+                            StrokeFit fit, double share)
 {
     double const total_mm = std::accumulate(lengths_mm.begin(), lengths_mm.end(), 0.0);
-    ShownStroke shown;
+    SampledStroke shown;
     shown.directions.reserve(lengths_mm.size());
     shown.direction = start_of(curve, share);
     Vec3 before = shown.direction;

@@ -60,7 +60,7 @@ std::optional<double> first_turn_share(ArcLength const& curve);
 double start_share(std::span<double const> lengths_mm, std::optional<double> first_turn);
 
 // A stroke sampled by a chain of segments.
-struct ShownStroke {
+struct SampledStroke {
     std::vector<Vec3> directions;   // One unit vector per segment, as drawn.
     Vec3 direction = Vec3::UnitZ(); // Unit vector: the direction by which the stroke is aligned.
 };
@@ -68,8 +68,8 @@ struct ShownStroke {
 // Samples the stroke by arc length. With StrokeFit::Start its direction is that of its first
 // `share`; otherwise it is its chord. If the stroke turns back on itself, a segment takes the
 // direction of the one before.
-ShownStroke shown_stroke(ArcLength const& curve, std::span<double const> lengths_mm, StrokeFit fit,
-                         double share);
+SampledStroke sample_stroke(ArcLength const& curve, std::span<double const> lengths_mm,
+                            StrokeFit fit, double share);
 
 // Returns the direction of a branch by the same measure: of the first `share` of its length with
 // StrokeFit::Start, otherwise from its base to its tip. `frames`: those of its segments

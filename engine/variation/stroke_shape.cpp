@@ -76,7 +76,7 @@ Result<ArcLength> curve_of(Stroke const& stroke, StrokeFit fit, double detail_we
             fmt::format("{} of the hand cannot be kept: give a share from 0 to 1", detail_weight));
     auto const tips = TRY(stroke.tips.in_memory());
     auto const points = TRY(stroke_points({ tips }));
-    ArcLength curve(smooth_hand(points, detail_weight));
+    ArcLength curve(smooth_hand_line(points, detail_weight));
     if (fit == StrokeFit::Chord && chord_of(curve).norm() <= kNoChord * curve.length_mm())
         return fail(Fault::User,
                     "the stroke ends where it began, so it has no chord to lay along the "
@@ -148,7 +148,7 @@ void show_along_path(std::span<SegmentId const> path, RestShape const& rest, Arc
         frames.push_back(rest.frame[segment]);
     }
     double const share = start_share(lengths_mm, stroke.first_turn);
-    auto const shown = shown_stroke(curve, lengths_mm, stroke.fit, share);
+    auto const shown = sample_stroke(curve, lengths_mm, stroke.fit, share);
     stroke.path_aim = aim_of_stroke(shown.direction, stroke.reach);
     stroke.path_direction = branch_direction(frames, lengths_mm, stroke.fit, share);
     for (std::size_t i = 0; i < path.size(); ++i)

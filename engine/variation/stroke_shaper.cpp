@@ -229,7 +229,7 @@ void StrokeShaper::lay_by_heading_along(AxisId id, StrokeShape const& stroke, Qu
         = std::span(rest_.length_mm).subspan(axis.first_segment, axis.segment_count);
     auto const rest = std::span(rest_.frame).subspan(axis.first_segment, axis.segment_count);
     double const share = start_share(lengths_mm, stroke.first_turn);
-    auto const shown = shown_stroke(*stroke.curve, lengths_mm, stroke.fit, share);
+    auto const shown = sample_stroke(*stroke.curve, lengths_mm, stroke.fit, share);
     Vec3 const direction
         = (turn * branch_direction(rest, lengths_mm, stroke.fit, share)).normalized();
     Vec2 below = Vec2::UnitX(); // Used only near the vertical.

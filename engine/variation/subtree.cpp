@@ -2,10 +2,10 @@
 
 namespace tractus::variation {
 
-std::vector<AxisRest> subtree_of(Plant const& plant, SegmentId segment)
+std::vector<AxisRemainder> subtree_of(Plant const& plant, SegmentId segment)
 {
     AxisId const first = axis_of(plant, segment);
-    std::vector<AxisRest> subtree { { first, segment } };
+    std::vector<AxisRemainder> subtree { { first, segment } };
     std::vector<bool> is_borne(plant.axes.size());
     for (AxisId id = first + 1; id < plant.axes.size(); ++id) { // Parents come first.
         auto const& axis = plant.axes[id];

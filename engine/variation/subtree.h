@@ -7,13 +7,13 @@
 namespace tractus::variation {
 
 // The segments of one axis from `first` to its tip.
-struct AxisRest {
+struct AxisRemainder {
     AxisId axis = 0;
     SegmentId first = 0;
 };
 
 // Returns the rest of the axis of `segment` from there on, and all descendant axes, in the plant's
 // order.
-std::vector<AxisRest> subtree_of(Plant const& plant, SegmentId segment);
+std::vector<AxisRemainder> subtree_of(Plant const& plant, SegmentId segment);
 
 } // namespace tractus::variation

@@ -53,7 +53,7 @@ private:
     {
         for (auto& stroke : take_strokes())
             document_->draw(std::move(stroke));
-        auto drawn = document_->take_drawn();
+        auto drawn = document_->take_finished_strokes();
         strokes_.insert(strokes_.end(), std::move_iterator(drawn.begin()),
                         std::move_iterator(drawn.end()));
     }

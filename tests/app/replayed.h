@@ -23,7 +23,8 @@ inline Replayed replayed(drivers::Log const& log, station::ReplayOptions options
     auto replay = station::LogReplay::create(log, options).value();
     document::Document document(std::move(scene), document::Document::Working::AtOnce);
     replay.run(document);
-    return { replay.station().counts(), document.newest()->scene, document.take_drawn() };
+    return { replay.station().counts(), document.newest()->scene,
+             document.take_finished_strokes() };
 }
 
 } // namespace tractus

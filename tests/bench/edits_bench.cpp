@@ -72,8 +72,8 @@ public:
 private:
     void plant_tree()
     {
-        document_.make({ [](scene::Scene const&) -> Result<document::WantedStep::Change> {
-            return document::WantedStep::Change {
+        document_.make({ [](scene::Scene const&) -> Result<document::StepRequest::Change> {
+            return document::StepRequest::Change {
                 { scene::LoadModel { .source = { .name = "tree.l", .text = kMonopodialTree },
                                      .steps = kTreeSteps,
                                      .drawn = scene::Drawn::Beside } },
@@ -88,7 +88,7 @@ private:
         auto stroke = hand_.stroke(document_.newest()->scene);
         auto const* const word = stroke.tool.kind().word;
         auto const took = time_of([&] { document_.draw(std::move(stroke)); });
-        for (auto const& drawn : document_.take_drawn()) {
+        for (auto const& drawn : document_.take_finished_strokes()) {
             if (!drawn.refusal.empty())
                 continue;
             hand_.has_done(drawn.tool);

@@ -84,7 +84,7 @@ void step_of_brush(benchmark::State& state)
     for (int i = 0; i < 1'000'000; ++i)
         markers.emplace_back(random.uniform(-9000, 9000), random.uniform(-9000, 9000),
                              random.uniform(0, 20'000));
-    auto const laws = laws_of_brush(oak(), tree.step + 1, oak().internode_mm);
+    auto const laws = brush_growth_laws(oak(), tree.step + 1, oak().internode_mm);
     Vec3 const tip = tree.places.back().position;
     for (auto _ : state) {
         state.PauseTiming();
@@ -104,7 +104,7 @@ void grow_a_life(benchmark::State& state)
     auto const threads = limited_to(state.range(0));
     std::size_t internodes = 0;
     for (auto _ : state) {
-        auto const tree = grow_by_itself(oak(), 52, 1);
+        auto const tree = grow_without_brush(oak(), 52, 1);
         if (!tree) {
             state.SkipWithError(tree.error().message.c_str());
             return;

@@ -93,7 +93,7 @@ public:
         push_reports();
         for (auto& stroke : station_.take_strokes())
             document_.draw(std::move(stroke));
-        (void)document_.take_drawn();
+        (void)document_.take_finished_strokes();
         view_.show(station_, document_);
         benchmark::DoNotOptimize(window::pad_live_curves(view_.state()).data());
         std::chrono::duration<double> const ink = Clock::now() - begin;

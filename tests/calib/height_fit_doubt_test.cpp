@@ -18,7 +18,7 @@ std::vector<HeightCapture> stated_captures(std::vector<double> const& heights_mm
                              .counts = counts_at_height(model, heights_mm[i]).value(),
                              .noise_counts = 1,
                              .readings = 500 });
-    tell_directions(captures);
+    assign_directions(captures);
     return captures;
 }
 

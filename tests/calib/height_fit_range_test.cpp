@@ -21,7 +21,7 @@ std::vector<HeightCapture> exact_captures(HeightModel const& sensor,
     for (double const mm : heights_mm)
         captures.push_back(
             { .ruler_mm = mm, .counts = counts_at_height(sensor, mm).value(), .readings = 100 });
-    tell_directions(captures);
+    assign_directions(captures);
     return captures;
 }
 

@@ -18,7 +18,7 @@ std::vector<HeightCapture> captures_of(HeightModel const& model, std::vector<dou
     std::vector<HeightCapture> captures;
     for (double const height : heights)
         captures.push_back(capture(height, counts_at_height(model, height).value()));
-    tell_directions(captures);
+    assign_directions(captures);
     return captures;
 }
 
@@ -170,7 +170,7 @@ std::vector<HeightCapture> captures_up_and_down(double slack_mm)
         captures.push_back(capture(height, 150 + (height + slack_mm / 2) / 0.12));
     for (double const height : { 300.0, 200.0, 100.0, 0.0 })
         captures.push_back(capture(height, 150 + (height - slack_mm / 2) / 0.12));
-    tell_directions(captures);
+    assign_directions(captures);
     return captures;
 }
 

@@ -251,7 +251,7 @@ TEST(RigFile, KeepsHowTheRigWasCalibrated)
     auto rig = parse_rig(kText, "my.rig.toml").value();
     HeightRecord height { .date = "2026-11-21",
                           .sensor = { "A \"sensor\"", "0003:1209:0001", "7" },
-                          .asked_kind = HeightModelKind::String,
+                          .requested_kind = HeightModelKind::String,
                           .reason = "string: as was asked for",
                           .errors = { 0.1, 0.2 },
                           .slipped = { 1 },

@@ -37,7 +37,7 @@ TEST(Zeroing, TakesTheStringToHaveSlipped)
     EXPECT_FALSE(zeroing.is_told);
     EXPECT_NEAR(height_at(zeroing, capture_after(50, 0, 300)), 300, 1e-3);
     EXPECT_NEAR(zeroing.rig.calibration.height->shifted_counts, 50, 1e-3);
-    EXPECT_GT(zeroing.at_stake_mm, 3) << "5 mm of string, where it runs aslant";
+    EXPECT_GT(zeroing.difference_if_other_cause_mm, 3) << "5 mm of string, where it runs aslant";
 }
 
 TEST(Zeroing, KeepsTheCalibratedHeightsAfterASlip)
@@ -72,7 +72,7 @@ TEST(Zeroing, HasNothingAtStakeForAStringThatHangsPlumb)
     auto rig = aslant_rig();
     rig.height_model = LinearHeight {};
     HeightCapture const captures[] { { .ruler_mm = 0, .counts = 50 } };
-    EXPECT_NEAR(zeroed(rig, captures, 4095)->at_stake_mm, 0, 1e-9);
+    EXPECT_NEAR(zeroed(rig, captures, 4095)->difference_if_other_cause_mm, 0, 1e-9);
 }
 
 TEST(Zeroing, RefusesWhatItCannotZero)

@@ -232,7 +232,7 @@ TEST(ReconnectingSource, LooksForItWhenSomethingHasCome)
         EXPECT_EQ(reads(*source, 1), "-");
     }
     EXPECT_EQ(lists, 1) << "nobody has told of anything";
-    has_come = true; // An event of another device.
+    has_come = true; // The event belongs to another device.
     EXPECT_EQ(reads(*source, 2), "--");
     EXPECT_EQ(lists, 2);
     bus.plugged = { pen_at("/dev/hidraw3") };

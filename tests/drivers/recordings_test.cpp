@@ -105,7 +105,7 @@ DecodedPen decode_pen(Log const& log, std::size_t device, PenDecoder& decoder)
     for (auto const& record : log.records) {
         if (record.device != device)
             continue;
-        use(silence.leave_if_over(decoder, record.time));
+        use(silence.leave_after_silence(decoder, record.time));
         auto const sample = decode_one(decoder, record.time, log.report(record));
         pen.refused += !sample;
         if (!sample || !*sample)
@@ -114,7 +114,8 @@ DecodedPen decode_pen(Log const& log, std::size_t device, PenDecoder& decoder)
         use(*sample);
     }
     if (!log.records.empty())
-        use(silence.leave_if_over(decoder, log.records.back().time + std::chrono::seconds(1)));
+        use(silence.leave_after_silence(decoder,
+                                        log.records.back().time + std::chrono::seconds(1)));
     return pen;
 }
 

@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         auto const header = std::to_integer<unsigned>(rest[0]);
         auto const length = std::min<std::size_t>(header & 0x7F, rest.size() - 1);
         time += std::chrono::milliseconds(header & 0x80 ? 150 : 5);
-        if (auto const gone = silence.leave_if_over(*decoder, time))
+        if (auto const gone = silence.leave_after_silence(*decoder, time))
             watch.see(*gone);
         std::vector<drivers::PenSample> samples;
         (void)decoder->decode(time, rest.subspan(1, length), samples);

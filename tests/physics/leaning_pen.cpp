@@ -25,7 +25,7 @@ double tilt_deg(double along, double up, double noise_deg, Dice& dice)
 
 } // namespace
 
-PenRecording record_pen(NibWay const& way, Holding const& holding, double seconds,
+PenRecording record_pen(NibPath const& way, Holding const& holding, double seconds,
                         Tablet const& tablet, Dice& dice)
 {
     PenRecording recording;
@@ -43,7 +43,7 @@ PenRecording record_pen(NibWay const& way, Holding const& holding, double second
               .position_mm = coil
                   + Vec2(normal(dice, tablet.place_noise_mm), normal(dice, tablet.place_noise_mm)),
               .pressure = 1,
-              .tilt_rad = Vec2(x_deg, tablet.is_y_turned_round ? -y_deg : y_deg) * (kPi / 180),
+              .tilt_rad = Vec2(x_deg, tablet.is_y_inverted ? -y_deg : y_deg) * (kPi / 180),
               .in_range = true,
               .touching = true });
         recording.nibs_mm.push_back(nib);

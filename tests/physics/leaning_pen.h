@@ -20,7 +20,7 @@ struct Hold {
 };
 using Holding = std::function<Hold(double seconds)>;
 // Returns the nib's position on the tablet, in millimetres.
-using NibWay = std::function<Vec2(double seconds)>;
+using NibPath = std::function<Vec2(double seconds)>;
 
 enum class Sight {
     Below, // The tablet locates the point directly below the coil.
@@ -33,9 +33,9 @@ struct Tablet {
     double coil_mm = 10; // Distance of the coil from the nib along the pen.
     Sight sight = Sight::Below;
     double place_noise_mm = 0.02;
-    double tilt_noise_deg = 0.5;    // Noise before tilts are rounded to whole degrees.
-    double tilt_late_s = 0;         // Delay of tilts relative to positions.
-    bool is_y_turned_round = false; // True: the tilt towards the user has the opposite sign.
+    double tilt_noise_deg = 0.5; // Noise before tilts are rounded to whole degrees.
+    double tilt_late_s = 0;      // Delay of tilts relative to positions.
+    bool is_y_inverted = false;  // True: the tilt towards the user has the opposite sign.
     double pen_hz = 133;
 };
 
@@ -44,7 +44,7 @@ struct PenRecording {
     std::vector<drivers::PenSample> samples {};
     std::vector<Vec2> nibs_mm {};
 };
-PenRecording record_pen(NibWay const& way, Holding const& holding, double seconds,
+PenRecording record_pen(NibPath const& way, Holding const& holding, double seconds,
                         Tablet const& tablet, Dice& dice);
 
 } // namespace tractus::physics

@@ -47,7 +47,7 @@ Vec2 loops(double t)
 
 // Returns the movement of a nib in a dent: it trembles, and slides up the side towards which the
 // pen leans, or the opposite one.
-NibWay dent(double moved_mm, Holding const& holding, Dice& dice)
+NibPath dent(double moved_mm, Holding const& holding, Dice& dice)
 {
     double const play_mm = uniform(dice, -0.1, 0.1);
     return [=](double t) {
@@ -123,8 +123,7 @@ bool run_row(Scenario const& scenario, Run const& run)
         Dice dice(seed);
         auto tablet = scenario.tablet;
         tablet.coil_mm = uniform(dice, 8, 12);
-        Vec2 const truth(tablet.coil_mm,
-                         tablet.is_y_turned_round ? -tablet.coil_mm : tablet.coil_mm);
+        Vec2 const truth(tablet.coil_mm, tablet.is_y_inverted ? -tablet.coil_mm : tablet.coil_mm);
         auto const around = leaned_around(uniform(dice, 35, 50), dice);
         auto const fit
             = calib::fit_tilt(record_pen(dent(0, around, dice), around, 20, tablet, dice).samples);
@@ -217,7 +216,7 @@ bool check_tilt(Run const& run)
              Scenario { .name = "noise of 1 degree", .tablet = { .tilt_noise_deg = 1 } },
              Scenario { .name = "noise of 2 degrees", .tablet = { .tilt_noise_deg = 2 } },
              Scenario { .name = "tilts 30 ms late", .tablet = { .tilt_late_s = 0.03 } },
-             Scenario { .name = "y turned round", .tablet = { .is_y_turned_round = true } },
+             Scenario { .name = "y turned round", .tablet = { .is_y_inverted = true } },
              Scenario {
                  .name = "shifted as the tangent", .tablet = { .sight = Sight::Along }, .goal = 0 },
          })

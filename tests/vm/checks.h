@@ -80,7 +80,7 @@ Result<void> compare_strokes(TruthOptions const& options);
 
 // Replays recordings, one after the other, into the session of a drawing, new or continued, as the
 // station's window does.
-Result<void> go_on_with_recordings(controllers::WantedDrawing const& drawing,
+Result<void> go_on_with_recordings(controllers::DrawingRequest const& drawing,
                                    std::vector<std::string> const& logs);
 
 // Checks that two sessions have the same edits, except for the clocks of strokes.

@@ -69,7 +69,7 @@ bool is_same(session::EditRecord const& a, session::EditRecord const& b)
 
 } // namespace
 
-Result<void> go_on_with_recordings(controllers::WantedDrawing const& drawing,
+Result<void> go_on_with_recordings(controllers::DrawingRequest const& drawing,
                                    std::vector<std::string> const& logs)
 {
     for (auto const& name : logs) {

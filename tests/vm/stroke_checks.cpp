@@ -79,7 +79,7 @@ Result<std::vector<document::DrawnStroke>> strokes_of_recording(drivers::Log con
                                 document::Document::Working::AtOnce);
     auto replay = TRY(station::LogReplay::create(log, { .methods = methods::all_methods() }));
     replay.run(document);
-    return document.take_drawn();
+    return document.take_finished_strokes();
 }
 
 } // namespace

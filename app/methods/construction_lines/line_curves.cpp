@@ -310,10 +310,10 @@ Result<std::vector<scene::Edit>> with_other_heading(Shown const& shown, std::siz
 {
     if (place >= lines::kHeadingPlaces.size())
         return fail(Fault::User, "the stem has no such place");
-    auto const stem = TRY(lines::stem_in_hand(shown.active.sketch));
+    auto const stem = TRY(lines::current_stem(shown.active.sketch));
     double const heading_deg = std::round(-kHeadingRange_deg * to / kHeadingHalf);
     return std::vector<scene::Edit> { lines::BendStem {
-        shown.active.plant, lines::first_stem(lines::stem_alone(shown.active.sketch, stem)).id,
+        shown.active.plant, lines::first_stem(lines::sketch_of_stem(shown.active.sketch, stem)).id,
         static_cast<int>(place),
         std::clamp(heading_deg, -lines::kGreatestHeading_deg, lines::kGreatestHeading_deg) } };
 }

@@ -155,7 +155,7 @@ private:
         drawing_.roles[number] = name_of(stroke.role);
         if (stroke.role == Role::Unsure)
             return leave_out(number, stroke.reason);
-        if (stroke.is_turned_round)
+        if (stroke.is_drawn_reversed)
             drawing_.notes.push_back(fmt::format(
                 "stroke {} was drawn from the stem's top: it is turned round", number + 1));
         if (!stroke.of)
@@ -296,7 +296,7 @@ Result<LineDrawing> prepare_drawing(LineSketchFile const& file, Smoothing smooth
         add_stem(drawing.stems, smoothing == Smoothing::Hand ? captured(sketch) : sketch);
     };
     add(file.sketch);
-    std::for_each(file.more_stems.begin(), file.more_stems.end(), add);
+    std::for_each(file.further_stems.begin(), file.further_stems.end(), add);
     for (auto& stem : drawing.stems)
         stem.sketch.organs_per_layer = file.layers;
     return drawing;

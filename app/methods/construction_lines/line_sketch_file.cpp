@@ -152,7 +152,7 @@ Result<void> read_stems(json const& file, LineSketchFile& result)
                                 "v], [u, v]]}}]",
                                 kMaxStrokes));
     for (auto const& stem : stems) {
-        auto const name = fmt::format("stem {}", result.more_stems.size() + 2);
+        auto const name = fmt::format("stem {}", result.further_stems.size() + 2);
         if (!stem.is_object() || !has_value(stem, "stem"))
             return fail(Fault::User,
                         fmt::format("{} has no line: write {{\"stem\": [[u, v], [u, v]]}}", name));
@@ -166,7 +166,7 @@ Result<void> read_stems(json const& file, LineSketchFile& result)
         if (has_value(stem, "nodes_per_layer"))
             sketch.nodes_per_layer
                 = TRY(read_nodes(stem["nodes_per_layer"], "nodes_per_layer of " + name));
-        result.more_stems.push_back(std::move(sketch));
+        result.further_stems.push_back(std::move(sketch));
     }
     return {};
 }
@@ -260,7 +260,7 @@ Result<json> parse_json(std::string_view text, std::string const& name)
 
 // Combines a file's sketch with the values that were given besides it.
 Result<LineSketchFile> read_file_sketch(Result<json> file, std::string const& name,
-                                        GivenBesides const& given)
+                                        SketchOverrides const& given)
 {
     auto const pictures = [&](std::string const& picture) {
         return read_file(std::filesystem::path(name).parent_path() / picture,
@@ -285,13 +285,13 @@ Result<LineSketchFile> read_file_sketch(Result<json> file, std::string const& na
 } // namespace
 
 Result<LineSketchFile> parse_line_sketch(std::string_view text, std::string const& name,
-                                         GivenBesides const& given)
+                                         SketchOverrides const& given)
 {
     return read_file_sketch(parse_json(text, name), name, given);
 }
 
 Result<LineSketchFile> load_line_sketch(std::filesystem::path const& path,
-                                        GivenBesides const& given)
+                                        SketchOverrides const& given)
 {
     constexpr std::size_t kMaxBytes = std::size_t { 2 } << 20;
     auto const name = path.string();

@@ -20,7 +20,7 @@ namespace tractus::lines {
 struct LineSketchFile {
     LineSketch sketch;
     // Further stems of the same plant, each with its own lines.
-    std::vector<LineSketch> more_stems {};
+    std::vector<LineSketch> further_stems {};
     // Unsorted strokes in drawing order (StemRecogniser), in place of all the lines above.
     std::vector<std::vector<Vec3>> strokes;
     // Strokes that begin another stem, by index, and the numbers of nodes of that stem's layers.
@@ -34,7 +34,7 @@ struct LineSketchFile {
 };
 
 // Values that are given besides a sketch's file and override those in it.
-struct GivenBesides {
+struct SketchOverrides {
     std::string pattern;
     std::string sizes {};
     std::optional<double> divergence_deg;
@@ -75,11 +75,11 @@ struct GivenBesides {
 // Values in `given` override those in the file. Fails with a user error that names the file, the
 // place and what to write.
 Result<LineSketchFile> parse_line_sketch(std::string_view text, std::string const& name,
-                                         GivenBesides const& given = {});
+                                         SketchOverrides const& given = {});
 
 // Reads a sketch from a file of at most 2 MiB: JSON as for parse_line_sketch(), or an SVG drawing
 // (.svg; svg_sketch.h).
 Result<LineSketchFile> load_line_sketch(std::filesystem::path const& path,
-                                        GivenBesides const& given = {});
+                                        SketchOverrides const& given = {});
 
 } // namespace tractus::lines

@@ -49,7 +49,7 @@ leaf::PaintOptions paint_options_of(AtlasOptions const& options, leaf::Grammar c
     auto paint = paint_options(grammar, life);
     paint.side = options.cell;
     paint.stand = { .margin = gutter(options.cell) / options.cell,
-                    .middle = leaf::PictureStand::Middle::Stem };
+                    .middle = leaf::PicturePlacement::Middle::Stem };
     paint.has_underside = true;
     paint.larvae.count = options.damage.larvae;
     paint.spots = options.damage.spots;

@@ -218,7 +218,7 @@ Result<lsystem::LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar,
         paint_damage(paint, damage_of_leaf(damage, i));
         paint.side = kCell;
         paint.stand
-            = { .margin = double(kGutter) / kCell, .middle = leaf::PictureStand::Middle::Stem };
+            = { .margin = double(kGutter) / kCell, .middle = leaf::PicturePlacement::Middle::Stem };
         leaf::PictureFrame const frame(grown.triangles, paint.side, paint.stand);
         auto const& picture = painter.paint(grown.leaf, grown.triangles, paint);
         for (auto* page : { &color, &normal })

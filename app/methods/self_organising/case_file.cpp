@@ -94,13 +94,13 @@ private:
     Result<Vec3> read_vector(json const& value, std::string const& key) const
     {
         Vec3 read;
-        bool is_place = value.is_array() && value.size() == 3;
-        for (std::size_t a = 0; is_place && a < 3; ++a) {
-            is_place = value[a].is_number();
-            if (is_place)
+        bool is_place_macro = value.is_array() && value.size() == 3;
+        for (std::size_t a = 0; is_place_macro && a < 3; ++a) {
+            is_place_macro = value[a].is_number();
+            if (is_place_macro)
                 read[static_cast<Eigen::Index>(a)] = value[a].get<double>();
         }
-        if (!is_place || !read.allFinite())
+        if (!is_place_macro || !read.allFinite())
             return fail(Fault::User,
                         fmt::format("{}: {} is no place: write [x, y, z]", name_, key));
         return read;

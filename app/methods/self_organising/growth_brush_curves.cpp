@@ -19,7 +19,7 @@ std::vector<tools::DrawnCurve> growth_brush_curves(scene::BuiltPlant const& plan
         if (!tips || tips->size() < 2)
             continue; // A part without a stroke: the tree grew by itself.
         // The stroke keeps its place on the tree after the tree has moved.
-        auto const& stands_mm = plant.placement.origin_mm;
+        auto const& world_point_mm = plant.placement.origin_mm;
         double const size = plant.placement.scale / part.scale;
         tools::DrawnCurve curve { .edit = scene::edit_of_item(plant.drawn->id),
                                   .name
@@ -27,7 +27,7 @@ std::vector<tools::DrawnCurve> growth_brush_curves(scene::BuiltPlant const& plan
                                                 part.years, part.years == 1 ? "year" : "years") };
         for (auto const& tip : *tips)
             curve.points_mm.emplace_back(
-                (stands_mm + size * (tip.position_mm - part.stands_at_mm)).cast<float>());
+                (world_point_mm + size * (tip.position_mm - part.stands_at_mm)).cast<float>());
         curves.push_back(std::move(curve));
     }
     return curves;

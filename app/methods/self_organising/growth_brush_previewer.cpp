@@ -19,8 +19,8 @@ public:
         using What = GrowthBrushTool::What;
         bool const is_at_once
             = tool.what != What::GoOn && tool.what != What::New && tool.what != What::From;
-        auto life = is_at_once ? Result<BrushedLife>(BrushedLife {})
-                               : brushed_life(tool, ink, *stroke.scene);
+        auto life = is_at_once ? Result<BrushStrokeLife>(BrushStrokeLife {})
+                               : life_of_brush_stroke(tool, ink, *stroke.scene);
         if (is_at_once || !life)
             return {};
         // The preview changes only when another year is complete.
@@ -35,11 +35,11 @@ public:
     }
 
 private:
-    std::vector<tools::SkeletonLine> grow(GrowthBrushTool const& tool, BrushedLife life,
+    std::vector<tools::SkeletonLine> grow(GrowthBrushTool const& tool, BrushStrokeLife life,
                                           scene::Scene const& scene)
     {
         shown_years_ = life.part.years;
-        auto scale = scene.state.scale.value_or(LifePart {}.scale);
+        auto scale = scene.state.scale.value_or(LifePeriod {}.scale);
         GrownTree tree;
         Vec3 stands_at_mm = scene.drawn->stands_at_mm;
         bool const is_from = tool.what == GrowthBrushTool::What::From;
@@ -75,7 +75,7 @@ private:
         return lines;
     }
 
-    // The active plant as the beginning of a tree.
+    // Converts the active plant to a tree from which growth can continue.
     static Result<GrownTree> tree_from(GrowthBrushTool const& tool, scene::Scene const& scene)
     {
         auto const edit = TRY(grow_from_active(scene, habit_of(tool.species), {}));

@@ -86,10 +86,10 @@ bool begins_on_plant(Stroke const& stroke, double radius_mm, scene::Scene const&
     });
 }
 
-Result<std::vector<scene::Edit>> grow_by_itself(GrowthBrushTool const& tool,
-                                                scene::Scene const& scene)
+Result<std::vector<scene::Edit>> grow_without_brush(GrowthBrushTool const& tool,
+                                                    scene::Scene const& scene)
 {
-    LifePart const part { .years = tool.what == What::Year ? 1 : 10 };
+    LifePeriod const part { .years = tool.what == What::Year ? 1 : 10 };
     if (scene.plants.empty())
         return std::vector<scene::Edit> { PlantTree { .habit = habit_of(tool.species),
                                                       .first = part } };
@@ -112,7 +112,7 @@ Result<std::vector<scene::Edit>> edits_for(tools::Tool const& tool, Stroke const
 {
     auto const& options = *tool.get<GrowthBrushTool>();
     if (options.what == What::Year || options.what == What::TenYears)
-        return grow_by_itself(options, scene);
+        return grow_without_brush(options, scene);
     if (options.what == What::AllYear || options.what == What::AllTenYears)
         return std::vector<scene::Edit> { GrowStand { .years
                                                       = options.what == What::AllYear ? 1 : 10 } };
@@ -121,7 +121,7 @@ Result<std::vector<scene::Edit>> edits_for(tools::Tool const& tool, Stroke const
         return std::vector { TRY(grow_from_active(scene, habit, { .years = 1 })) };
     if (options.what == What::Habit || options.what == What::Reseed)
         return change_habit(options, scene);
-    auto life = TRY(brushed_life(options, stroke, scene));
+    auto life = TRY(life_of_brush_stroke(options, stroke, scene));
     if (options.what == What::From)
         return std::vector { TRY(grow_from_active(scene, habit, std::move(life.part))) };
     if (life.plant != 0)
@@ -153,20 +153,20 @@ void visit_species(tools::OptionVisitor& visitor, GrowthBrushTool::Species& spec
         species);
 }
 
-bool is_as_grown(scene::PlantState const& plant)
+bool is_unmodified(scene::PlantState const& plant)
 {
     return plant.strokes.empty() && plant.indicators.empty() && plant.grafts.empty()
         && plant.hidden_branches.empty();
 }
 
-Result<scene::Edit> grow_from_active(scene::Scene const& scene, Habit const& habit, LifePart part)
+Result<scene::Edit> grow_from_active(scene::Scene const& scene, Habit const& habit, LifePeriod part)
 {
     if (scene.plants.empty())
         return fail(Fault::User,
                     "there is no plant from which a tree could grow: draw or open one first");
     auto const& drawn = *scene.drawn;
     auto const* const tree = grown_tree_of(drawn.source);
-    if (tree && is_as_grown(drawn))
+    if (tree && is_unmodified(drawn))
         return scene::Edit(GrowOn { drawn.id, std::move(part) });
     return scene::Edit(GrowFrom { .plant = drawn.id,
                                   .habit = tree ? tree->habit : habit,
@@ -187,20 +187,20 @@ Habit habit_of(GrowthBrushTool::Species species)
     return {};
 }
 
-Result<BrushedLife> brushed_life(GrowthBrushTool const& tool, Stroke const& stroke,
-                                 scene::Scene const& scene)
+Result<BrushStrokeLife> life_of_brush_stroke(GrowthBrushTool const& tool, Stroke const& stroke,
+                                             scene::Scene const& scene)
 {
     auto const tips = TRY(stroke.tips.in_memory());
     if (tips.empty())
         return fail(Fault::User, "the stroke is empty: draw where the tree shall grow");
     double const seconds = to_seconds(tips.back().time - tips.front().time);
-    BrushedLife life { .part = { .years = static_cast<int>(std::clamp(
-                                     std::floor(seconds * tool.years_per_s), 1.0, 100.0)),
-                                 .stroke = stroke,
-                                 .min_radius_mm = tool.min_radius_mm,
-                                 .most_radius_mm = tool.most_radius_mm,
-                                 .waits_outside = true,
-                                 .seconds_per_year = 1 / tool.years_per_s } };
+    BrushStrokeLife life { .part = { .years = static_cast<int>(std::clamp(
+                                         std::floor(seconds * tool.years_per_s), 1.0, 100.0)),
+                                     .stroke = stroke,
+                                     .min_radius_mm = tool.min_radius_mm,
+                                     .most_radius_mm = tool.most_radius_mm,
+                                     .waits_outside = true,
+                                     .seconds_per_year = 1 / tool.years_per_s } };
     bool const is_tree = !scene.plants.empty() && grown_tree_of(scene.drawn->source);
     if (tool.what == What::GoOn && is_tree && begins_on_plant(stroke, tool.most_radius_mm, scene))
         life.plant = scene.drawn->id;

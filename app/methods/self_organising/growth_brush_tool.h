@@ -57,25 +57,26 @@ struct GrowthBrushTool {
 void visit_species(tools::OptionVisitor& visitor, GrowthBrushTool::Species& species);
 
 // True if strokes have not bent the plant, and nothing of it was grafted or hidden.
-bool is_as_grown(scene::PlantState const& plant);
+bool is_unmodified(scene::PlantState const& plant);
 
 // The edit that lets the active plant of a scene grow on as it stands. A self-organising tree that
 // nothing has bent, grafted or hidden grows on as it would have; any other plant becomes wood first
 // (GrowFrom), by `habit` unless it is such a tree. Fails with a user error if there is no plant.
-Result<scene::Edit> grow_from_active(scene::Scene const& scene, Habit const& habit, LifePart part);
+Result<scene::Edit> grow_from_active(scene::Scene const& scene, Habit const& habit,
+                                     LifePeriod part);
 
 // The habit of a species.
 Habit habit_of(GrowthBrushTool::Species species);
 
 // Meaning of a stroke of the tool: a new tree, or further growth of the active one.
-struct BrushedLife {
+struct BrushStrokeLife {
     scene::ItemId plant = 0; // Tree to continue; 0: a new one.
-    LifePart part {};
+    LifePeriod part {};
 };
 
 // Interprets a stroke of the tool. Fails with a user error if the stroke has no tips.
-Result<BrushedLife> brushed_life(GrowthBrushTool const& tool, Stroke const& stroke,
-                                 scene::Scene const& scene);
+Result<BrushStrokeLife> life_of_brush_stroke(GrowthBrushTool const& tool, Stroke const& stroke,
+                                             scene::Scene const& scene);
 
 // Previews the tree, without leaves, as it grows under the pen.
 std::unique_ptr<tools::StrokePreviewer> growth_brush_previewer();

@@ -30,7 +30,7 @@ void visit(tools::OptionVisitor& visitor, PruneTool& tool)
 }
 
 // True if the brush comes near any internode of the plant as it is shown.
-Result<bool> touches(LifePart const& part, scene::Scene const& scene)
+Result<bool> touches(LifePeriod const& part, scene::Scene const& scene)
 {
     auto balls = TRY(brush_balls(part));
     balls = dense_path(balls);
@@ -56,8 +56,8 @@ Result<bool> touches(LifePart const& part, scene::Scene const& scene)
 
 bool has_brushed(GrownTree const& tree)
 {
-    return std::any_of(tree.life.begin(), tree.life.end(), [](LifePart const& part) {
-        return part.kind == LifePart::Kind::Grow && !part.stroke.tips.empty();
+    return std::any_of(tree.life.begin(), tree.life.end(), [](LifePeriod const& part) {
+        return part.kind == LifePeriod::Kind::Grow && !part.stroke.tips.empty();
     });
 }
 
@@ -76,12 +76,12 @@ Result<std::vector<scene::Edit>> prune_edits(tools::Tool const& tool, Stroke con
         return fail(Fault::User,
                     "no brush has swept space for this tree that could be cleared: "
                     "prune it instead");
-    LifePart part { .kind = clears ? LifePart::Kind::Clear : LifePart::Kind::Prune,
-                    .stroke = stroke,
-                    .min_radius_mm = options.min_radius_mm,
-                    .most_radius_mm = options.most_radius_mm,
-                    .stands_at_mm = scene.drawn->stands_at_mm,
-                    .scale = scene.placement.scale };
+    LifePeriod part { .kind = clears ? LifePeriod::Kind::Clear : LifePeriod::Kind::Prune,
+                      .stroke = stroke,
+                      .min_radius_mm = options.min_radius_mm,
+                      .most_radius_mm = options.most_radius_mm,
+                      .stands_at_mm = scene.drawn->stands_at_mm,
+                      .scale = scene.placement.scale };
     TRY(check_life(part));
     if (clears) // The shape of the wood does not matter.
         return std::vector<scene::Edit> { GrowOn { scene.drawn->id, std::move(part) } };

@@ -34,8 +34,9 @@ public:
         auto const built = silhouette::build_tree(*tree);
         if (!built)
             return {};
-        Vec3 const stands_mm = edit->plant == 0 ? edit->stands_at_mm : scene.drawn->stands_at_mm;
-        return lines_of(built->plant, { .scale = tree->scale, .origin_mm = stands_mm }, scene);
+        Vec3 const world_point_mm
+            = edit->plant == 0 ? edit->stands_at_mm : scene.drawn->stands_at_mm;
+        return lines_of(built->plant, { .scale = tree->scale, .origin_mm = world_point_mm }, scene);
     }
 
 private:

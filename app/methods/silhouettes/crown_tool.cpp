@@ -102,7 +102,7 @@ Stroke on_sheet(Stroke stroke, scene::Paper const& paper)
     for (auto tip : stroke.tips) {
         Vec3 const world_mm = tip.position_mm;
         tip.position_mm << paper.sheet_of_world(world_mm),
-            (world_mm.y() - paper.stands_mm.y()) / paper.unit;
+            (world_mm.y() - paper.world_point_mm.y()) / paper.unit;
         tips.push_back(tip);
     }
     stroke.tips = std::move(tips);
@@ -124,12 +124,12 @@ Result<DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke, scene:
     if (tool.fills == FillsOption::BySpacing)
         edit.form.plane_branches = kUsualPlaneBranches;
     // The new tree's sheet is centred on the line and as large as the tablet.
-    paper = { paper.sheet_of_world(Vec3(paper.stands_mm.x(), 0, 0)),
-              Vec3(paper.stands_mm.x(), paper.stands_mm.y(), 0) };
+    paper = { paper.sheet_of_world(Vec3(paper.world_point_mm.x(), 0, 0)),
+              Vec3(paper.world_point_mm.x(), paper.world_point_mm.y(), 0) };
     edit.stroke = on_sheet(stroke, paper);
     line = TRY(silhouette::crown_line_of(edit.stroke));
     Vec2 const middle = silhouette::plan_middle(line);
-    paper.stands_mm.y() += middle.y();
+    paper.world_point_mm.y() += middle.y();
     edit.stroke = on_sheet(stroke, paper);
     edit.ground_mm = Vec2(middle.x(), paper.sheet_of_world(Vec3::Zero()).y());
     edit.stands_at_mm = paper.world_of_sheet(*edit.ground_mm);

@@ -63,7 +63,7 @@ std::string describe_branch(OutlinedTree const& tree, std::uint64_t last_edit)
 // Sentence about lines that were drawn on branches which the tree no longer has.
 std::string describe_waiting(OutlinedTree const& tree)
 {
-    auto const waiting = count_waiting(tree);
+    auto const waiting = count_without_effect(tree);
     if (!waiting || *waiting == 0)
         return {};
     return *waiting == 1

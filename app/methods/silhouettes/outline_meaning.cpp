@@ -37,7 +37,7 @@ bool is_around(std::vector<Vec2> const& points, Drawing const& tree, OutlineTool
 {
     if (tree.outline.empty())
         return has_any_inside(points, tree.trunk)
-            || (reads == OutlineTool::Reads::Closely && reach_into_crown(tree.trunk, points));
+            || (reads == OutlineTool::Reads::Closely && extension_into_crown(tree.trunk, points));
     auto const& crown = tree.outline.front();
     return is_inside(crown, box_of(points).middle()) || is_inside(points, box_of(crown).middle());
 }
@@ -50,7 +50,7 @@ bool is_trunk_of_crown(Drawing const& tree, std::vector<Vec2> const& points)
     auto const& crown = tree.outline.front();
     bool const begins_below
         = points.front().y() < box_of(crown).middle().y() && !is_inside(crown, points.front());
-    return begins_below && (is_inside(crown, points.back()) || reach_into_crown(points, crown));
+    return begins_below && (is_inside(crown, points.back()) || extension_into_crown(points, crown));
 }
 
 // The role of an open line in a tree's drawing, or no value if it does not belong to the tree.
@@ -91,13 +91,13 @@ Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const&
     auto const search = search_of(branches);
     auto const points = points_of(stroke);
     auto const drawing = TRY(drawing_of(tree));
-    if (!comes_back(points)) {
+    if (!is_closed_stroke(points)) {
         auto part = part_on(drawing, TRY(foot_of(tree)), points);
         if (!part && tool.reads == OutlineTool::Reads::Closely
             && is_trunk_of_crown(drawing, points))
             part = Part::Trunk;
         bool const may_be_borne = branches != OutlineTool::Branches::OfTrunk && part != Part::Trunk;
-        if (may_be_borne && TRY(branch_borne_by(tree, stroke, search)))
+        if (may_be_borne && TRY(parent_of_drawn_branch(tree, stroke, search)))
             return Part::OwnBranch;
         return part;
     }
@@ -117,10 +117,10 @@ Result<double> trunk_reach(OutlinedTree tree, Part part, std::vector<Vec2> const
     if (part == Part::Trunk)
         return drawing.outline.empty()
             ? 0
-            : reach_into_crown(points, drawing.outline.front()).value_or(0);
+            : extension_into_crown(points, drawing.outline.front()).value_or(0);
     return has_any_inside(points, drawing.trunk)
         ? 0
-        : reach_into_crown(drawing.trunk, points).value_or(before_mm);
+        : extension_into_crown(drawing.trunk, points).value_or(before_mm);
 }
 
 // The branch's outline with this id; null for the crown's outline and for an unknown id.
@@ -248,7 +248,7 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
             edit.plant = scene.drawn->id;
             return edit;
         }
-    edit.part = comes_back(points) ? Part::Outline : Part::Trunk;
+    edit.part = is_closed_stroke(points) ? Part::Outline : Part::Trunk;
     edit.form = form_of(tool, {});
     if (!scene.plants.empty())
         edit.scale = scene.placement.scale;
@@ -267,7 +267,7 @@ Result<std::optional<scene::Edit>> declared_leaf(OutlineTool const& tool, Stroke
                                                  scene::Scene const& scene)
 {
     auto const points = points_of(stroke);
-    if (!is_touch(points) && comes_back(points))
+    if (!is_touch(points) && is_closed_stroke(points))
         return std::nullopt;
     auto const* const tree = TRY(active_tree(scene));
     auto const id = TRY(outline_around(*tree, stroke));

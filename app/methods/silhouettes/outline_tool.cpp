@@ -5,7 +5,7 @@
 #include "app/methods/silhouettes/outline_meaning.h"
 #include "app/methods/silhouettes/outline_previewer.h"
 #include "engine/methods/silhouettes/outlined_tree.h"
-#include "engine/methods/silhouettes/ready_form.h"
+#include "engine/methods/silhouettes/tree_preset.h"
 
 #include <array>
 #include <cmath>
@@ -47,7 +47,7 @@ constexpr std::array<tools::OptionWord, 3> kBranchesWords { {
     { "of_any", "of what they begin on" },
 } };
 
-// Names in the order of StyleTo.
+// Names in the order of StyleScope.
 constexpr std::array<tools::OptionWord, 3> kStyleWords { {
     { "none", "of one branch" },
     { "siblings", "to its siblings" },
@@ -71,7 +71,7 @@ TreeForm ready_form(OutlineTool const& tool)
 {
     if (tool.form == OutlineTool::Form::Usual)
         return {};
-    return ready_forms()[static_cast<std::size_t>(tool.form) - 1].form;
+    return tree_presets()[static_cast<std::size_t>(tool.form) - 1].form;
 }
 
 void take_numbers_of_form(void* options)

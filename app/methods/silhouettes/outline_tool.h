@@ -37,7 +37,7 @@ struct OutlineTool {
     // branch that is drawn on. Logs from before these options lack them; their lines grow on the
     // trunk, and no style is passed on.
     enum class Branches { OfTrunk, OfNearest, OfAny } branches = Branches::OfAny;
-    silhouette::StyleTo style = silhouette::StyleTo::Siblings;
+    silhouette::StyleScope style = silhouette::StyleScope::Siblings;
 
     // Version of the rules that interpret strokes. New strokes use the latest; logs keep the
     // version they were recorded with.

@@ -27,7 +27,7 @@ double trunk_reach(SilhouetteFile const& file)
     auto const& drawing = file.drawing;
     if (drawing.trunk.empty() || drawing.outline.empty())
         return 0;
-    return reach_into_crown(drawing.trunk, drawing.outline).value_or(0);
+    return extension_into_crown(drawing.trunk, drawing.outline).value_or(0);
 }
 
 // Touches on the crown's bumps are applied before the file's parts, touches inside parts after
@@ -40,7 +40,7 @@ std::vector<BumpTouch> touches_of(SilhouetteFile const& file, TouchesOn which)
     std::erase_if(touches, [&](BumpTouch const& touch) {
         bool const is_in_part
             = std::any_of(file.parts.begin(), file.parts.end(), [&](auto const& part) {
-                  return comes_back(part) && is_inside(part, touch.place);
+                  return is_closed_stroke(part) && is_inside(part, touch.place);
               });
         return is_in_part != (which == TouchesOn::Parts);
     });
@@ -98,12 +98,12 @@ Result<std::vector<Vec2>> leaf_outline(std::vector<Vec2> const& leaf, Drawing co
     return std::move(bump->outline);
 }
 
-Result<void> add_parts(SilhouetteFile& file, SkeletonOptions const& options, StyleTo style_to)
+Result<void> add_parts(SilhouetteFile& file, SkeletonOptions const& options, StyleScope style_to)
 {
     constexpr auto kSearch = Search::AnyLevel;
     for (std::size_t i = 0; i < file.parts.size(); ++i) {
         auto const& part = file.parts[i];
-        auto const added = comes_back(part)
+        auto const added = is_closed_stroke(part)
             ? add_own_outline(file.drawing, part, options, style_to, kSearch)
             : add_own_branch(file.drawing, part, style_to, options, kSearch);
         if (!added)
@@ -164,11 +164,12 @@ public:
         edit_.plant = scene::item_id(1, 0);
     }
 
-    Result<void> draw_parts(SilhouetteFile const& file, StyleTo style_to)
+    Result<void> draw_parts(SilhouetteFile const& file, StyleScope style_to)
     {
         edit_.style_to = style_to;
         for (auto const& part : file.parts)
-            draw(comes_back(part) ? DrawTree::Part::OwnOutline : DrawTree::Part::OwnBranch, part);
+            draw(is_closed_stroke(part) ? DrawTree::Part::OwnOutline : DrawTree::Part::OwnBranch,
+                 part);
         edit_.is_leaf = true;
         for (auto const& leaf : file.leaves) {
             edit_.of_bump = leaf.size() == 1;
@@ -176,7 +177,7 @@ public:
         }
         edit_.of_bump = false;
         edit_.is_leaf = false;
-        edit_.style_to = StyleTo::None;
+        edit_.style_to = StyleScope::None;
         return {};
     }
 
@@ -205,7 +206,7 @@ private:
 
 } // namespace
 
-Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, StyleTo style_to)
+Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, StyleScope style_to)
 {
     auto edits = file.drawing.outline.size() + !file.drawing.trunk.empty() + file.crown_lines.size()
         + file.drawing.branches.size();
@@ -229,7 +230,7 @@ Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, Styl
 }
 
 Result<std::vector<scene::Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree const& first,
-                                                StyleTo style_to)
+                                                StyleScope style_to)
 {
     auto const& drawing = file.drawing;
     bool const has_outline = !drawing.outline.empty();

@@ -13,11 +13,11 @@ namespace tractus::silhouette {
 // and branches, touches on the crown's bumps, parts, leaves, touches inside parts, styles. Sets in
 // `file` which branches the lines belong to. `style_to` says which branches take the style of a
 // branch with parts or leaves. Fails with a user error that names the line.
-Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, StyleTo style_to);
+Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, StyleScope style_to);
 
 // The edits of a pen that draws the file's lines. `first` holds the tree's form and scale. Fails
 // with a user error for an outline of several strokes, and like infer_lines().
 Result<std::vector<scene::Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree const& first,
-                                                StyleTo style_to);
+                                                StyleScope style_to);
 
 } // namespace tractus::silhouette

@@ -52,7 +52,7 @@ Result<Stroke> outline_touched(scene::BackPicture const& picture, Stroke const& 
     auto const way = to_sheet(picture.place, grid);
     auto tip = TRY(touch.tips.in_memory()).front();
     Vec2 const place_mm = tip.position_mm.head<2>();
-    auto outline = TRY(silhouette::crown_in_picture(grid, to_pixels(way).point(place_mm)));
+    auto outline = TRY(silhouette::find_crown_in_picture(grid, to_pixels(way).point(place_mm)));
     outline.push_back(outline.front());
     std::vector<TipSample> tips;
     for (auto const& point : outline) {

@@ -22,7 +22,7 @@ constexpr std::array kNumbers {
     NumberKey { "a", &Rule::angle_deg },           NumberKey { "s", &Rule::lateral_length },
     NumberKey { "v", &Rule::lateral_width },       NumberKey { "T", &Rule::axis_twist_deg },
     NumberKey { "t", &Rule::lateral_twist_deg },   NumberKey { "l_min", &Rule::shortest_mm },
-    NumberKey { "limit", &Rule::most_internodes }, NumberKey { "o", &Rule::gives_way_mm },
+    NumberKey { "limit", &Rule::most_internodes }, NumberKey { "o", &Rule::occupancy_radius_mm },
 };
 
 struct LateralKey {
@@ -93,7 +93,7 @@ Result<Rule> parse_rule(std::string_view text, std::string const& name)
     TRY(table.refuse_unknown_keys());
     if (auto const checked = check_rule(rule); !checked)
         return fail(checked.error().fault, fmt::format("{}: {}", name, checked.error().message));
-    return as_written(rule);
+    return rounded_as_text(rule);
 }
 
 Result<Rule> load_rule(std::filesystem::path const& path)

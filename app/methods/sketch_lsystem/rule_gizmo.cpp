@@ -232,7 +232,7 @@ void drag_rule(void* options, std::size_t handle, Vec2 const& to)
         break;
     case LateralTwist:
         rule.lateral_twist_deg
-            = as_twist_deg(snapped_deg(angle_from_up(to - at.lateral_end) - at.angle, -360, 360));
+            = wrap_angle_deg(snapped_deg(angle_from_up(to - at.lateral_end) - at.angle, -360, 360));
         break;
     case LateralWidth:
         rule.lateral_width
@@ -253,7 +253,7 @@ void drag_rule(void* options, std::size_t handle, Vec2 const& to)
         return;
     }
     }
-    tool = saying_rule(tool, rule);
+    tool = with_options_of_rule(tool, rule);
 }
 
 } // namespace

@@ -257,10 +257,10 @@ sketch::Rule rule_of(SketchTool const& tool)
     rule.lateral_width = tool.lateral_width;
     rule.shortest_mm = tool.shortest_mm > 0 ? tool.shortest_mm : ready_rule_of(tool).shortest_mm;
     double const twist_deg = twist_of_card(tool);
-    rule.axis_twist_deg = as_twist_deg(twist_deg + tool.axis_twist_deg);
-    rule.lateral_twist_deg = as_twist_deg(twist_deg + tool.lateral_twist_deg);
+    rule.axis_twist_deg = wrap_angle_deg(twist_deg + tool.axis_twist_deg);
+    rule.lateral_twist_deg = wrap_angle_deg(twist_deg + tool.lateral_twist_deg);
     rule.lateral_rules = lateral_rules_of(tool, rule);
-    rule.gives_way_mm = tool.room_mm;
+    rule.occupancy_radius_mm = tool.room_mm;
     return rule;
 }
 
@@ -278,7 +278,7 @@ sketch::Rule with_options(sketch::Rule const& rule, SketchTool const& tool)
     return wanted;
 }
 
-bool says_rule(SketchTool const& tool, sketch::Rule const& rule)
+bool matches_rule(SketchTool const& tool, sketch::Rule const& rule)
 {
     constexpr double kSame = 1e-6; // Tolerance between values computed in two ways.
     auto const said = rule_of(tool);
@@ -289,39 +289,39 @@ bool says_rule(SketchTool const& tool, sketch::Rule const& rule)
         && is_same(said.width_ratio, rule.width_ratio)
         && is_same(said.lateral_length, rule.lateral_length)
         && is_same(said.lateral_width, rule.lateral_width)
-        && is_same(as_twist_deg(said.axis_twist_deg - rule.axis_twist_deg), 0)
-        && is_same(as_twist_deg(said.lateral_twist_deg - rule.lateral_twist_deg), 0)
+        && is_same(wrap_angle_deg(said.axis_twist_deg - rule.axis_twist_deg), 0)
+        && is_same(wrap_angle_deg(said.lateral_twist_deg - rule.lateral_twist_deg), 0)
         && is_same(said.shortest_mm, rule.shortest_mm)
-        && is_same(said.gives_way_mm, rule.gives_way_mm)
+        && is_same(said.occupancy_radius_mm, rule.occupancy_radius_mm)
         && (said.lateral_rules == rule.lateral_rules || !stated_laterals(tool, rule));
 }
 
-bool says_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
+bool matches_sketch(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
 {
     if (tool.card == SketchTool::Card::Plant)
         return false;
     if (is_of_model(tool) || grown.model.is_set())
         return grown.model.source == model_of(tool).source;
-    return says_rule(tool, grown.rule);
+    return matches_rule(tool, grown.rule);
 }
 
-SketchTool saying_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
+SketchTool with_options_of_sketch(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
 {
     auto said = tool;
     if (!grown.model.is_set()) {
         if (is_of_model(said))
             said.card = SketchTool::Card::Opposite;
-        return saying_rule(said, grown.rule);
+        return with_options_of_rule(said, grown.rule);
     }
     for (auto card = kCards.size(); card < kCardWords.size(); ++card) {
         said.card = static_cast<SketchTool::Card>(card);
-        if (says_grown(said, grown))
+        if (matches_sketch(said, grown))
             return said;
     }
     return said; // Returns the last preset, which stands for the active plant's own rule.
 }
 
-SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)
+SketchTool with_options_of_rule(SketchTool tool, sketch::Rule const& rule)
 {
     tool.laterals = rule.laterals;
     tool.angle_deg = rule.angle_deg;
@@ -332,15 +332,15 @@ SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule)
     tool.lateral_width = rule.lateral_width;
     tool.go_on_by = stated_laterals(tool, rule).value_or(SketchTool::Laterals::Fork);
     double const twist_deg = twist_of_card(tool);
-    tool.axis_twist_deg = as_twist_deg(rule.axis_twist_deg - twist_deg);
-    tool.lateral_twist_deg = as_twist_deg(rule.lateral_twist_deg - twist_deg);
-    tool.room_mm = rule.gives_way_mm;
+    tool.axis_twist_deg = wrap_angle_deg(rule.axis_twist_deg - twist_deg);
+    tool.lateral_twist_deg = wrap_angle_deg(rule.lateral_twist_deg - twist_deg);
+    tool.room_mm = rule.occupancy_radius_mm;
     tool.shortest_mm = rule.shortest_mm == ready_rule_of(tool).shortest_mm ? 0 : rule.shortest_mm;
     return tool;
 }
 
 // Returns angles that are already in range unchanged, to the last bit.
-double as_twist_deg(double angle_deg)
+double wrap_angle_deg(double angle_deg)
 {
     return std::abs(angle_deg) <= 180 ? angle_deg : std::remainder(angle_deg, 360);
 }

@@ -23,18 +23,18 @@ sketch::Rule rule_of(SketchTool const& tool);
 sketch::Rule with_options(sketch::Rule const& rule, SketchTool const& tool);
 
 // True if the rule agrees with all of the tool's settings except thickness.
-bool says_rule(SketchTool const& tool, sketch::Rule const& rule);
+bool matches_rule(SketchTool const& tool, sketch::Rule const& rule);
 
 // True if the sketch was grown by the tool's rule or model, whatever its random seed.
-bool says_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown);
+bool matches_sketch(SketchTool const& tool, sketch::GrowAlongStroke const& grown);
 
 // The tool with its options set to this rule.
-SketchTool saying_rule(SketchTool tool, sketch::Rule const& rule);
+SketchTool with_options_of_rule(SketchTool tool, sketch::Rule const& rule);
 
 // The tool with its options set to what the active plant has grown by.
-SketchTool saying_grown(SketchTool const& tool, sketch::GrowAlongStroke const& grown);
+SketchTool with_options_of_sketch(SketchTool const& tool, sketch::GrowAlongStroke const& grown);
 
 // Wraps an angle to the range -180 to 180 degrees.
-double as_twist_deg(double angle_deg);
+double wrap_angle_deg(double angle_deg);
 
 } // namespace tractus::sketch

@@ -90,7 +90,7 @@ private:
         auto const& tool = *stroke.tool.get<SketchTool>();
         Stroke const ink { std::vector(stroke.ink.begin(), stroke.ink.end()) };
         auto const again = tool.place == SketchTool::Place::Again
-            ? drawn_again(tool, ink, *stroke.scene)
+            ? regrown_along(tool, ink, *stroke.scene)
             : grown_along(tool, ink, *stroke.scene);
         if (!again)
             return {};

@@ -66,10 +66,10 @@ Result<std::vector<scene::Edit>> draw_again(SketchTool const& tool, Stroke const
                                             scene::Scene const& scene)
 {
     auto const grown = TRY(grown_last(scene));
-    auto again = TRY(drawn_again(tool, stroke, scene));
+    auto again = TRY(regrown_along(tool, stroke, scene));
     return std::vector<scene::Edit> { sketch::RedrawSketch { scene.drawn->id, grown.part,
                                                              again.surface, std::move(again.stroke),
-                                                             again.is_turned_round } };
+                                                             again.is_drawn_reversed } };
 }
 
 // Turns the stroke of the sketch grown last round. Done twice, the plant is again as it was.
@@ -78,7 +78,7 @@ Result<std::vector<scene::Edit>> turn_round(scene::Scene const& scene)
     auto const grown = TRY(grown_last(scene));
     return std::vector<scene::Edit> { sketch::RedrawSketch {
         scene.drawn->id, grown.part, grown.sketch->surface,
-        sketch::turned_round(grown.sketch->stroke), !grown.sketch->is_turned_round } };
+        sketch::turned_round(grown.sketch->stroke), !grown.sketch->is_drawn_reversed } };
 }
 
 // Says that the stroke was turned round, and how to turn it back.
@@ -88,7 +88,7 @@ std::string say_turned(tools::Tool const& tool, scene::Scene const& after)
     auto const place = tool.get<SketchTool>()->place;
     if (place == SketchTool::Place::TurnRound)
         return "The stroke is turned round";
-    if (place == SketchTool::Place::Change || !grown || !grown->sketch->is_turned_round)
+    if (place == SketchTool::Place::Change || !grown || !grown->sketch->is_drawn_reversed)
         return {};
     return "The stroke ran from the tip to the foot and is turned round: \"Turn round\" turns it "
            "back";
@@ -105,7 +105,7 @@ std::vector<scene::Edit> follow(tools::Tool const& before, tools::Tool const& af
         return edits;
     for (auto const& plant : scene.state.plants)
         for (auto const& [part, grown] : sketch::all_grown(*plant))
-            if (says_grown(old, *grown) && !says_grown(options, *grown))
+            if (matches_sketch(old, *grown) && !matches_sketch(options, *grown))
                 edits.push_back(sketch::ChangeSketch { plant->id, part,
                                                        with_options(grown->rule, options),
                                                        grown->leaves, model_for(options, *grown) });
@@ -117,7 +117,7 @@ std::optional<tools::Tool> like_drawn(tools::Tool const& tool, scene::Scene cons
     auto const grown = sketch::newest_grown(*scene.drawn);
     if (!grown)
         return std::nullopt;
-    auto options = saying_grown(*tool.get<SketchTool>(), *grown->sketch);
+    auto options = with_options_of_sketch(*tool.get<SketchTool>(), *grown->sketch);
     options.leaves = grown->sketch->leaves;
     return tools::Tool(options);
 }
@@ -130,7 +130,7 @@ std::vector<Vec3> applications(tools::Tool const& tool, Stroke const& stroke,
     if (options.place == SketchTool::Place::Change || options.place == SketchTool::Place::TurnRound)
         return {};
     auto const grown = options.place == SketchTool::Place::Again
-        ? drawn_again(options, stroke, scene)
+        ? regrown_along(options, stroke, scene)
         : grown_along(options, stroke, scene);
     auto nodes_mm = grown ? sketch::drawn_nodes_mm(*grown) : tl::unexpected(grown.error());
     if (!nodes_mm)
@@ -195,9 +195,9 @@ static void stand_at_foot(sketch::GrowAlongStroke& edit, SketchTool const& tool,
         for (auto const& plant : scene.state.plants)
             ground_mm
                 = std::min(ground_mm.value_or(plant->stands_at_mm.z()), plant->stands_at_mm.z());
-    edit.is_turned_round
-        = sketch::runs_to_its_foot(plant_tips(edit.stroke.tips.vector(), edit.surface), ground_mm);
-    if (edit.is_turned_round)
+    edit.is_drawn_reversed
+        = sketch::is_drawn_to_foot(plant_tips(edit.stroke.tips.vector(), edit.surface), ground_mm);
+    if (edit.is_drawn_reversed)
         edit.stroke = sketch::turned_round(edit.stroke);
 }
 
@@ -214,7 +214,7 @@ Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const
     // A stroke that begins on a branch is in space, even if the surface hardly moves.
     edit.surface = is_on_branch(tool) && tool.surface == StrokeSurface::Decided
         ? StrokeSurface::Space
-        : decide_surface(stroke.tips, tool.surface);
+        : resolve_surface(stroke.tips, tool.surface);
     edit.leaves = tool.leaves;
     if (!scene.plants.empty())
         edit.scale = scene.placement.scale;
@@ -222,13 +222,13 @@ Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const
     return edit;
 }
 
-Result<sketch::GrowAlongStroke> drawn_again(SketchTool const& tool, Stroke const& stroke,
-                                            scene::Scene const& scene)
+Result<sketch::GrowAlongStroke> regrown_along(SketchTool const& tool, Stroke const& stroke,
+                                              scene::Scene const& scene)
 {
     auto again = *TRY(grown_last(scene)).sketch;
     again.stroke = stroke;
-    again.surface = decide_surface(stroke.tips, tool.surface);
-    again.is_turned_round = false;
+    again.surface = resolve_surface(stroke.tips, tool.surface);
+    again.is_drawn_reversed = false;
     if (TRY(grown_last(scene)).part == 0)
         stand_at_foot(again, tool, scene);
     return again;

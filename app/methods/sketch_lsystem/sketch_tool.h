@@ -75,7 +75,8 @@ struct SketchTool {
     double axis_twist_deg = 0;
     double lateral_twist_deg = 0;
     double shortest_mm = 0; // Shortest internode; 0: the preset's value.
-    double room_mm = 0; // Occupancy radius of laterals that give way (Rule::gives_way_mm); 0: none.
+    double room_mm
+        = 0; // Occupancy radius of laterals that give way (Rule::occupancy_radius_mm); 0: none.
     // The end of a stroke at which the plant stands: always the beginning, or the foot, so that a
     // stroke that was drawn down to the ground is turned round (foot_first.h). Logs from before
     // this option existed lack it and get AsDrawn.
@@ -89,8 +90,8 @@ Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const
 
 // The sketch grown last, regrown along this stroke by its own rule. Fails with a user error if
 // there is none.
-Result<sketch::GrowAlongStroke> drawn_again(SketchTool const& tool, Stroke const& stroke,
-                                            scene::Scene const& scene);
+Result<sketch::GrowAlongStroke> regrown_along(SketchTool const& tool, Stroke const& stroke,
+                                              scene::Scene const& scene);
 
 // Makes a plant thin enough to stand on a branch, as far as its rule permits.
 void fit_to_branch(sketch::GrowAlongStroke& grown, tools::BranchPlace const& place);

@@ -369,7 +369,7 @@ void Derivation::write_fixed(PiecePlace const& begin, PiecePlace const& end_plac
         parameters += successors[*kind].read_parameter_count;
     }
     for (; kind != end; ++kind) {
-        successors[*kind].write_narrowly(parameters, writer);
+        successors[*kind].write_exact_size(parameters, writer);
         parameters += successors[*kind].read_parameter_count;
     }
 }

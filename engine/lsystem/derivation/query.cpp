@@ -61,7 +61,7 @@ private:
     Turtle turtle_;
     std::vector<EnvironmentQuery> queries_;
     bool keeps_cuts_;
-    std::vector<KeptTurtle> kept_; // Turtle states at the cuts in this string.
+    std::vector<CutTurtle> kept_; // Turtle states at the cuts in this string.
 };
 
 Result<void> Questioning::run()

@@ -166,7 +166,7 @@ std::size_t PieceTurtle::draw_one()
 // Leaves the branch that begins here to another piece if it is long.
 bool PieceTurtle::leave_out(Piece& piece)
 {
-    if (!turtle_.may_leave_out())
+    if (!turtle_.may_skip_branch())
         return false;
     auto const depth = piece.depth + static_cast<std::int64_t>(turtle_.depth()) + 1;
     auto const end = cutter_->cut(at_, depth);

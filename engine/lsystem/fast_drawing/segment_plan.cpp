@@ -38,23 +38,23 @@ constexpr double kMaxReachMm = 0.9e12;
 Effect effect_of(ModuleKind const& kind)
 {
     switch (turtle_symbol(kind.symbol).does) {
-    case SymbolDoes::Draw:
+    case SymbolAction::Draw:
         return Effect::Draw;
-    case SymbolDoes::Move:
+    case SymbolAction::Move:
         return Effect::Move;
-    case SymbolDoes::Push:
+    case SymbolAction::Push:
         return Effect::Push;
-    case SymbolDoes::Pop:
+    case SymbolAction::Pop:
         return Effect::Pop;
-    case SymbolDoes::BeginPath: // A `{` with parameters may begin a generalised cylinder.
+    case SymbolAction::BeginPath: // A `{` with parameters may begin a generalised cylinder.
         return kind.parameter_count == 0 ? Effect::BeginPolygon : Effect::Unclear;
-    case SymbolDoes::EndPath:
+    case SymbolAction::EndPath:
         return kind.parameter_count == 0 ? Effect::EndPolygon : Effect::Unclear;
-    case SymbolDoes::At:
-    case SymbolDoes::Organ:
-    case SymbolDoes::Call:
+    case SymbolAction::At:
+    case SymbolAction::Organ:
+    case SymbolAction::Call:
         return Effect::Long;
-    case SymbolDoes::Cut:
+    case SymbolAction::Cut:
         return Effect::Unclear;
     default:
         return Effect::None;
@@ -71,7 +71,7 @@ bool are_plain(Alphabet const& alphabet, std::span<KindId const> kinds)
             return false;
         if (effect == Effect::Long && length == 1)
             return false;
-        if (turtle_symbol(alphabet[kinds[0]].symbol).does == SymbolDoes::At
+        if (turtle_symbol(alphabet[kinds[0]].symbol).does == SymbolAction::At
             && !at_symbol(alphabet[kinds[1]].symbol).is_plain)
             return false;
         kinds = kinds.subspan(length);
@@ -94,7 +94,7 @@ public:
         for (std::size_t i = 0; i < alphabet_.kinds.size(); ++i) {
             auto const& kind = alphabet_.kinds[i];
             auto const& behind_at = at_symbol(kind.symbol);
-            bool const is_at = turtle_symbol(kind.symbol).does == SymbolDoes::At;
+            bool const is_at = turtle_symbol(kind.symbol).does == SymbolAction::At;
             steps_[i]
                 = { effect_of(kind), kind.parameter_count, is_at && kind.parameter_count == 0 };
             is_plain_second_[i] = behind_at.is_plain && behind_at.thirds.empty();

@@ -43,7 +43,7 @@ RulePlan::RulePlan(Model const& model, LSystem const& system)
         if (kind.symbol == '%')
             is_divisible_ = has_bounds_ = false;
         most_parameters_ = std::max<std::size_t>(most_parameters_, kind.parameter_count);
-        ways_[i] = find_way(static_cast<KindId>(i));
+        ways_[i] = find_rewrite_mode(static_cast<KindId>(i));
         is_fixed_ = is_fixed_ && (ways_[i] == Way::Copy || ways_[i] == Way::Fixed);
         has_known_sizes_ = find_size(static_cast<KindId>(i)) && has_known_sizes_;
     }
@@ -56,7 +56,7 @@ RulePlan::RulePlan(Model const& model, LSystem const& system)
     find_batches();
 }
 
-RulePlan::Way RulePlan::find_way(KindId kind)
+RulePlan::Way RulePlan::find_rewrite_mode(KindId kind)
 {
     auto const& symbol = model_.alphabet[kind];
     auto const& rules = system_.rules.by_kind[kind];

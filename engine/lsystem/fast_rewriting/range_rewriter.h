@@ -75,7 +75,7 @@ private:
     {
         return system_.rules.rules[candidate.rule];
     }
-    Way find_way(KindId kind);
+    Way find_rewrite_mode(KindId kind);
     bool find_chances(KindId kind);
     bool find_size(KindId kind);
     void find_batches();

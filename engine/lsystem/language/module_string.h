@@ -102,7 +102,7 @@ struct KeptCut {
 };
 
 // State of the turtle at a %(x). In the plant's frame; lengths in turtle units.
-struct KeptTurtle {
+struct CutTurtle {
     Vec3 position = Vec3::Zero();
     Vec3 heading = Vec3::UnitZ();
     Vec3 left = -Vec3::UnitX();
@@ -125,9 +125,9 @@ struct ModuleString {
     std::vector<std::vector<double>> arrays;
     // Calls of sub-L-systems, one for each ?(...) of the string, in order.
     std::vector<SubsystemCall> calls;
-    std::vector<KeptCut> cuts;       // Cuts in the order of the string.
-    std::vector<KeptTurtle> turtles; // Turtle states; %(x,i) continues with turtle i.
-    std::uint64_t seed = 0;          // Seed of the random numbers in homomorphism rules.
+    std::vector<KeptCut> cuts;      // Cuts in the order of the string.
+    std::vector<CutTurtle> turtles; // Turtle states; %(x,i) continues with turtle i.
+    std::uint64_t seed = 0;         // Seed of the random numbers in homomorphism rules.
 
     std::size_t size() const { return kinds.size(); }
     std::size_t byte_size() const

@@ -173,7 +173,8 @@ void ModuleUses::add_predecessor(std::string_view written, std::size_t module_co
 bool ModuleUses::is_known(char symbol) const
 {
     auto const does = turtle_symbol(symbol).does;
-    bool const is_drawn = does == SymbolDoes::Return ? calls_systems_ : does != SymbolDoes::Nothing;
+    bool const is_drawn
+        = does == SymbolAction::Return ? calls_systems_ : does != SymbolAction::Nothing;
     return is_drawn || known_[index(symbol)];
 }
 
@@ -188,11 +189,11 @@ char ModuleUses::free_letter(std::string_view name) const
 {
     auto const is_free = [&](char letter) {
         return is_capital_letter(letter) && !used_[index(letter)] && !known_[index(letter)]
-            && turtle_symbol(letter).does == SymbolDoes::Nothing;
+            && turtle_symbol(letter).does == SymbolAction::Nothing;
     };
     for (char const letter : name)
         if (is_capital_letter(letter) && !first_[index(letter)] && !known_[index(letter)]
-            && turtle_symbol(letter).does == SymbolDoes::Nothing)
+            && turtle_symbol(letter).does == SymbolAction::Nothing)
             return letter;
     for (char letter = 'A'; letter <= 'Z'; ++letter)
         if (is_free(letter))

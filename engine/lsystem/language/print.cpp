@@ -23,11 +23,11 @@ std::size_t symbol_length(Alphabet const& alphabet, std::span<KindId const> kind
         return characters.find(symbol) != std::string_view::npos;
     };
     switch (turtle_symbol(first.symbol).does) {
-    case SymbolDoes::Organ:
+    case SymbolAction::Organ:
         return 2;
-    case SymbolDoes::Call:
+    case SymbolAction::Call:
         return is_among(kQueryCharacters, second.symbol) ? 2 : 1;
-    case SymbolDoes::At:
+    case SymbolAction::At:
         break;
     default:
         return 1;

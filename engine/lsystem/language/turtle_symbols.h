@@ -9,7 +9,7 @@ namespace tractus::lsystem {
 // Table of the turtle's symbols, used for drawing, for counting segments before drawing, and for
 // printing strings. Their meaning is described in interpret.h.
 
-enum class SymbolDoes : std::uint8_t {
+enum class SymbolAction : std::uint8_t {
     Nothing,
     Draw, // A step that draws a segment.
     Move, // A step that draws nothing.
@@ -34,42 +34,42 @@ enum class SymbolDoes : std::uint8_t {
 
 struct TurtleSymbol {
     char symbol = 0;
-    SymbolDoes does = SymbolDoes::Nothing;
+    SymbolAction does = SymbolAction::Nothing;
     int sign = 1; // Sign of a turn or of a change.
     // True if the step sets a vertex of a polygon or a control point of a path.
     bool sets_vertex = false;
 };
 
 inline constexpr std::array kTurtleSymbols {
-    TurtleSymbol { 'F', SymbolDoes::Draw, 1, true },
-    TurtleSymbol { 'G', SymbolDoes::Draw },
-    TurtleSymbol { 'f', SymbolDoes::Move, 1, true },
-    TurtleSymbol { 'g', SymbolDoes::Move },
-    TurtleSymbol { '+', SymbolDoes::Turn },
-    TurtleSymbol { '-', SymbolDoes::Turn, -1 },
-    TurtleSymbol { '&', SymbolDoes::Pitch },
-    TurtleSymbol { '^', SymbolDoes::Pitch, -1 },
-    TurtleSymbol { '/', SymbolDoes::Roll },
-    TurtleSymbol { '\\', SymbolDoes::Roll, -1 },
-    TurtleSymbol { '|', SymbolDoes::TurnRound },
-    TurtleSymbol { '[', SymbolDoes::Push },
-    TurtleSymbol { ']', SymbolDoes::Pop },
-    TurtleSymbol { '#', SymbolDoes::Width },
-    TurtleSymbol { '!', SymbolDoes::Width, -1 },
-    TurtleSymbol { ';', SymbolDoes::Color },
-    TurtleSymbol { ',', SymbolDoes::Color, -1 },
-    TurtleSymbol { '_', SymbolDoes::BendAsOlder },
-    TurtleSymbol { '{', SymbolDoes::BeginPath },
-    TurtleSymbol { '.', SymbolDoes::Dot },
-    TurtleSymbol { '}', SymbolDoes::EndPath },
-    TurtleSymbol { '~', SymbolDoes::Organ },
-    TurtleSymbol { '@', SymbolDoes::At },
-    TurtleSymbol { '?', SymbolDoes::Call },
-    TurtleSymbol { '$', SymbolDoes::Return },
-    TurtleSymbol { '%', SymbolDoes::Cut },
+    TurtleSymbol { 'F', SymbolAction::Draw, 1, true },
+    TurtleSymbol { 'G', SymbolAction::Draw },
+    TurtleSymbol { 'f', SymbolAction::Move, 1, true },
+    TurtleSymbol { 'g', SymbolAction::Move },
+    TurtleSymbol { '+', SymbolAction::Turn },
+    TurtleSymbol { '-', SymbolAction::Turn, -1 },
+    TurtleSymbol { '&', SymbolAction::Pitch },
+    TurtleSymbol { '^', SymbolAction::Pitch, -1 },
+    TurtleSymbol { '/', SymbolAction::Roll },
+    TurtleSymbol { '\\', SymbolAction::Roll, -1 },
+    TurtleSymbol { '|', SymbolAction::TurnRound },
+    TurtleSymbol { '[', SymbolAction::Push },
+    TurtleSymbol { ']', SymbolAction::Pop },
+    TurtleSymbol { '#', SymbolAction::Width },
+    TurtleSymbol { '!', SymbolAction::Width, -1 },
+    TurtleSymbol { ';', SymbolAction::Color },
+    TurtleSymbol { ',', SymbolAction::Color, -1 },
+    TurtleSymbol { '_', SymbolAction::BendAsOlder },
+    TurtleSymbol { '{', SymbolAction::BeginPath },
+    TurtleSymbol { '.', SymbolAction::Dot },
+    TurtleSymbol { '}', SymbolAction::EndPath },
+    TurtleSymbol { '~', SymbolAction::Organ },
+    TurtleSymbol { '@', SymbolAction::At },
+    TurtleSymbol { '?', SymbolAction::Call },
+    TurtleSymbol { '$', SymbolAction::Return },
+    TurtleSymbol { '%', SymbolAction::Cut },
 };
 
-enum class AtDoes : std::uint8_t {
+enum class AtSymbolAction : std::uint8_t {
     Unknown, // An @-symbol that is not known: it draws nothing and causes a warning.
     Level,   // Rolls until the left vector is horizontal.
     Position,
@@ -93,36 +93,36 @@ enum class AtDoes : std::uint8_t {
 // The second character of a symbol that begins with @.
 struct AtSymbol {
     char second = 0;
-    AtDoes does = AtDoes::Unknown;
+    AtSymbolAction does = AtSymbolAction::Unknown;
     std::string_view thirds {}; // Possible third characters; empty: the symbol has two characters.
     // True if it never draws segments or moves the turtle, whatever follows it.
     bool is_plain = false;
 };
 
 inline constexpr std::array kAtSymbols {
-    AtSymbol { 'v', AtDoes::Level, {}, true },
-    AtSymbol { 'M', AtDoes::Position },
-    AtSymbol { 'R', AtDoes::Frame, {}, true },
-    AtSymbol { 'o', AtDoes::Ball, {}, true },
-    AtSymbol { 'O', AtDoes::Ball, {}, true },
-    AtSymbol { 'c', AtDoes::Disc, {}, true },
-    AtSymbol { 'b', AtDoes::Circle, "co" },
-    AtSymbol { 'D', AtDoes::Scale, "id" },
-    AtSymbol { 'T', AtDoes::Movement, "sdpfix", true },
-    AtSymbol { 'G', AtDoes::Cylinder, "scetr" },
-    AtSymbol { '#', AtDoes::Contour },
-    AtSymbol { '!', AtDoes::Sides },
-    AtSymbol { 'P', AtDoes::Patch, "scdSCD" },
-    AtSymbol { 'm', AtDoes::Cut, "oc" },
-    AtSymbol { 'C', AtDoes::Unknown, "sae" },
-    AtSymbol { 'L', AtDoes::Label, {}, true },
-    AtSymbol { ';', AtDoes::BackFace, {}, true },
-    AtSymbol { ',', AtDoes::BackFace, {}, true },
-    AtSymbol { 'S', AtDoes::RunProgram },
-    AtSymbol { 'I', AtDoes::Ignored },
-    AtSymbol { 'J', AtDoes::Ignored },
-    AtSymbol { 'Z', AtDoes::Ignored, {}, true },
-    AtSymbol { 'Y', AtDoes::Ignored, {}, true },
+    AtSymbol { 'v', AtSymbolAction::Level, {}, true },
+    AtSymbol { 'M', AtSymbolAction::Position },
+    AtSymbol { 'R', AtSymbolAction::Frame, {}, true },
+    AtSymbol { 'o', AtSymbolAction::Ball, {}, true },
+    AtSymbol { 'O', AtSymbolAction::Ball, {}, true },
+    AtSymbol { 'c', AtSymbolAction::Disc, {}, true },
+    AtSymbol { 'b', AtSymbolAction::Circle, "co" },
+    AtSymbol { 'D', AtSymbolAction::Scale, "id" },
+    AtSymbol { 'T', AtSymbolAction::Movement, "sdpfix", true },
+    AtSymbol { 'G', AtSymbolAction::Cylinder, "scetr" },
+    AtSymbol { '#', AtSymbolAction::Contour },
+    AtSymbol { '!', AtSymbolAction::Sides },
+    AtSymbol { 'P', AtSymbolAction::Patch, "scdSCD" },
+    AtSymbol { 'm', AtSymbolAction::Cut, "oc" },
+    AtSymbol { 'C', AtSymbolAction::Unknown, "sae" },
+    AtSymbol { 'L', AtSymbolAction::Label, {}, true },
+    AtSymbol { ';', AtSymbolAction::BackFace, {}, true },
+    AtSymbol { ',', AtSymbolAction::BackFace, {}, true },
+    AtSymbol { 'S', AtSymbolAction::RunProgram },
+    AtSymbol { 'I', AtSymbolAction::Ignored },
+    AtSymbol { 'J', AtSymbolAction::Ignored },
+    AtSymbol { 'Z', AtSymbolAction::Ignored, {}, true },
+    AtSymbol { 'Y', AtSymbolAction::Ignored, {}, true },
 };
 
 // Characters after ? that make a query.

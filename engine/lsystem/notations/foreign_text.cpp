@@ -183,7 +183,7 @@ private:
 struct SignLine {
     std::uint32_t number = 1;
     std::string_view text;
-    std::string small; // In small letters.
+    std::string small; // The line in lower case.
 };
 
 std::vector<SignLine> sign_lines(std::string_view text)

@@ -13,8 +13,8 @@ enum class Notation : std::uint8_t { LPy, LPlusC, GroImp, Houdini, LParser, Frac
 struct ForeignText {
     Notation notation = Notation::LPy;
     std::string_view name;  // As its users know it: "L-Py (Python)".
-    std::uint32_t line = 1; // Line that shows it, from 1.
-    std::string sign;       // What stands there, for a message.
+    std::uint32_t line = 1; // Number of the line with `sign`, from 1.
+    std::string sign;       // The text that identifies the notation, for a message.
 };
 
 // Recognises a model in another program's language by statements that only that language has.

@@ -69,7 +69,7 @@ struct FixedSuccessor {
     }
 
     // Writes the successor into memory of exactly the required size.
-    void write_narrowly(float const* from, ModuleWriter& to) const
+    void write_exact_size(float const* from, ModuleWriter& to) const
     {
         to.kinds = std::copy_n(length <= kShort ? first_kinds.data() : kinds, length, to.kinds);
         write_parameters(from, to.parameters);

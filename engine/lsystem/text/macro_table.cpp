@@ -148,9 +148,9 @@ MacroTable::Macro const* MacroTable::macro_for(Token const& token) const
 }
 
 // Replaces __LINE__ or __FILE__ by its value; returns true if the token was one of them.
-bool MacroTable::becomes_place(Token& token) const
+bool MacroTable::expand_place_macro(Token& token) const
 {
-    if (!is_place(token.characters) || macros_.find(token.characters) != macros_.end())
+    if (!is_place_macro(token.characters) || macros_.find(token.characters) != macros_.end())
         return false;
     token.characters = token.characters == "__LINE__" ? std::to_string(token.place.line)
                                                       : quoted_text(files_[token.place.file]);
@@ -265,7 +265,7 @@ template<typename Sink> Result<void> MacroTable::expand(Tokens& rest, int depth,
         call.place = token.place;
         call.depth = depth;
         auto hidden = token.hidden;
-        if (becomes_place(token) || !macro
+        if (expand_place_macro(token) || !macro
             || (macro->has_parameters && !TRY(take_call(*macro, token, rest, call, hidden)))) {
             TRY(sink(token));
             continue;

@@ -33,7 +33,7 @@ public:
     void undefine(std::string_view name);
     bool is_defined(std::string_view name) const
     {
-        return macros_.find(name) != macros_.end() || is_place(name);
+        return macros_.find(name) != macros_.end() || is_place_macro(name);
     }
 
     // Appends the text with macros replaced.
@@ -75,7 +75,10 @@ private:
         bool leaves_out_rest = false;
     };
 
-    static bool is_place(std::string_view name) { return name == "__LINE__" || name == "__FILE__"; }
+    static bool is_place_macro(std::string_view name)
+    {
+        return name == "__LINE__" || name == "__FILE__";
+    }
     static Tokens tokens_of(PlacedText const& text);
     static std::size_t parameter_index(Macro const& macro, Token const& token);
     Result<void> set_body(Macro& macro, PlacedText const& line, std::string_view text);
@@ -83,7 +86,7 @@ private:
                                             std::string_view rest);
     bool ends_in_call(PlacedText const& text) const;
     Macro const* macro_for(Token const& token) const;
-    bool becomes_place(Token& token) const;
+    bool expand_place_macro(Token& token) const;
 
     template<typename Sink> Result<void> expand(Tokens& rest, int depth, Sink const& sink);
     Result<bool> take_call(Macro const& macro, Token const& name, Tokens& rest, Call& call,

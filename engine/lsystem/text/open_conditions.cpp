@@ -15,8 +15,8 @@ std::optional<SourcePlace> OpenConditions::open_in_file() const
     return open_.back().place;
 }
 
-Result<bool> OpenConditions::obey(PlacedText const& line, std::string_view word,
-                                  std::string_view rest)
+Result<bool> OpenConditions::execute_directive(PlacedText const& line, std::string_view word,
+                                               std::string_view rest)
 {
     if (word == "elif" || word == "elifdef" || word == "elifndef" || word == "else"
         || word == "endif") {

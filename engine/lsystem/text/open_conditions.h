@@ -37,7 +37,8 @@ public:
     // Executes the directive `word`; `rest` is the remainder of the line. Returns false if the word
     // is not a conditional directive. Conditions in skipped text are not evaluated. All errors are
     // user errors.
-    Result<bool> obey(PlacedText const& line, std::string_view word, std::string_view rest);
+    Result<bool> execute_directive(PlacedText const& line, std::string_view word,
+                                   std::string_view rest);
 
     // Begins a file, whose directives cannot end the conditions around it. The result is to be
     // passed to end_file().

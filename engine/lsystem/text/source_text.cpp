@@ -50,8 +50,8 @@ private:
     PlacedText take_written_line(PlacedText const& text, std::size_t& begin);
     void warn_of_joined_line(PlacedText const& definition, PlacedText const& line);
     Result<bool> directive(PlacedText const& line, int nesting);
-    Result<void> obey(PlacedText const& line, std::string_view word, std::string_view rest,
-                      int nesting);
+    Result<void> execute_directive(PlacedText const& line, std::string_view word,
+                                   std::string_view rest, int nesting);
     Result<void> set_line(PlacedText const& line, std::string_view rest);
     Result<std::uint32_t> add_name(std::string const& name);
     Result<void> include_file(PlacedText const& line, std::string_view rest, int nesting);
@@ -246,7 +246,7 @@ Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
     auto const word = first_name(rest);
     auto const behind = rest.substr(word.size());
     rest = trimmed_line(behind);
-    if (TRY(conditions_.obey(line, word, rest)))
+    if (TRY(conditions_.execute_directive(line, word, rest)))
         return true;
     bool const is_marker = is_line_marker(after_hash);
     bool const is_known = std::find(kWords.begin(), kWords.end(), word) != kWords.end();
@@ -261,12 +261,12 @@ Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
     if (conditions_.are_on() && is_marker)
         TRY(set_line(line, trimmed_line(after_hash)));
     else if (conditions_.are_on())
-        TRY(obey(line, word, rest, nesting));
+        TRY(execute_directive(line, word, rest, nesting));
     return true;
 }
 
-Result<void> Preprocessor::obey(PlacedText const& line, std::string_view word,
-                                std::string_view rest, int nesting)
+Result<void> Preprocessor::execute_directive(PlacedText const& line, std::string_view word,
+                                             std::string_view rest, int nesting)
 {
     if (word == "error")
         return error(line, 0, fmt::format("#error {}", shown(rest)));

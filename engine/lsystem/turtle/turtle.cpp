@@ -104,7 +104,7 @@ std::size_t Turtle::draw(Modules const& modules, std::size_t place, bool in_homo
     place_ = place;
     if (!check(symbol))
         return length;
-    bool const is_cut = turtle_symbol(symbol.name[0]).does == SymbolDoes::Cut;
+    bool const is_cut = turtle_symbol(symbol.name[0]).does == SymbolAction::Cut;
     if (is_cut && !in_homomorphism && symbol.count == 0)
         is_cut_ = !view_.draws_past_cut;
     else if (is_cut && !in_homomorphism)
@@ -133,46 +133,46 @@ void Turtle::draw_symbol(Symbol const& symbol)
     auto& frame = state_.frame;
     auto const& what = turtle_symbol(symbol.name[0]);
     switch (what.does) {
-    case SymbolDoes::Draw:
-    case SymbolDoes::Move:
+    case SymbolAction::Draw:
+    case SymbolAction::Move:
         return step(symbol);
-    case SymbolDoes::Turn:
+    case SymbolAction::Turn:
         return turn(frame.heading, frame.left, symbol, what.sign);
-    case SymbolDoes::Pitch:
+    case SymbolAction::Pitch:
         return turn(frame.heading, frame.down, symbol, what.sign);
-    case SymbolDoes::Roll:
+    case SymbolAction::Roll:
         return turn(frame.left, frame.down, symbol, what.sign);
-    case SymbolDoes::TurnRound:
+    case SymbolAction::TurnRound:
         return TurtleFrame::rotate(frame.heading, frame.left, 0, -1);
-    case SymbolDoes::Push:
+    case SymbolAction::Push:
         return push();
-    case SymbolDoes::Pop:
+    case SymbolAction::Pop:
         return pop();
-    case SymbolDoes::Width:
+    case SymbolAction::Width:
         return set_width(state_, symbol.count > 0, symbol.parameter(0, what.sign));
-    case SymbolDoes::Color:
+    case SymbolAction::Color:
         return set_color(symbol, what.sign);
-    case SymbolDoes::BendAsOlder:
+    case SymbolAction::BendAsOlder:
         state_.elasticity = symbol.parameter(0, state_.elasticity + view_.elasticity_step);
         return;
-    case SymbolDoes::BeginPath:
+    case SymbolAction::BeginPath:
         return begin_path(symbol);
-    case SymbolDoes::Dot:
+    case SymbolAction::Dot:
         return add_dot(symbol);
-    case SymbolDoes::EndPath:
+    case SymbolAction::EndPath:
         return symbol.parameter(0, 0) == 0 ? close_polygon() : end_path();
-    case SymbolDoes::Organ:
+    case SymbolAction::Organ:
         if (symbol.name[1] != 0)
             add_organ(symbol.name[1], symbol);
         return;
-    case SymbolDoes::At:
+    case SymbolAction::At:
         return draw_at_symbol(symbol);
-    case SymbolDoes::Call:
+    case SymbolAction::Call:
         return enter_subsystem(symbol);
-    case SymbolDoes::Return:
+    case SymbolAction::Return:
         return leave_subsystem();
-    case SymbolDoes::Cut:
-    case SymbolDoes::Nothing:
+    case SymbolAction::Cut:
+    case SymbolAction::Nothing:
         return;
     }
 }
@@ -191,7 +191,7 @@ void Turtle::enter_subsystem(Symbol const& symbol)
         state_.width = std::clamp(state_.width * scale / outer, kMinWidth, 1e6);
 }
 
-KeptTurtle Turtle::kept() const
+CutTurtle Turtle::kept() const
 {
     auto const& frame = state_.frame;
     return { frame.position_mm / options_.unit_mm,
@@ -234,44 +234,44 @@ void Turtle::leave_subsystem()
 void Turtle::draw_at_symbol(Symbol const& symbol)
 {
     switch (at_symbol(symbol.name[1]).does) {
-    case AtDoes::Level:
+    case AtSymbolAction::Level:
         return state_.frame.roll_horizontal();
-    case AtDoes::Position:
+    case AtSymbolAction::Position:
         return set_position(symbol);
-    case AtDoes::Frame:
+    case AtSymbolAction::Frame:
         return set_frame(symbol);
-    case AtDoes::Ball:
+    case AtSymbolAction::Ball:
         return add_round(OrganShape::Kind::Ball, symbol);
-    case AtDoes::Disc:
+    case AtSymbolAction::Disc:
         return add_round(OrganShape::Kind::Disc, symbol);
-    case AtDoes::Circle:
+    case AtSymbolAction::Circle:
         return add_circle(symbol);
-    case AtDoes::Scale:
+    case AtSymbolAction::Scale:
         return set_scale(symbol);
-    case AtDoes::Movement:
+    case AtSymbolAction::Movement:
         return draw_movement_symbol(symbol);
-    case AtDoes::Cylinder:
+    case AtSymbolAction::Cylinder:
         return draw_cylinder_symbol(symbol);
-    case AtDoes::Contour:
+    case AtSymbolAction::Contour:
         return set_contour(symbol);
-    case AtDoes::Sides:
+    case AtSymbolAction::Sides:
         return set_sides(symbol);
-    case AtDoes::Patch:
+    case AtSymbolAction::Patch:
         return draw_patch_symbol(symbol);
-    case AtDoes::Cut: // @mc(1) is a cut; the symbols @mo and @J are for ray tracing only.
+    case AtSymbolAction::Cut: // @mc(1) is a cut; the symbols @mo and @J are for ray tracing only.
         is_cut_ = is_cut_ || (symbol.name[2] == 'c' && symbol.parameter(0, 0) == 1);
         return;
-    case AtDoes::Label:
+    case AtSymbolAction::Label:
         return warn(fmt::format("{}: labels are not drawn", model_.name));
-    case AtDoes::BackFace:
+    case AtSymbolAction::BackFace:
         return warn(fmt::format("{}: back faces have the colour of the front; @; and @, change "
                                 "nothing",
                                 model_.name));
-    case AtDoes::RunProgram:
+    case AtSymbolAction::RunProgram:
         return warn(fmt::format("{}: models run no programs here; @S does nothing", model_.name));
-    case AtDoes::Ignored:
+    case AtSymbolAction::Ignored:
         return;
-    case AtDoes::Unknown:
+    case AtSymbolAction::Unknown:
         warn(fmt::format("{}: the turtle symbol @{} is not supported; it draws nothing",
                          model_.name, symbol.name[1]));
     }
@@ -288,7 +288,7 @@ void Turtle::draw_movement_symbol(Symbol const& symbol)
     case '\0': // @T without a letter is treated as @Ti.
         return set_elasticity(symbol);
     case 'p':
-        return state_.frame.carry_from(extras_.carried);
+        return state_.frame.transport_from(extras_.carried);
     case 'f':
         extras_.carried = state_.frame;
         return;
@@ -302,7 +302,7 @@ void Turtle::draw_movement_symbol(Symbol const& symbol)
 void Turtle::step(Symbol const& symbol)
 {
     auto const& what = turtle_symbol(symbol.name[0]);
-    bool const draws = what.does == SymbolDoes::Draw;
+    bool const draws = what.does == SymbolAction::Draw;
     bool const sets_vertex = what.sets_vertex;
     auto& frame = state_.frame;
     if (tropism_count() > 0)

@@ -62,9 +62,9 @@ public:
     Start start() const;
 
     // Sets the turtle states with which %(x,i) continues; they must outlive the drawing.
-    void set_kept(std::span<KeptTurtle const> turtles) { kept_ = turtles; }
+    void set_kept(std::span<CutTurtle const> turtles) { kept_ = turtles; }
     // Returns the current state for a %(x) to store.
-    KeptTurtle kept() const;
+    CutTurtle kept() const;
 
     // Sets the state and draws into `drawing` from now on.
     void begin(Start const& start, TurtleDrawing& drawing);
@@ -94,7 +94,7 @@ public:
     std::size_t depth() const { return depth_; }
     // Returns true if a branch may be left out: no polygon or cylinder is open that would continue
     // in it.
-    bool may_leave_out() const { return polygons_.empty() && state_.path == State::Path::None; }
+    bool may_skip_branch() const { return polygons_.empty() && state_.path == State::Path::None; }
     // Returns true if everything begun since begin() has ended, so that another turtle could
     // continue.
     bool is_complete() const { return depth_ == 0 && polygons_.empty() && !has_unpaired_; }
@@ -156,7 +156,7 @@ private:
         double sign = 1; // Sign of a turn or of a change of width.
     };
 
-    static Quick quick_way(SymbolDoes does);
+    static Quick quick_case(SymbolAction does);
     static Kind describe(ModuleKind const& kind);
     bool check(Symbol const& symbol);
     // Functions defined in turtle_plain.cpp.
@@ -264,7 +264,7 @@ private:
     std::size_t depth_ = 0;
     std::vector<Extras> extras_stack_; // Saved extras; used only if the model has extras.
     std::vector<OpenPolygon> polygons_;
-    std::span<KeptTurtle const> kept_;
+    std::span<CutTurtle const> kept_;
     std::vector<double> call_scales_; // Scales of the open calls of sub-L-systems.
     OpenCylinder cylinder_;           // The open cylinder; valid while state_.path is not None.
     std::vector<OpenCylinder> cylinder_stack_;

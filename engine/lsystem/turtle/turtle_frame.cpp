@@ -40,7 +40,7 @@ void TurtleFrame::bend_by(Vec3 const& torque, TurtleFrame const& before)
         return;
     Eigen::AngleAxisd const turn(std::min(length, 1.0), torque / length);
     heading = (turn * heading).normalized();
-    carry_from(before);
+    transport_from(before);
 }
 
 void TurtleFrame::bend_towards(Vec3 const& direction, double elasticity)
@@ -51,7 +51,7 @@ void TurtleFrame::bend_towards(Vec3 const& direction, double elasticity)
     }
 }
 
-void TurtleFrame::carry_from(TurtleFrame const& before)
+void TurtleFrame::transport_from(TurtleFrame const& before)
 {
     if (heading.cross(before.heading).norm() > 1e-6)
         left = rotation_between(before.heading, heading) * before.left;

@@ -90,7 +90,7 @@ struct TurtleFrame {
 
     // Carries the sides by parallel transport from the frame `before` to this heading. Does nothing
     // if the headings are equal.
-    void carry_from(TurtleFrame const& before);
+    void transport_from(TurtleFrame const& before);
 
 private:
     // Makes left and down perpendicular to the heading again.

@@ -6,27 +6,27 @@
 
 namespace tractus::lsystem {
 
-Turtle::Quick Turtle::quick_way(SymbolDoes does)
+Turtle::Quick Turtle::quick_case(SymbolAction does)
 {
     switch (does) {
-    case SymbolDoes::Nothing:
+    case SymbolAction::Nothing:
         return Quick::Nothing;
-    case SymbolDoes::Draw:
-    case SymbolDoes::Move:
+    case SymbolAction::Draw:
+    case SymbolAction::Move:
         return Quick::Step;
-    case SymbolDoes::Turn:
+    case SymbolAction::Turn:
         return Quick::Turn;
-    case SymbolDoes::Pitch:
+    case SymbolAction::Pitch:
         return Quick::Pitch;
-    case SymbolDoes::Roll:
+    case SymbolAction::Roll:
         return Quick::Roll;
-    case SymbolDoes::Push:
+    case SymbolAction::Push:
         return Quick::Push;
-    case SymbolDoes::Pop:
+    case SymbolAction::Pop:
         return Quick::Pop;
-    case SymbolDoes::Width:
+    case SymbolAction::Width:
         return Quick::Width;
-    case SymbolDoes::At:
+    case SymbolAction::At:
         return Quick::Level;
     default:
         return Quick::Other;
@@ -36,7 +36,7 @@ Turtle::Quick Turtle::quick_way(SymbolDoes does)
 Turtle::Kind Turtle::describe(ModuleKind const& kind)
 {
     auto const& symbol = turtle_symbol(kind.symbol);
-    using enum SymbolDoes;
+    using enum SymbolAction;
     auto const does = symbol.does;
     Kind result;
     result.symbol = kind.symbol;
@@ -44,7 +44,7 @@ Turtle::Kind Turtle::describe(ModuleKind const& kind)
     result.is_single = does != At && does != Organ && does != Call && does != Cut;
     result.draws = does == Draw;
     result.sign = symbol.sign;
-    result.quick = quick_way(does);
+    result.quick = quick_case(does);
     return result;
 }
 
@@ -80,11 +80,11 @@ std::size_t Turtle::draw_plain(std::span<KindId const> kinds, float const*& para
 // cut, or if it may continue past `kinds`.
 std::size_t Turtle::name_at_symbol(std::span<KindId const> kinds, Symbol& symbol) const
 {
-    if (turtle_symbol(kinds_[kinds[0]].symbol).does != SymbolDoes::At
+    if (turtle_symbol(kinds_[kinds[0]].symbol).does != SymbolAction::At
         || kinds.size() < symbol.name.size())
         return 0;
     auto const length = symbol_length(model_.alphabet, kinds);
-    if (length == 1 || at_symbol(kinds_[kinds[1]].symbol).does == AtDoes::Cut)
+    if (length == 1 || at_symbol(kinds_[kinds[1]].symbol).does == AtSymbolAction::Cut)
         return 0;
     for (std::size_t i = 1; i < length; ++i)
         symbol.name[i] = kinds_[kinds[i]].symbol;
@@ -137,7 +137,7 @@ std::size_t Turtle::draw_quick(std::span<KindId const> kinds, float const*& para
             break;
         case Quick::Level:
             goes_on = i + 1 < kinds.size() && kind->parameter_count == 0
-                && at_symbol(kinds_[kinds[i + 1]].symbol).does == AtDoes::Level;
+                && at_symbol(kinds_[kinds[i + 1]].symbol).does == AtSymbolAction::Level;
             if (goes_on) {
                 kind = &kinds_[kinds[++i]];
                 state.frame.roll_horizontal();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxPatches = 4096;
 
-// A patch as it is in the file.
+// A patch as parsed: its name, its neighbours' names and its coordinates.
 struct NamedPatch {
     std::string name;
     // Names of neighbours, indexed by BezierPatch::Side; "~" or empty: none.

@@ -12,7 +12,7 @@ namespace tractus::lsystem {
 
 namespace {
 
-constexpr std::uint8_t kHalfThere = 128;
+constexpr std::uint8_t kAlphaThreshold = 128;
 
 // Converts an sRGB value to linear light (IEC 61966-2-1).
 double light_of(double srgb)
@@ -34,7 +34,7 @@ Vec3f mean_of(PixelRows const& rows)
     Vec3 sum = Vec3::Zero();
     double count = 0;
     for (std::size_t i = 0; i < rows.rgba.size(); i += 4) {
-        if (rows.rgba[i + 3] < kHalfThere)
+        if (rows.rgba[i + 3] < kAlphaThreshold)
             continue;
         sum += Vec3(light[rows.rgba[i]], light[rows.rgba[i + 1]], light[rows.rgba[i + 2]]);
         ++count;
@@ -47,7 +47,7 @@ Vec3f mean_of(PixelRows const& rows)
 bool has_holes(PixelRows const& rows)
 {
     for (std::size_t i = 3; i < rows.rgba.size(); i += 4)
-        if (rows.rgba[i] < kHalfThere)
+        if (rows.rgba[i] < kAlphaThreshold)
             return true;
     return false;
 }

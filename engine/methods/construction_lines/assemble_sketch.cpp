@@ -118,7 +118,7 @@ private:
     {
         MadeLine made { .line = drawn.front().line, .strokes = { drawn.front().stroke } };
         for (std::size_t i = 1; i < drawn.size(); ++i) {
-            auto const over = drawn_over(made.line, drawn[i].line, axis_);
+            auto const over = merge_correction(made.line, drawn[i].line, axis_);
             if (over.size() == without_repeats(drawn[i].line).size())
                 for (auto const stroke : made.strokes)
                     result_.strokes[stroke].is_replaced = true;
@@ -140,7 +140,7 @@ private:
             if (stroke != first)
                 result_.strokes[stroke].of = first;
         auto const& newest = lines_[made.strokes.back()];
-        result_.strokes[first].is_turned_round = axis_.place(newest.back().head<2>()).along
+        result_.strokes[first].is_drawn_reversed = axis_.place(newest.back().head<2>()).along
             < axis_.place(newest.front().head<2>()).along;
         axis_ = StemAxis(resample(made.line, kAxisPoints));
         result_.sketch.stem = std::move(made.line);
@@ -403,8 +403,8 @@ private:
         if (stroke.role == Role::Unsure)
             stroke.reason = strokes_[i].assigned == Role::Unsure
                 ? "somebody has said that it is no line of the sketch"
-                : reason_for(lie_of(DrawnLine(on_paper(lines_[i])),
-                                    DrawnLine(on_paper(result_.sketch.stem))));
+                : explain_no_role(lie_of(DrawnLine(on_paper(lines_[i])),
+                                         DrawnLine(on_paper(result_.sketch.stem))));
     }
 
     // Explains why the sketch, without the line `without`, gives no plant; empty if it gives one.

@@ -319,7 +319,7 @@ Result<Construction> construction_of(PenSketch const& sketch)
 // Returns the sketch of the current stem alone, the only one that is bent.
 static Result<PenSketch> drawing_in_hand(PenSketch const& whole)
 {
-    return stem_alone(whole, TRY(stem_in_hand(whole)));
+    return sketch_of_stem(whole, TRY(current_stem(whole)));
 }
 
 Result<BentLine> with_angle(PenSketch const& whole, std::size_t number, StemSide side,

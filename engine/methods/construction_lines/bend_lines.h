@@ -25,7 +25,7 @@ struct BentLine {
     Stroke stroke {};
 };
 
-// Measures the current stem (stem_in_hand()), like measure_sketch() with Missing::Guessed.
+// Measures the current stem (current_stem()), like measure_sketch() with Missing::Guessed.
 Result<Construction> construction_of(PenSketch const& sketch);
 
 // Rotates one half of an inclination line about its crossing with the stem, so that organs along it

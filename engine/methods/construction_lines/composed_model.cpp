@@ -293,7 +293,7 @@ static Result<LineModel> write_single(ComposedSketch const& sketch, std::string 
                                    function_file(curve));
         definitions += definitions_of(models[i], i);
         if (i > 0)
-            leaves += leaf_text(letter_of(i), models[i].pattern);
+            leaves += leaf_statement(letter_of(i), models[i].pattern);
     }
     auto text = heading_text(models.size()) + definitions;
     for (std::size_t i = 0; i < models.size(); ++i)

@@ -324,7 +324,7 @@ Reach in_space(Reach const& seen, double pitch_deg)
     return stretched(seen, 1 / foreshortening(pitch_deg));
 }
 
-Reach as_seen(Reach const& organ, double pitch_deg)
+Reach as_projected(Reach const& organ, double pitch_deg)
 {
     return stretched(organ, foreshortening(pitch_deg));
 }

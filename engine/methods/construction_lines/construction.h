@@ -123,7 +123,7 @@ struct Reach {
 // Converts an organ between its projection on the sheet and its shape in space, for a stem with
 // this pitch towards the viewer. The pitch is limited to 80 degrees.
 Reach in_space(Reach const& seen, double pitch_deg);
-Reach as_seen(Reach const& organ, double pitch_deg);
+Reach as_projected(Reach const& organ, double pitch_deg);
 
 // Size of a node's organs at an azimuth around the stem.
 double size_at(Construction const& construction, std::size_t node, double azimuth_deg);

@@ -99,7 +99,7 @@ std::string reason_of(PenSketch sketch)
 // Describes what the newest line's stem needs most; empty if nothing is missing.
 std::string what_is_missing(PenSketch const& sketch)
 {
-    auto const stem = stem_in_hand(sketch);
+    auto const stem = current_stem(sketch);
     if (stem && *stem != sketch.lines.back().stem)
         return "what grows on the other one grows on it, too, until you draw a boundary beside it";
     auto const lines = line_sketch(sketch);
@@ -118,13 +118,13 @@ std::string describe_reading(PenSketch const& sketch, PenReading const& reading)
         = stroke.of ? fmt::format("This is a part of {}", what) : fmt::format("This is {}", what);
     if (line.role == Role::Around)
         text += side_of(sketch, line);
-    if (stroke.is_turned_round)
+    if (stroke.is_drawn_reversed)
         text += ", from its top to its foot, and is turned round: \"Turn round\" of What a line is "
                 "turns it back";
     auto const missing = what_is_missing(sketch);
     if (!missing.empty())
         text += ": " + missing;
-    auto const& second = reading.second_thought;
+    auto const& second = reading.second_best_roles;
     if (!second.empty() && second.back() != line.role)
         text += fmt::format(" (it might be {})",
                             second.back() == Role::Unsure ? "nothing" : what_it_is(second.back()));

@@ -63,7 +63,7 @@ public:
         , parts_(lines.size(), Part::Nothing)
     {
         for (auto const& line : lines)
-            lies_.push_back(lie_to_axis(resampled_line(line), axis_));
+            lies_.push_back(position_along_axis(resampled_line(line), axis_));
         for (auto const& lie : lies_)
             alone_.push_back(part_costs(lie, axis_.length_mm()));
         for (std::size_t i = 0; i < lines.size(); ++i)
@@ -102,7 +102,7 @@ public:
     StemAxis const& axis() const { return axis_; }
 
     // Finds the most likely alternative: the stroke and part whose change increases the cost least.
-    std::optional<std::pair<std::size_t, Part>> second_thought() const
+    std::optional<std::pair<std::size_t, Part>> second_best_roles() const
     {
         std::optional<std::pair<std::size_t, Part>> best;
         double least = std::numeric_limits<double>::infinity();
@@ -178,7 +178,7 @@ private:
             - (0.8 + 2 * small_piece(lies_[i])) * best_junction;
     }
 
-    static bool meets(StemAxis::Place const& end, StrokeLie const& line)
+    static bool meets(StemAxis::Place const& end, StrokePosition const& line)
     {
         constexpr double kNear = 0.08;
         return std::any_of(line.places.begin(), line.places.end(), [&](StemAxis::Place const& at) {
@@ -257,7 +257,7 @@ private:
     std::span<StrokeToExplain const> strokes_;
     StemCandidate const& stem_;
     StemAxis axis_;
-    std::vector<StrokeLie> lies_;
+    std::vector<StrokePosition> lies_;
     std::vector<PartCosts> alone_;
     std::vector<double> junctions_;
     std::vector<Part> parts_;
@@ -349,13 +349,13 @@ Read read_with(std::span<Polyline const> lines, std::span<StrokeToExplain const>
 }
 
 // A reading that differs from this one in the part of one stroke.
-std::optional<Read> second_thought(std::span<Polyline const> lines,
-                                   std::span<StrokeToExplain const> strokes, Read const& read)
+std::optional<Read> second_best_roles(std::span<Polyline const> lines,
+                                      std::span<StrokeToExplain const> strokes, Read const& read)
 {
     SketchReading reading(lines, strokes, read.stem);
     for (std::size_t i = 0; i < read.parts.size(); ++i)
         reading.set(i, read.parts[i]);
-    auto const thought = reading.second_thought();
+    auto const thought = reading.second_best_roles();
     if (!thought)
         return std::nullopt;
     reading.set(thought->first, thought->second);
@@ -377,7 +377,7 @@ std::vector<Explanation> explain_sketch(std::span<StrokeToExplain const> strokes
         reads.push_back(read_with(lines, strokes, std::move(candidate)));
     std::stable_sort(reads.begin(), reads.end(),
                      [](Read const& a, Read const& b) { return a.cost < b.cost; });
-    if (auto second = second_thought(lines, strokes, reads.front()))
+    if (auto second = second_best_roles(lines, strokes, reads.front()))
         if (reads.size() < 2 || second->cost < reads[1].cost)
             reads.insert(reads.begin() + 1, *std::move(second));
     reads.resize(std::min<std::size_t>(reads.size(), 2));

@@ -29,8 +29,8 @@ struct ExplainedStroke {
     // The stroke that forms one line with this one: for a piece, the first drawn stroke of the
     // line; for a line redrawn wholly or in part, the stroke that it replaces.
     std::optional<std::size_t> of {};
-    bool is_replaced = false;     // True if another stroke has replaced this one completely.
-    bool is_turned_round = false; // True if the stem was drawn from its top to its foot.
+    bool is_replaced = false;       // True if another stroke has replaced this one completely.
+    bool is_drawn_reversed = false; // True if the stem was drawn from its top to its foot.
     // Reason why a stroke is Unsure: one sentence, with what to draw instead.
     std::string reason {};
 };

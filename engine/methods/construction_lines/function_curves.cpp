@@ -138,7 +138,7 @@ FunctionCurve stem_curve(Construction const& construction, std::string const& na
 // change.
 Reach turned_reach(Reach const& organ, double turn_deg, double tangent_pitch_deg, double pitch_deg)
 {
-    auto seen = as_seen(organ, tangent_pitch_deg);
+    auto seen = as_projected(organ, tangent_pitch_deg);
     seen.angle_deg += turn_deg;
     return in_space(seen, pitch_deg);
 }

@@ -102,7 +102,7 @@ Polyline rising(Polyline line, StemAxis const& axis)
     return line;
 }
 
-Polyline drawn_over(Polyline const& line, Polyline const& over, StemAxis const& axis)
+Polyline merge_correction(Polyline const& line, Polyline const& over, StemAxis const& axis)
 {
     // Overlap, as a share of the shorter line, up to which two lines are pieces of one.
     constexpr double kSmallOverlap = 0.35;

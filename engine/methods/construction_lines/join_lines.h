@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/base/vectors.h"
-#include "engine/methods/construction_lines/stroke_lie.h"
+#include "engine/methods/construction_lines/stroke_position.h"
 
 #include <span>
 #include <vector>
@@ -30,6 +30,6 @@ Polyline rising(Polyline line, StemAxis const& axis);
 // Combines a line with a correction of the same direction: a piece that extends the line is
 // appended or prepended, a part that is redrawn replaces the section between the points where it
 // leaves and meets the line, and a line that does neither replaces the whole.
-Polyline drawn_over(Polyline const& line, Polyline const& over, StemAxis const& axis);
+Polyline merge_correction(Polyline const& line, Polyline const& over, StemAxis const& axis);
 
 } // namespace tractus::lines

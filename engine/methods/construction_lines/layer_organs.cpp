@@ -4,12 +4,12 @@
 
 namespace tractus::lines {
 
-bool stands_all_around(Pattern const& pattern, std::span<LayerOrgans const> layers)
+bool has_organs_all_around(Pattern const& pattern, std::span<LayerOrgans const> layers)
 {
     auto const of_layer = [](LayerOrgans const& layer) {
-        return layer.pattern && stands_all_around(*layer.pattern);
+        return layer.pattern && has_organs_all_around(*layer.pattern);
     };
-    return stands_all_around(pattern) || std::any_of(layers.begin(), layers.end(), of_layer);
+    return has_organs_all_around(pattern) || std::any_of(layers.begin(), layers.end(), of_layer);
 }
 
 void LayerTables::add(LayerOrgans const& layer)

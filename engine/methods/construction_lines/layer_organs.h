@@ -20,7 +20,7 @@ struct LayerOrgans {
 };
 
 // True if organs of the pattern, or of a layer, occur elsewhere than on the stem's left and right.
-bool stands_all_around(Pattern const& pattern, std::span<LayerOrgans const> layers);
+bool has_organs_all_around(Pattern const& pattern, std::span<LayerOrgans const> layers);
 
 // The organs of a model's layers as tables that its rules read: pattern, roll and organ. Empty if
 // all layers have the plant's organs.

@@ -106,7 +106,7 @@ bool is_along_stem(Lie const& lie)
     return lie.along > kWholeStem;
 }
 
-std::string reason_for(Lie const& lie)
+std::string explain_no_role(Lie const& lie)
 {
     if (lie.crossings > 1)
         return fmt::format(

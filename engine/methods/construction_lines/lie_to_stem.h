@@ -38,6 +38,6 @@ bool is_along_stem(Lie const& lie);
 
 // Returns one sentence: why a stroke in this position has none of these roles, and what to draw
 // instead.
-std::string reason_for(Lie const& lie);
+std::string explain_no_role(Lie const& lie);
 
 } // namespace tractus::lines

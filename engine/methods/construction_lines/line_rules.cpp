@@ -283,14 +283,14 @@ std::string organ_rules(std::vector<Pattern> const& patterns, Pattern::Sizes siz
     for (std::size_t i = 0; i < patterns.size(); ++i) {
         auto rules = pattern_rules(patterns[i], sizes);
         if (i > 0) {
-            replace_all(rules, "DIVERGENCE", number_text(patterns[i].divergence_deg));
+            replace_all(rules, "DIVERGENCE", format_model_number(patterns[i].divergence_deg));
             replace_all(rules, "WHORL", std::to_string(patterns[i].whorl));
         }
         if (patterns.size() > 1)
             text += fmt::format("/* Of pattern {}, {}. */\n", i, name_of(patterns[i].kind));
         set_condition(rules, patterns.size() > 1 ? fmt::format("pattern[z] == {}", i) : "");
         text += rules;
-        is_around = is_around || stands_all_around(patterns[i]);
+        is_around = is_around || has_organs_all_around(patterns[i]);
     }
     if (sizes == Pattern::Sizes::HalfEllipses && is_around)
         text += kAround;

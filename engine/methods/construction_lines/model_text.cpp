@@ -9,7 +9,7 @@
 
 namespace tractus::lines {
 
-std::string number_text(double value)
+std::string format_model_number(double value)
 {
     auto text = fmt::format("{:.6g}", value + 0.0);
     return text.front() == '-' ? "(" + text + ")" : text;
@@ -58,11 +58,11 @@ std::string definitions_text(StemDefinitions const& stem, Pattern const& pattern
     if (!stem.rolls_by_layer)
         text += fmt::format(
             "#define ROLL       {}    /* of organs: 0 flat as in a frond, (-90) upper side up */\n",
-            number_text(roll_deg(pattern)));
+            format_model_number(roll_deg(pattern)));
     text += fmt::format("#define LAYERS     {}\n", stem.layers);
     if (pattern.kind == Pattern::Kind::Spiral || pattern.kind == Pattern::Kind::Alternate)
         text += fmt::format("#define DIVERGENCE {}    /* from organ to organ, degrees */\n",
-                            number_text(pattern.divergence_deg));
+                            format_model_number(pattern.divergence_deg));
     if (pattern.kind == Pattern::Kind::Whorled)
         text += fmt::format("#define WHORL      {}    /* how many organs stand at a node */\n",
                             pattern.whorl);
@@ -74,7 +74,7 @@ std::string definitions_text(StemDefinitions const& stem, Pattern const& pattern
 
 Construction with_sizes_around(Construction construction, Pattern const& pattern)
 {
-    if (!stands_all_around(pattern, construction.organs_per_layer)) {
+    if (!has_organs_all_around(pattern, construction.organs_per_layer)) {
         construction.around.clear();
         return construction;
     }
@@ -130,7 +130,7 @@ std::vector<std::string> arrays_of(LayerTables const& layers)
     return arrays;
 }
 
-std::string leaf_text(char letter, Pattern const& pattern)
+std::string leaf_statement(char letter, Pattern const& pattern)
 {
     constexpr double kBroad = 0.4;
     // Width of the narrow leaflets of a frond, which lie side by side.
@@ -151,7 +151,7 @@ static std::string view_text(std::vector<std::pair<std::string, std::string>> co
         text += fmt::format("function: {} {}\n", function.first, kFunctionSamples);
     text += "material: 1 stem kind=stem color=0.36,0.46,0.20 roughness=0.7\n"
             "material: 2 leaf kind=leaf color=0.26,0.46,0.16 roughness=0.5 translucency=0.45\n";
-    return text + leaf_text('l', pattern);
+    return text + leaf_statement('l', pattern);
 }
 
 LineModel model_with(std::string text,

@@ -16,7 +16,7 @@ namespace tractus::lines {
 
 // Formats a number with six digits; negative ones in parentheses, so that a macro expands correctly
 // after a minus sign.
-std::string number_text(double value);
+std::string format_model_number(double value);
 
 void replace_all(std::string& text, std::string_view word, std::string_view with);
 
@@ -58,7 +58,7 @@ std::vector<std::string> arrays_of(Construction const& construction);
 std::vector<std::string> arrays_of(LayerTables const& layers);
 
 // Returns the view's statement for a plain leaf with this letter.
-std::string leaf_text(char letter, Pattern const& pattern);
+std::string leaf_statement(char letter, Pattern const& pattern);
 
 // Makes the model from its text and its functions: pairs of file name and contents, in the order of
 // their numbers.

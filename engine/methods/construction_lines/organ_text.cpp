@@ -64,7 +64,7 @@ void add_material(LineModel& model, OrganSurface const& surface, std::size_t mat
 
 } // namespace
 
-std::string surface_text(std::vector<BezierPatch> const& patches)
+std::string format_surface(std::vector<BezierPatch> const& patches)
 {
     Vec3 low = patches.front().control[0];
     Vec3 high = low;
@@ -115,7 +115,7 @@ void put_leaf(LineModel& model, OrganSurface const& surface, char letter)
     }
     replace_all(model.source.text, fmt::format("~{}(", letter),
                 fmt::format(";({})~{}(", material, letter));
-    model.functions[file] = surface_text(surface.patches);
+    model.functions[file] = format_surface(surface.patches);
 }
 
 // A plain blade of this width relative to its length, widest at two fifths of its length.
@@ -146,7 +146,7 @@ void add_blade_surfaces(LineModel& model)
             = std::strtod(view.c_str() + view.find(kWidth, at) + kWidth.size(), nullptr);
         auto const file = name_of_model(model) + ending_of(letter, "_leaf") + ".s";
         surfaces += fmt::format("surface: {} {} 1\n", letter, file);
-        model.functions[file] = surface_text(blade_surface(width));
+        model.functions[file] = format_surface(blade_surface(width));
     }
     view += surfaces;
 }
@@ -189,7 +189,7 @@ Result<void> add_surfaces(LineModel& model, std::span<LineOrgan const> organs, s
                          fmt::format("organ_{}", before + 1), file);
         model.source.view_text
             += fmt::format("surface: {} {} 1\n", letter_of_surface(before), file);
-        model.functions[file] = surface_text(organ.surface.patches);
+        model.functions[file] = format_surface(organ.surface.patches);
         ++before;
     }
     return {};

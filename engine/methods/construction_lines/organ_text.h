@@ -17,7 +17,7 @@ namespace tractus::lines {
 // name with .png.
 
 // Formats a surface as a file of cpfg's Bezier editor (.s), whose SIZE is the organ's length.
-std::string surface_text(std::vector<BezierPatch> const& patches);
+std::string format_surface(std::vector<BezierPatch> const& patches);
 
 // Replaces the leaves with this letter in the rules by a surface. The file is named after the
 // model, with _organ.s, where the letter follows _organ unless it is l.

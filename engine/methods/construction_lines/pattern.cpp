@@ -54,7 +54,7 @@ int organs_at_node(Pattern const& pattern)
     return 0;
 }
 
-bool stands_all_around(Pattern const& pattern)
+bool has_organs_all_around(Pattern const& pattern)
 {
     return pattern.kind != Pattern::Kind::Distichous && pattern.kind != Pattern::Kind::Bare;
 }

@@ -53,6 +53,6 @@ int organs_at_node(Pattern const& pattern);
 
 // True if some organs occur elsewhere than on the stem's left and right, so that the change of
 // sizes around the stem matters.
-bool stands_all_around(Pattern const& pattern);
+bool has_organs_all_around(Pattern const& pattern);
 
 } // namespace tractus::lines

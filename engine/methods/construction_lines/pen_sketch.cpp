@@ -250,13 +250,13 @@ Result<std::vector<StemLines>> stem_sketches(PenSketch const& sketch, Unit unit)
     return result;
 }
 
-Result<std::size_t> stem_in_hand(PenSketch const& sketch)
+Result<std::size_t> current_stem(PenSketch const& sketch)
 {
     auto const sources = function_sources(TRY(stem_sketches(sketch)));
     return sketch.lines.empty() ? 0 : sources.at(sketch.lines.back().stem);
 }
 
-PenSketch stem_alone(PenSketch const& sketch, std::size_t stem)
+PenSketch sketch_of_stem(PenSketch const& sketch, std::size_t stem)
 {
     PenSketch alone { .lines = {},
                       .pattern = sketch.pattern,
@@ -282,7 +282,7 @@ SketchLine const& first_stem(PenSketch const& sketch)
 Result<LineSketch> line_sketch(PenSketch const& sketch)
 {
     auto stems = TRY(stem_sketches(sketch));
-    return std::move(stems.at(TRY(stem_in_hand(sketch))).sketch);
+    return std::move(stems.at(TRY(current_stem(sketch))).sketch);
 }
 
 std::size_t organ_number(PenSketch const& sketch, scene::ItemId organ)
@@ -312,7 +312,7 @@ static Result<std::vector<Layer>> layers_of_one(PenSketch const& sketch)
 
 Result<std::vector<Layer>> layers_of(PenSketch const& sketch)
 {
-    return layers_of_one(stem_alone(sketch, TRY(stem_in_hand(sketch))));
+    return layers_of_one(sketch_of_stem(sketch, TRY(current_stem(sketch))));
 }
 
 // Finds the nearest of the stems that have their own lines.
@@ -338,7 +338,7 @@ Result<Layer> layer_at(PenSketch const& sketch, Vec2 const& place_mm)
     auto const stems = TRY(stem_sketches(sketch));
     auto const nearest = nearest_stem(stems, place_mm);
     DrawnStem const stem(stems[nearest].sketch.stem);
-    auto const layers = TRY(layers_of_one(stem_alone(sketch, nearest)));
+    auto const layers = TRY(layers_of_one(sketch_of_stem(sketch, nearest)));
     double const x = stem.place(stem.seen().nearest_mm(place_mm));
     auto const above = std::find_if(layers.begin(), layers.end(),
                                     [&](Layer const& layer) { return x < layer.to_x; });

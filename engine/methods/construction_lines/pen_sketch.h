@@ -73,10 +73,10 @@ Result<std::vector<StemLines>> stem_sketches(PenSketch const& sketch, Unit unit 
 
 // Returns the current stem, whose lines are edited next: the stem drawn last, or that of the newest
 // line; if it takes its organs from another stem, that one.
-Result<std::size_t> stem_in_hand(PenSketch const& sketch);
+Result<std::size_t> current_stem(PenSketch const& sketch);
 
 // Returns a sketch of one of the stems alone.
-PenSketch stem_alone(PenSketch const& sketch, std::size_t stem);
+PenSketch sketch_of_stem(PenSketch const& sketch, std::size_t stem);
 
 // Returns the line that is the first stem; the plant stands at its foot.
 SketchLine const& first_stem(PenSketch const& sketch);

@@ -44,9 +44,10 @@ Result<PenReading> read_one_by_one(PenSketch const& sketch)
         recogniser.add_known(
             TRY(points_on_sheet(line)),
             { .line = { .role = line.role }, .stem = line.stem, .parent = line.parent });
-    PenReading reading {
-        .stems = recogniser.stems(), .inclination_strokes = {}, .strokes = {}, .second_thought = {}
-    };
+    PenReading reading { .stems = recogniser.stems(),
+                         .inclination_strokes = {},
+                         .strokes = {},
+                         .second_best_roles = {} };
     for (std::size_t i = 0; i < reading.stems.size(); ++i)
         reading.inclination_strokes.push_back(recogniser.inclination_strokes(i));
     return reading;
@@ -87,7 +88,7 @@ Result<PenReading> read_together(PenSketch const& sketch)
     PenReading reading { .stems = {},
                          .inclination_strokes = {},
                          .strokes = std::vector<ExplainedStroke>(sketch.lines.size()),
-                         .second_thought = {} };
+                         .second_best_roles = {} };
     for (auto const& [strokes, numbers, parent] : TRY(strokes_of_stems(sketch))) {
         auto& stem = reading.stems.emplace_back();
         stem.parent = parent;
@@ -109,9 +110,9 @@ Result<PenReading> read_together(PenSketch const& sketch)
         if (!is_newest || explanations.size() < 2)
             continue;
         for (auto const& line : sketch.lines)
-            reading.second_thought.push_back(line.role);
+            reading.second_best_roles.push_back(line.role);
         for (std::size_t i = 0; i < numbers.size(); ++i)
-            reading.second_thought[numbers[i]] = explanations[1].strokes[i].role;
+            reading.second_best_roles[numbers[i]] = explanations[1].strokes[i].role;
     }
     return reading;
 }

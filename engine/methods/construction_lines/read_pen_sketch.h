@@ -22,7 +22,7 @@ struct PenReading {
     std::vector<ExplainedStroke> strokes;
     // Second-best interpretation of the newest line's stem: the role in it of each line of the
     // sketch. Empty if there is none.
-    std::vector<Role> second_thought;
+    std::vector<Role> second_best_roles;
 };
 Result<PenReading> read_pen_sketch(PenSketch const& sketch);
 

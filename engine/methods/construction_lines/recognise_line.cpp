@@ -153,7 +153,7 @@ bool LineRecogniser::is_replaced(std::size_t line) const
                        [&](RecognisedLine const& other) { return other.replaces == line; });
 }
 
-std::optional<std::size_t> LineRecogniser::line_drawn_again(DrawnLine const& stroke) const
+std::optional<std::size_t> LineRecogniser::find_redrawn_line(DrawnLine const& stroke) const
 {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         if (lines_[i].role == Role::Unsure || is_replaced(i))
@@ -219,7 +219,7 @@ RecognisedLine LineRecogniser::recognise(DrawnLine const& stroke) const
     auto const stem_index = newest(Role::Stem);
     if (!stem_index)
         return { .role = Role::Stem };
-    if (auto const earlier = line_drawn_again(stroke))
+    if (auto const earlier = find_redrawn_line(stroke))
         return { .role = lines_[*earlier].role, .replaces = earlier, .is_drawn_again = true };
     auto const stem = sampled(strokes_[*stem_index]);
     auto const lie = lie_of(stroke, stem);
@@ -233,7 +233,7 @@ RecognisedLine LineRecogniser::recognise(DrawnLine const& stroke) const
     }
     if (is_inclination(lie))
         return { .role = Role::Inclination };
-    return { .role = Role::Unsure, .reason = reason_for(lie) };
+    return { .role = Role::Unsure, .reason = explain_no_role(lie) };
 }
 
 RecognisedLine LineRecogniser::recognised(std::vector<Vec3> const& stroke, Lies lies) const

@@ -73,7 +73,7 @@ private:
     bool is_replaced(std::size_t line) const;
     // The newest stroke in use with a role.
     std::optional<std::size_t> newest(Role role) const;
-    std::optional<std::size_t> line_drawn_again(DrawnLine const& stroke) const;
+    std::optional<std::size_t> find_redrawn_line(DrawnLine const& stroke) const;
     std::optional<std::size_t> newest_boundary(double azimuth_deg) const;
     RecognisedLine recognise(DrawnLine const& stroke) const;
     std::optional<RecognisedLine> recognise_in_space(std::vector<Vec3> const& stroke) const;

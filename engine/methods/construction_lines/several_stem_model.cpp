@@ -281,8 +281,8 @@ std::string way_text(Vec3 const& by_mm)
         return "";
     double const heading_deg = degrees(std::atan2(-by_mm.x(), by_mm.y()));
     double const pitch_deg = degrees(std::atan2(by_mm.z(), by_mm.head<2>().norm()));
-    auto const heading = number_text(heading_deg);
-    auto const pitch = number_text(pitch_deg);
+    auto const heading = format_model_number(heading_deg);
+    auto const pitch = format_model_number(pitch_deg);
     if (pitch == "0")
         return fmt::format("+({0})f({1:.6g})-({0})", heading, by_mm.norm());
     return fmt::format("+({0})^({1})f({2:.6g})&({1})-({0})", heading, pitch, by_mm.norm());

@@ -52,7 +52,7 @@ Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line)
         = [] { return fail(Fault::User, "this is only a dot: draw a line of the sketch"); };
     auto const tips = TRY(line.stroke.tips.in_memory());
     bool const is_flat
-        = !line.level_mm && decide_surface(tips, StrokeSurface::Decided) == StrokeSurface::Paper;
+        = !line.level_mm && resolve_surface(tips, StrokeSurface::Decided) == StrokeSurface::Paper;
     double const lift_mm
         = line.level_mm && !tips.empty() ? tips.front().position_mm.z() - *line.level_mm : 0;
     std::vector<Vec3> places;

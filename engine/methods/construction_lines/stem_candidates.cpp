@@ -1,7 +1,7 @@
 #include "engine/methods/construction_lines/stem_candidates.h"
 
 #include "engine/methods/construction_lines/hand_line.h"
-#include "engine/methods/construction_lines/stroke_lie.h"
+#include "engine/methods/construction_lines/stroke_position.h"
 #include "engine/stroke/polyline.h"
 #include "engine/stroke/resample.h"
 
@@ -119,7 +119,7 @@ CorrectedStem corrected_stem(StemCandidate const& stem, std::span<Polyline const
     CorrectedStem result { .line = drawn.front().line, .strokes = {}, .replaced = {} };
     for (auto const& each : drawn) {
         if (&each != &drawn.front()) {
-            result.line = drawn_over(result.line, each.line, axis);
+            result.line = merge_correction(result.line, each.line, axis);
             if (result.line.size() == without_repeats(each.line).size())
                 result.replaced = result.strokes;
         }

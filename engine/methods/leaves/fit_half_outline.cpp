@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kSamples = 500; // Number of samples along a half outline.
 constexpr std::size_t kMaxStops = 70;
-constexpr std::size_t kMinSpan = 8; // Shortest span, in samples.
+constexpr std::size_t kMinSpan = 8; // Minimum length of a span between stops, in samples.
 constexpr double kCorner_deg = 50;
 
 double turn_deg(FlatLine const& line, std::size_t i, std::size_t reach)

@@ -37,7 +37,7 @@ bool is_inside(std::span<Vec2 const> ring, Vec2 const& place)
     return inside;
 }
 
-double share_left_of(std::span<Vec2 const> ring, Vec2 const& from, Vec2 const& to)
+double area_share_left_of(std::span<Vec2 const> ring, Vec2 const& from, Vec2 const& to)
 {
     Vec2 const way = to - from;
     FlatLine left;

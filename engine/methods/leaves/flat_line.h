@@ -20,7 +20,7 @@ double area_of(std::span<Vec2 const> ring);
 bool is_inside(std::span<Vec2 const> ring, Vec2 const& place);
 
 // Share of a closed polyline's area that is to the left of the line through two points.
-double share_left_of(std::span<Vec2 const> ring, Vec2 const& from, Vec2 const& to);
+double area_share_left_of(std::span<Vec2 const> ring, Vec2 const& from, Vec2 const& to);
 
 // Diagonal of a polyline's bounding box.
 double extent_of(std::span<Vec2 const> line);

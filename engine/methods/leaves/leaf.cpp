@@ -141,7 +141,8 @@ Vec3 Leaf::place_of(Dart d, Shape shape) const
     return { flat.x(), flat.y(), 0 };
 }
 
-Leaf::Stand Leaf::stand_for(Attributes const& attributes, std::optional<Dart> on, Shape shape) const
+Leaf::Stand Leaf::attachment_for(Attributes const& attributes, std::optional<Dart> on,
+                                 Shape shape) const
 {
     auto const [count, along, alpha, beta, gamma, length, width] = attributes;
     bool const is_flat = shape == Shape::Flat;
@@ -183,15 +184,15 @@ Result<FaceId> Leaf::make_face(char name, Fields const& fields, std::optional<Da
         return fail_at(place, fmt::format("the leaf would have more than {} faces", kMaxFaces));
     auto attributes = TRY(attributes_of(name, fields, place));
     if (grammar_->reaching.contains(name) && !outline_.empty()) {
-        auto const start = stand_for(attributes, on, Shape::Flat);
+        auto const start = attachment_for(attributes, on, Shape::Flat);
         attributes[kLength] *= TRY(reach(start, blade_on(on)));
     }
     auto grown = attributes;
     if (on && !outline_.empty() && !grammar_->bare.contains(name))
         pose(grown, on);
-    auto const stand = stand_for(grown, on, Shape::Grown);
+    auto const stand = attachment_for(grown, on, Shape::Grown);
     auto const corners = corners_of(grown, stand);
-    auto const flat = corners_of(attributes, stand_for(attributes, on, Shape::Flat));
+    auto const flat = corners_of(attributes, attachment_for(attributes, on, Shape::Flat));
     if (map_.dart_count() + 2 * corners.size() > kMaxDarts)
         return fail_at(place, "the leaf would have more than a million edges");
     TRY(spend(corners.size()));

@@ -127,7 +127,7 @@ private:
     enum class Shape { Grown, Flat };
     Vec3 place_of(Dart d, Shape shape) const;
     Stand stand_on(Dart edge, Shape shape) const;
-    Stand stand_for(Attributes const& attributes, std::optional<Dart> on, Shape shape) const;
+    Stand attachment_for(Attributes const& attributes, std::optional<Dart> on, Shape shape) const;
     Result<FaceId> make_face(char name, Fields const& fields, std::optional<Dart> on,
                              TextPlace const& place);
     std::vector<Vec3> corners_of(Attributes const& attributes, Stand const& stand) const;
@@ -143,7 +143,7 @@ private:
     Result<void> glue();
     bool glue_one(Gluing const& gluing);
     Result<void> spend(std::size_t work);
-    Result<void> fill_way(std::vector<Dart> const& way);
+    Result<void> fill_along_border(std::vector<Dart> const& way);
     enum class Margin { Outline, Straight };
     void add_limb_face(std::span<Dart const> way, Margin margin);
     bool is_along_outline(std::span<Dart const> way) const;

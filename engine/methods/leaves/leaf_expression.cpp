@@ -129,13 +129,14 @@ double Expression::value(std::span<double const> values, Random& random) const
     constexpr std::size_t kUsual = 64;
     if (operations.size() <= kUsual) {
         std::array<double, kUsual> stack;
-        return value_on(stack.data(), values, random);
+        return evaluate_on_stack(stack.data(), values, random);
     }
     std::vector<double> stack(operations.size());
-    return value_on(stack.data(), values, random);
+    return evaluate_on_stack(stack.data(), values, random);
 }
 
-double Expression::value_on(double* top, std::span<double const> values, Random& random) const
+double Expression::evaluate_on_stack(double* top, std::span<double const> values,
+                                     Random& random) const
 {
     using Kind = Operation::Kind;
     for (std::size_t i = 0; i < operations.size(); ++i) {

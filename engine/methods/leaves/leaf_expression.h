@@ -101,7 +101,7 @@ public:
     double value(std::span<double const> values, Random& random) const;
 
 private:
-    double value_on(double* top, std::span<double const> values, Random& random) const;
+    double evaluate_on_stack(double* top, std::span<double const> values, Random& random) const;
 };
 
 } // namespace tractus::leaf

@@ -36,12 +36,12 @@ Result<void> Leaf::fill()
         std::vector<Dart> const way(at(tips[i] + 1), at(tips[i + 1]));
         auto const first_bare = std::ranges::find_if(way, is_bare);
         if (first_bare == way.end()) {
-            TRY(fill_way(way));
+            TRY(fill_along_border(way));
             // Leaflets have separate limbs, so the chain is filled in two parts.
         } else if (grammar_->has_base) {
             auto const behind_last = std::find_if(way.rbegin(), way.rend(), is_bare).base();
-            TRY(fill_way({ way.begin(), first_bare }));
-            TRY(fill_way({ behind_last, way.end() }));
+            TRY(fill_along_border({ way.begin(), first_bare }));
+            TRY(fill_along_border({ behind_last, way.end() }));
         }
     }
     std::ranges::sort(limb_.sizes);
@@ -50,7 +50,7 @@ Result<void> Leaf::fill()
 
 // Fills the area beside a chain of edges with limb faces. Where the chain bulges beyond the chord
 // of its ends, it is divided at the farthest vertex.
-Result<void> Leaf::fill_way(std::vector<Dart> const& way)
+Result<void> Leaf::fill_along_border(std::vector<Dart> const& way)
 {
     constexpr double kInside = -1e-9;
     std::vector<std::span<Dart const>> pending { way };

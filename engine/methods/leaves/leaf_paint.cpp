@@ -18,7 +18,7 @@ struct LeafPainter::Canvas {
     LeafPicture picture;
     CoverageRaster raster;
     TileGrid tiles;
-    std::vector<float> profile;      // Profile V of the veins (VeinMaps).
+    std::vector<float> profile;      // Vein profile: 1 on midlines, 0 beside veins (VeinMaps).
     std::vector<std::uint8_t> order; // Order of the nearest vein (VeinMaps).
     std::vector<float> net;          // Net of the smallest veins, 0 to 1.
     // Map of eaten parts: 1 in holes, decreasing across their rims. Empty: nothing has been eaten.
@@ -510,14 +510,14 @@ private:
     double radius_ = 1; // Distance in pixels at which the closeness D is 1.
 };
 
-PictureFrame::PictureFrame(LeafTriangles const& leaf, int side, PictureStand const& stand)
+PictureFrame::PictureFrame(LeafTriangles const& leaf, int side, PicturePlacement const& stand)
 {
     Eigen::AlignedBox2d box;
     for (auto const& flat : leaf.flat)
         box.extend(flat);
     if (leaf.flat.empty() || !(box.sizes().maxCoeff() > 0))
         return;
-    bool const is_on_stem = stand.middle == PictureStand::Middle::Stem;
+    bool const is_on_stem = stand.middle == PicturePlacement::Middle::Stem;
     double const middle = is_on_stem ? 0 : box.center().x();
     double const half = std::max(box.max().x() - middle, middle - box.min().x());
     scale = (1 - 2 * stand.margin) * side / std::max(2 * half, box.sizes().y());

@@ -12,7 +12,7 @@
 namespace tractus::leaf {
 
 // Placement of a leaf in its picture: at the lower edge, inside a margin.
-struct PictureStand {
+struct PicturePlacement {
     double margin = 0.03; // Empty border, as a share of the picture's side.
     enum class Middle {
         Box, // The leaf's bounding box is centred horizontally.
@@ -23,7 +23,7 @@ struct PictureStand {
 
 struct PaintOptions {
     int side = 512; // Side of the square pictures, in pixels.
-    PictureStand stand {};
+    PicturePlacement stand {};
     bool has_underside = false;      // True: also paint the underside.
     double age = 0;                  // Colour age, 0 young to 1 old.
     Vec3 young { 0.36, 0.54, 0.22 }; // Colour of a young leaf, sRGB, 0 to 1.
@@ -76,7 +76,7 @@ struct LeafPicture {
 // Transform from the flat leaf to the picture: the longer side of its bounding box fills the
 // picture inside the margin.
 struct PictureFrame {
-    PictureFrame(LeafTriangles const& leaf, int side, PictureStand const& stand = {});
+    PictureFrame(LeafTriangles const& leaf, int side, PicturePlacement const& stand = {});
     Vec2 pixel(Vec2 const& flat) const
     {
         return { x0 + scale * (flat.x() - origin.x()), y0 - scale * (flat.y() - origin.y()) };

@@ -211,7 +211,7 @@ Result<scene::BuiltSource> build_leaf(LeafSketch const& sketch, scene::LoadOptio
     if (!(sketch.scale > 0 && std::isfinite(sketch.scale)))
         return fail(Fault::User,
                     fmt::format("a leaf cannot be shown {} times as large as it is", sketch.scale));
-    if (auto const drawn = formed_leaf(sketch))
+    if (auto const drawn = adjusted_leaf(sketch))
         return leaf_plant(sketch, *drawn);
     return stems_along(sketch);
 }
@@ -219,7 +219,7 @@ Result<scene::BuiltSource> build_leaf(LeafSketch const& sketch, scene::LoadOptio
 Result<std::vector<std::vector<Vec3>>> lines_of_leaf(LeafSketch const& sketch)
 {
     TRY(check_form(sketch.form));
-    auto const drawn = formed_leaf(sketch);
+    auto const drawn = adjusted_leaf(sketch);
     if (!drawn)
         return fail(Fault::User, "the lines are no leaf yet");
     auto const made = TRY(derived(sketch, *drawn));

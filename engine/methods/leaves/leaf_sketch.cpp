@@ -121,14 +121,14 @@ std::optional<Points> guessed_midrib(LeafDrawing const& drawing)
     return midrib;
 }
 
-Result<SeenLeaf> seen_with_midrib(LeafDrawing const& drawing)
+Result<LeafRecognition> seen_with_midrib(LeafDrawing const& drawing)
 {
     auto lines = TRY(recognise_leaf(drawing));
     auto fit = TRY(fit_leaf(lines));
-    return SeenLeaf { .lines = std::move(lines), .fit = std::move(fit) };
+    return LeafRecognition { .lines = std::move(lines), .fit = std::move(fit) };
 }
 
-Result<SeenLeaf> seen_in(LeafDrawing drawing)
+Result<LeafRecognition> seen_in(LeafDrawing drawing)
 {
     auto seen = seen_with_midrib(drawing);
     auto midrib = seen ? std::nullopt : guessed_midrib(drawing);
@@ -144,7 +144,7 @@ Result<SeenLeaf> seen_in(LeafDrawing drawing)
 
 // Tries to read the drawing without one of its newest lines, newest first, because the newest line
 // is most likely wrong.
-std::optional<SeenLeaf> seen_without_one(LeafDrawing const& drawing, std::string const& why)
+std::optional<LeafRecognition> seen_without_one(LeafDrawing const& drawing, std::string const& why)
 {
     constexpr std::size_t kNewest = 4;
     auto const lines = drawing.strokes.size();
@@ -165,8 +165,8 @@ std::optional<SeenLeaf> seen_without_one(LeafDrawing const& drawing, std::string
 
 LeafSketch looked_at(LeafSketch sketch)
 {
-    auto seen = see_leaf(sketch);
-    sketch.seen = seen ? std::make_shared<SeenLeaf const>(*std::move(seen)) : nullptr;
+    auto seen = recognise_leaf_sketch(sketch);
+    sketch.seen = seen ? std::make_shared<LeafRecognition const>(*std::move(seen)) : nullptr;
     return sketch;
 }
 
@@ -232,7 +232,7 @@ Result<Vec2> foot_of(LeafSketch const& sketch)
     return lowest;
 }
 
-Result<SeenLeaf> see_leaf(LeafSketch const& sketch)
+Result<LeafRecognition> recognise_leaf_sketch(LeafSketch const& sketch)
 {
     auto const drawing = TRY(drawing_of(sketch));
     auto seen = seen_in(drawing);
@@ -274,7 +274,7 @@ Result<LeafSketch> without_line(LeafSketch sketch, scene::ItemId line)
     return looked_at(std::move(sketch));
 }
 
-std::optional<DrawnLeaf> formed_leaf(LeafSketch const& sketch)
+std::optional<DrawnLeaf> adjusted_leaf(LeafSketch const& sketch)
 {
     if (!sketch.seen)
         return std::nullopt;
@@ -297,10 +297,10 @@ std::optional<DrawnLeaf> formed_leaf(LeafSketch const& sketch)
 
 Result<std::string> grammar_text(LeafSketch const& sketch, std::string const& title)
 {
-    auto const leaf = formed_leaf(sketch);
+    auto const leaf = adjusted_leaf(sketch);
     if (leaf)
         return print_grammar(*leaf, title);
-    TRY(see_leaf(sketch)); // The call fails with a message about what is missing.
+    TRY(recognise_leaf_sketch(sketch)); // The call fails with a message about what is missing.
     return fail(Fault::User, "the lines are no leaf yet");
 }
 

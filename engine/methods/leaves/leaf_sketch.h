@@ -41,7 +41,7 @@ struct LeafLine {
 };
 
 // Recognition result: the roles of the sketch's lines, and the leaf's parameters.
-struct SeenLeaf {
+struct LeafRecognition {
     RecognisedLeaf lines;
     LeafFit fit;
     // True: the midrib was added; its index is one past the last stroke.
@@ -60,8 +60,8 @@ struct LeafSketch {
     std::vector<LeafLine> lines {}; // Lines in order of drawing, at least one.
     LeafForm form {};
     double scale = 0.1; // World millimetres per plant millimetre.
-    // Result of see_leaf(), kept up to date by with_line(); null: no leaf yet.
-    std::shared_ptr<SeenLeaf const> seen {};
+    // Result of recognise_leaf_sketch(), kept up to date by with_line(); null: no leaf yet.
+    std::shared_ptr<LeafRecognition const> seen {};
     // Seed of another leaf of the same kind; no value: the leaf as drawn.
     std::optional<std::uint64_t> seed {};
     double spread = 1;
@@ -78,7 +78,7 @@ Result<Vec2> foot_of(LeafSketch const& sketch);
 // line's farthest point; a single open line is taken as a half outline with a midrib from end to
 // end. If all lines together give no leaf, one of the newest is ignored. Fails with a user error
 // like recognise_leaf() and fit_leaf().
-Result<SeenLeaf> see_leaf(LeafSketch const& sketch);
+Result<LeafRecognition> recognise_leaf_sketch(LeafSketch const& sketch);
 
 // Adds a line, replacing the one that it redraws: a closed line replaces a closed one that contains
 // it or that it contains; any other line replaces one that it follows within 2.5 mm. Fails with a
@@ -89,7 +89,7 @@ Result<LeafSketch> with_line(LeafSketch sketch, LeafLine line);
 Result<LeafSketch> without_line(LeafSketch sketch, scene::ItemId line);
 
 // The drawn leaf's parameters with the form's adjustments; no value if there is no leaf yet.
-std::optional<DrawnLeaf> formed_leaf(LeafSketch const& sketch);
+std::optional<DrawnLeaf> adjusted_leaf(LeafSketch const& sketch);
 
 // The leaf as a grammar's text, for use on plants and for editing (print_grammar()). Fails with a
 // user error if the lines are no leaf yet.

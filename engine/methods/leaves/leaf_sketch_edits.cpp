@@ -155,7 +155,7 @@ LeafSketch const* active_leaf_sketch(scene::DocumentState const& state)
 std::string describe_result(LeafSketch const& sketch)
 {
     if (!sketch.seen) {
-        auto const seen = see_leaf(sketch);
+        auto const seen = recognise_leaf_sketch(sketch);
         return seen ? "" : fmt::format("No leaf yet: {}", seen.error().message);
     }
     if (!sketch.seen->left_out.empty())

@@ -196,7 +196,8 @@ private:
     double imbalance(std::size_t stroke) const
     {
         auto const& line = flat_[stroke];
-        double const straight = std::abs(2 * share_left_of(ring_, line.front(), line.back()) - 1);
+        double const straight
+            = std::abs(2 * area_share_left_of(ring_, line.front(), line.back()) - 1);
         return straight < kMaxImbalance || !spans_leaf(line) ? straight
                                                              : std::abs(2 * share_along(line) - 1);
     }

@@ -117,8 +117,8 @@ Result<SharedBeginning> beginning_from(scene::DocumentState const& state, std::s
         Beginning { state.plants[number], scale, std::move(kept_axes), wakes_buds });
 }
 
-Result<GrowingTree> wood_of(Beginning const& beginning, Habit const& habit, std::uint64_t seed,
-                            scene::LoadOptions const& options)
+Result<GrowingTree> tree_from_beginning(Beginning const& beginning, Habit const& habit,
+                                        std::uint64_t seed, scene::LoadOptions const& options)
 {
     auto const& drawn = *beginning.plant;
     auto const* const grown = grown_tree_of(drawn.source);
@@ -144,7 +144,7 @@ Result<GrowingTree> wood_of(Beginning const& beginning, Habit const& habit, std:
         keys = std::move(built.axis_keys);
     }
     TRY(keep_only(beginning.kept_axes, plant, keys));
-    return tree_of_wood(
+    return tree_from_wood(
         { .plant = plant,
           .keys = keys,
           .buds = beginning.wakes_buds ? GivenWood::Buds::All : GivenWood::Buds::Young },
@@ -154,7 +154,7 @@ Result<GrowingTree> wood_of(Beginning const& beginning, Habit const& habit, std:
 Result<std::vector<Vec3>> points_on_wood(Beginning const& beginning, double step_mm,
                                          scene::LoadOptions const& options)
 {
-    constexpr double kMaxPieces = 10'000; // Of one internode.
+    constexpr double kMaxPieces = 10'000; // Maximum number of pieces of an internode.
     auto const shown = TRY(build_bent_plant(beginning, options));
     std::vector<Vec3> points;
     for (auto const& axis : shown.scene.plants[0]->base->axes)

@@ -35,10 +35,10 @@ Result<SharedBeginning> beginning_from(scene::DocumentState const& state, std::s
                                        scene::SceneBuilder& builder);
 
 // Builds the growing tree of a beginning. A self-organising tree of which all axes remain keeps its
-// buds; the axes of any other plant become wood (tree_of_wood()). Fails if the plant cannot be
+// buds; the axes of any other plant become wood (tree_from_wood()). Fails if the plant cannot be
 // built, or has no branches or none of those that remain.
-Result<GrowingTree> wood_of(Beginning const& beginning, Habit const& habit, std::uint64_t seed,
-                            scene::LoadOptions const& options);
+Result<GrowingTree> tree_from_beginning(Beginning const& beginning, Habit const& habit,
+                                        std::uint64_t seed, scene::LoadOptions const& options);
 
 // Points on the wood of a beginning's plant, no farther apart than `step_mm` along each branch, as
 // strokes have bent it; in plant millimetres. Fails if the plant cannot be built.

@@ -216,7 +216,7 @@ std::vector<BrushBall> dense_path(std::span<BrushBall const> balls)
 }
 
 Result<void> grow_along(GrowingTree& tree, BrushSweep const& sweep, Habit const& habit,
-                        std::uint64_t seed, OnYear const& on_year)
+                        std::uint64_t seed, YearCallback const& on_year)
 {
     TRY(check_habit(habit));
     TRY(check_sweep(sweep));
@@ -228,7 +228,7 @@ Result<void> grow_along(GrowingTree& tree, BrushSweep const& sweep, Habit const&
     for (int year = 1; year <= sweep.years; ++year) {
         auto const count = balls_until(sweep, year);
         TRY(sower.sow_until(count, surroundings.markers));
-        auto const laws = laws_of_brush(habit, tree.step + 1, internode_mm(sweep, habit));
+        auto const laws = brush_growth_laws(habit, tree.step + 1, internode_mm(sweep, habit));
         auto const& ball = sweep.balls[count - 1];
         if (sweep.waits_outside)
             surroundings.region = Region { ball.centre, ball.radius + laws.perception_radius };
@@ -238,7 +238,7 @@ Result<void> grow_along(GrowingTree& tree, BrushSweep const& sweep, Habit const&
             on_year(tree);
     }
     tree.is_brushed = true;
-    auto const laws = laws_in_year(habit, tree.step);
+    auto const laws = growth_laws_in_year(habit, tree.step);
     set_wood(tree, diameters(tree, laws), sag_laws(habit));
     return {};
 }

@@ -50,11 +50,11 @@ std::vector<BrushBall> dense_path(std::span<BrushBall const> balls);
 Result<std::vector<Vec3>> sow(BrushSweep const& sweep, Habit const& habit);
 
 // Receives the tree after each year.
-using OnYear = std::function<void(GrowingTree const&)>;
+using YearCallback = std::function<void(GrowingTree const&)>;
 
 // Grows the tree along the sweep. The branches stay where they grew: only weight that is added
 // later bends them. `seed` drives the habit's random variation. Fails like sow() and grow_step().
 Result<void> grow_along(GrowingTree& tree, BrushSweep const& sweep, Habit const& habit,
-                        std::uint64_t seed, OnYear const& on_year = {});
+                        std::uint64_t seed, YearCallback const& on_year = {});
 
 } // namespace tractus::self_organising

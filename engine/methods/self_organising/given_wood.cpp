@@ -51,7 +51,8 @@ public:
         add_laterals();
         if (wood_.keeps_width)
             keep_widths();
-        set_wood(tree_, diameters(tree_, laws_in_year(habit_, tree_.step)), sag_laws(habit_));
+        set_wood(tree_, diameters(tree_, growth_laws_in_year(habit_, tree_.step)),
+                 sag_laws(habit_));
         return std::move(tree_);
     }
 
@@ -155,7 +156,7 @@ private:
 
     void add_laterals()
     {
-        auto const laws = laws_in_year(habit_, tree_.step);
+        auto const laws = growth_laws_in_year(habit_, tree_.step);
         for (std::uint32_t i = 0; i < tree_.size(); ++i) {
             auto& node = tree_.links[i];
             bool const is_young = laws.bud_life == 0 || tree_.step - node.step < laws.bud_life;
@@ -181,7 +182,7 @@ private:
     // becomes dead wood.
     void keep_widths()
     {
-        auto const laws = laws_in_year(habit_, tree_.step);
+        auto const laws = growth_laws_in_year(habit_, tree_.step);
         double const e = laws.pipe_exponent;
         std::vector<double> sums(tree_.size());
         for (std::size_t i = tree_.size(); i-- > 0;) {
@@ -207,7 +208,7 @@ private:
 
 } // namespace
 
-GrowingTree tree_of_wood(GivenWood const& wood, Habit const& habit, std::uint64_t seed)
+GrowingTree tree_from_wood(GivenWood const& wood, Habit const& habit, std::uint64_t seed)
 {
     return WoodReader(wood, habit, seed).run();
 }
@@ -246,7 +247,7 @@ void bend_tree(GrowingTree& tree, TreePlant const& plant, std::span<Vec3 const> 
             if (tree.laterals[k].has_bud)
                 tree.laterals[k].direction = turn * tree.laterals[k].direction;
     }
-    set_wood(tree, diameters(tree, laws_in_year(habit, tree.step)), sag_laws(habit));
+    set_wood(tree, diameters(tree, growth_laws_in_year(habit, tree.step)), sag_laws(habit));
 }
 
 } // namespace tractus::self_organising

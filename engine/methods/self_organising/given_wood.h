@@ -29,9 +29,9 @@ struct GivenWood {
 // Converts wood into a tree that can grow. Each segment, or each part of a divided one, ends in a
 // node; each axis gets a terminal bud, and nodes get lateral buds as the habit says. A node's age
 // in years follows from the number of internodes above it. An axis that stands on the ground away
-// from the plant's origin becomes a stem of its own (is_stem_of_its_own()). `seed` drives the
+// from the plant's origin becomes an additional stem. `seed` drives the random
 // variation of the buds. The habit must have passed check_habit().
-GrowingTree tree_of_wood(GivenWood const& wood, Habit const& habit, std::uint64_t seed);
+GrowingTree tree_from_wood(GivenWood const& wood, Habit const& habit, std::uint64_t seed);
 
 // Moves a tree's nodes to the positions to which its plant was bent. Buds turn with the wood that
 // bears them, and the bent shape becomes the shape at rest. `nodes_mm` are positions of the nodes

@@ -19,13 +19,13 @@ namespace {
 struct Environment {
     // Light or space that each bud perceives. For Light the directions are left out, because only
     // buds that grow need them.
-    Perceived perceived;
+    BudPerception perceived;
     std::optional<LightGrid> grid;
 };
 
 // Lets the buds of a region compete for the markers that they can perceive.
-Perceived compete_in_region(GrowingTree const& tree, std::vector<Bud> const& buds,
-                            std::vector<Vec3>& markers, Region const& region, Laws const& laws)
+BudPerception compete_in_region(GrowingTree const& tree, std::vector<Bud> const& buds,
+                                std::vector<Vec3>& markers, Region const& region, Laws const& laws)
 {
     std::vector<Bud> near;
     std::vector<std::size_t> numbers;
@@ -44,8 +44,8 @@ Perceived compete_in_region(GrowingTree const& tree, std::vector<Bud> const& bud
     auto const competed = compete_for_space(reached, tree, near, laws);
     markers.erase(first, markers.end());
     markers.insert(markers.end(), reached.begin(), reached.end());
-    Perceived perceived { std::vector<double>(buds.size()),
-                          std::vector<Vec3>(buds.size(), Vec3::Zero()) };
+    BudPerception perceived { std::vector<double>(buds.size()),
+                              std::vector<Vec3>(buds.size(), Vec3::Zero()) };
     for (std::size_t i = 0; i < near.size(); ++i) {
         perceived.quality[numbers[i]] = competed.quality[i];
         perceived.direction[numbers[i]] = competed.direction[i];

@@ -16,7 +16,7 @@ namespace tractus::self_organising {
 
 namespace {
 
-bool same_part(LifePart const& one, LifePart const& other)
+bool same_part(LifePeriod const& one, LifePeriod const& other)
 {
     return one.kind == other.kind && one.years == other.years && one.is_volume == other.is_volume
         && one.stroke.tips.id() == other.stroke.tips.id()
@@ -65,20 +65,20 @@ Result<BrushSweep> sweep_of(GrownTree const& tree, std::size_t number)
                        .is_volume = part.is_volume };
     sweep.seed = Random({ tree.seed, 0x5157, static_cast<std::uint32_t>(number) }).next_u64();
     for (auto i = number + 1; i < tree.life.size(); ++i)
-        if (tree.life[i].kind == LifePart::Kind::Clear)
+        if (tree.life[i].kind == LifePeriod::Kind::Clear)
             sweep.cleared.push_back(TRY(brush_balls(tree.life[i])));
     return sweep;
 }
 
 // Grows the tree through the period with this number.
 Result<void> live(GrowingTree& grown, GrownTree const& tree, std::size_t number,
-                  OnYear const& on_year)
+                  YearCallback const& on_year)
 {
     auto const& part = tree.life[number];
     TRY(check_life(part));
-    if (part.kind == LifePart::Kind::Clear)
-        return {}; // It has acted on the earlier periods.
-    if (part.kind == LifePart::Kind::Prune) {
+    if (part.kind == LifePeriod::Kind::Clear)
+        return {}; // A clearing period only affects the periods before it.
+    if (part.kind == LifePeriod::Kind::Prune) {
         auto const balls = TRY(brush_balls(part));
         TRY(prune(grown, balls, tree.habit, tree.seed));
         return {};
@@ -96,7 +96,7 @@ Result<void> live(GrowingTree& grown, GrownTree const& tree, std::size_t number,
 
 } // namespace
 
-Result<std::vector<BrushBall>> brush_balls(LifePart const& part)
+Result<std::vector<BrushBall>> brush_balls(LifePeriod const& part)
 {
     auto const tips = TRY(part.stroke.tips.in_memory());
     std::vector<BrushBall> balls;
@@ -112,14 +112,14 @@ Result<std::vector<BrushBall>> brush_balls(LifePart const& part)
     return balls;
 }
 
-int years_of(LifePart const& part)
+int years_of(LifePeriod const& part)
 {
-    return part.kind == LifePart::Kind::Grow ? part.years : 0;
+    return part.kind == LifePeriod::Kind::Grow ? part.years : 0;
 }
 
-Result<void> check_life(LifePart const& part)
+Result<void> check_life(LifePeriod const& part)
 {
-    bool const is_growing = part.kind == LifePart::Kind::Grow;
+    bool const is_growing = part.kind == LifePeriod::Kind::Grow;
     if (!is_growing && part.stroke.tips.empty())
         return fail(Fault::User, "the stroke is empty: draw over what shall be cut or cleared");
     if (!is_growing && part.is_volume)
@@ -150,7 +150,8 @@ Result<void> check_age(GrownTree const& tree)
 
 // The tree after the period with this number, through which it grows in a stand.
 static Result<GrowingTree> grow_in_stand(GrownTree const& tree, std::size_t number,
-                                         scene::LoadOptions const& options, OnYear const& on_year)
+                                         scene::LoadOptions const& options,
+                                         YearCallback const& on_year)
 {
     auto const& part = tree.life[number];
     auto before = tree;
@@ -164,7 +165,7 @@ static Result<GrowingTree> grow_in_stand(GrownTree const& tree, std::size_t numb
 }
 
 Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& options,
-                              OnYear const& on_year)
+                              YearCallback const& on_year)
 {
     TRY(check_habit(tree.habit));
     TRY(check_age(tree));
@@ -175,7 +176,7 @@ Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& o
     if (first > 0) {
         grown = TRY(grow_in_stand(tree, first - 1, options, on_year));
     } else {
-        grown = tree.start ? TRY(wood_of(*tree.start, tree.habit, tree.seed, options))
+        grown = tree.start ? TRY(tree_from_beginning(*tree.start, tree.habit, tree.seed, options))
                            : plant_seed(Vec3::Zero());
         if (on_year)
             on_year(grown);

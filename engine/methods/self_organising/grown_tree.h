@@ -19,7 +19,7 @@ class Stand; // Defined in stand.h.
 
 // A period of a tree's life: some years of growth, either by itself or along a brush stroke; or a
 // stroke that prunes it or clears space.
-struct LifePart {
+struct LifePeriod {
     enum class Kind {
         Grow,
         Prune, // The stroke cuts off what it touches (prune.h).
@@ -55,7 +55,7 @@ struct LifePart {
 struct GrownTree {
     Habit habit {};
     std::uint64_t seed = 1;
-    std::vector<LifePart> life {};
+    std::vector<LifePeriod> life {};
     // The plant from which the tree continued to grow; null for a tree grown from a seed.
     SharedBeginning start {};
 };
@@ -70,7 +70,7 @@ struct PlantTree {
     // Scale that a document adopts if its scale has not been set. 0: the document's first plant is
     // fitted into the drawing volume instead.
     double scale = 0;
-    LifePart first {};
+    LifePeriod first {};
     scene::ItemId id = 0; // Id of the new plant; 0: not yet assigned.
 };
 
@@ -79,7 +79,7 @@ struct GrowOn {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
-    LifePart next {};
+    LifePeriod next {};
 };
 
 // Edit: converts a plant of any method to a self-organising tree that continues to grow. Its axes
@@ -91,7 +91,7 @@ struct GrowFrom {
     scene::ItemId plant = 0;
     Habit habit {};
     std::uint64_t seed = 1;
-    LifePart next {};
+    LifePeriod next {};
     // Keys of the axes that remain, with all that bear them; empty: all axes remain. Only for a
     // plant whose axes have keys.
     std::vector<std::uint32_t> kept_axes {};
@@ -107,7 +107,7 @@ struct ChangeHabit {
 };
 
 // The brush along a period's stroke, in the tree's frame. Fails if the stroke cannot be read.
-Result<std::vector<BrushBall>> brush_balls(LifePart const& part);
+Result<std::vector<BrushBall>> brush_balls(LifePeriod const& part);
 
 // Edit: lets all visible self-organising trees of a document grow on by themselves beside each
 // other (stand.h), while the other plants shade them.
@@ -118,17 +118,17 @@ struct GrowStand {
 };
 
 // Number of years that a period takes; 0 if the tree does not grow.
-int years_of(LifePart const& part);
+int years_of(LifePeriod const& part);
 
 // Checks of a period's values and of the tree's total age. Both fail with a user error.
-Result<void> check_life(LifePart const& part);
+Result<void> check_life(LifePeriod const& part);
 Result<void> check_age(GrownTree const& tree);
 
 // Grows the tree from its beginning through all periods of its life. `on_year` gets the tree at its
 // beginning and after each year. Fails with a user error for a habit or life out of range and for a
 // stroke that is not in memory.
 Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& options = {},
-                              OnYear const& on_year = {});
+                              YearCallback const& on_year = {});
 
 // Grows the tree and converts it to a plant. Axes keep their keys when the tree grows older.
 Result<scene::BuiltSource> build_tree(GrownTree const& tree, scene::LoadOptions const& options);

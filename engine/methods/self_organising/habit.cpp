@@ -89,7 +89,7 @@ Result<void> check_habit(Habit const& habit)
     return {};
 }
 
-Laws laws_in_year(Habit const& habit, int year)
+Laws growth_laws_in_year(Habit const& habit, int year)
 {
     double const age = std::clamp((year - 1) / habit.old_years, 0.0, 1.0);
     auto const at_age = [&](double young, double old) { return young + age * (old - young); };
@@ -130,12 +130,12 @@ Laws laws_in_year(Habit const& habit, int year)
     return laws;
 }
 
-Laws laws_of_brush(Habit const& habit, int year, double internode_mm)
+Laws brush_growth_laws(Habit const& habit, int year, double internode_mm)
 {
     // Perception radius in internodes (Palubicki et al. 2009: 4 to 6).
     constexpr double kPerception = 5;
     constexpr double kOccupancy = 2; // Occupancy radius in internodes (Palubicki et al. 2009: 2).
-    auto laws = laws_in_year(habit, year);
+    auto laws = growth_laws_in_year(habit, year);
     laws.environment = Laws::Environment::Space;
     laws.internode = internode_mm;
     laws.perception_radius = kPerception * internode_mm;

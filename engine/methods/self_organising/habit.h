@@ -95,10 +95,10 @@ Result<void> check_habit(Habit const& habit);
 
 // The growth laws for a year of the tree's life, from 1. Lengths are in millimetres; buds compete
 // for light.
-Laws laws_in_year(Habit const& habit, int year);
+Laws growth_laws_in_year(Habit const& habit, int year);
 
 // The growth laws for a year in which buds compete for a brush's markers, with internodes of the
 // given length.
-Laws laws_of_brush(Habit const& habit, int year, double internode_mm);
+Laws brush_growth_laws(Habit const& habit, int year, double internode_mm);
 
 } // namespace tractus::self_organising

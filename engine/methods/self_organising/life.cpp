@@ -21,7 +21,7 @@ SagLaws sag_laws(Habit const& habit)
 
 Result<StepCount> grow_year(GrowingTree& tree, Surroundings& surroundings, Habit const& habit)
 {
-    auto laws = laws_in_year(habit, tree.step + 1);
+    auto laws = growth_laws_in_year(habit, tree.step + 1);
     double const ground = tree.places[0].position.z();
     double highest = ground;
     for (auto const& place : tree.places)
@@ -33,7 +33,7 @@ Result<StepCount> grow_year(GrowingTree& tree, Surroundings& surroundings, Habit
     return count;
 }
 
-Result<GrowingTree> grow_by_itself(Habit const& habit, int years, std::uint64_t seed)
+Result<GrowingTree> grow_without_brush(Habit const& habit, int years, std::uint64_t seed)
 {
     TRY(check_habit(habit));
     if (years < 1 || years > kMaxYears)

@@ -16,7 +16,7 @@ Result<StepCount> grow_year(GrowingTree& tree, Surroundings& surroundings, Habit
 
 // Grows a tree from a seedling for `years` years without a brush, 1 to kMaxYears. Fails with a
 // user error for another number of years or a habit out of range, and like grow_step().
-Result<GrowingTree> grow_by_itself(Habit const& habit, int years, std::uint64_t seed);
+Result<GrowingTree> grow_without_brush(Habit const& habit, int years, std::uint64_t seed);
 
 // The weights and the stiffness of a habit's wood and leaves.
 SagLaws sag_laws(Habit const& habit);

@@ -23,15 +23,15 @@ void list_habit(scene::Fields& fields, Habit& habit)
         fields.field(number.key, &(habit.*number.value));
 }
 
-void list_part(scene::Fields& fields, LifePart& part)
+void list_part(scene::Fields& fields, LifePeriod& part)
 {
-    bool prunes = part.kind == LifePart::Kind::Prune;
-    bool clears = part.kind == LifePart::Kind::Clear;
+    bool prunes = part.kind == LifePeriod::Kind::Prune;
+    bool clears = part.kind == LifePeriod::Kind::Clear;
     fields.sparse_field("prunes", &prunes);
     fields.sparse_field("clears", &clears);
-    part.kind = prunes ? LifePart::Kind::Prune
-        : clears       ? LifePart::Kind::Clear
-                       : LifePart::Kind::Grow;
+    part.kind = prunes ? LifePeriod::Kind::Prune
+        : clears       ? LifePeriod::Kind::Clear
+                       : LifePeriod::Kind::Grow;
     fields.field("years", &part.years);
     fields.sparse_field("is_volume", &part.is_volume);
     fields.field("least_radius", &part.min_radius_mm);
@@ -41,11 +41,11 @@ void list_part(scene::Fields& fields, LifePart& part)
     fields.numbers(part.stroke);
 }
 
-std::string describe_part(LifePart const& part)
+std::string describe_part(LifePeriod const& part)
 {
-    if (part.kind != LifePart::Kind::Grow)
+    if (part.kind != LifePeriod::Kind::Grow)
         return fmt::format("{} along a brush: {}",
-                           part.kind == LifePart::Kind::Prune ? "pruned" : "with space cleared",
+                           part.kind == LifePeriod::Kind::Prune ? "pruned" : "with space cleared",
                            scene::describe_stroke(part.stroke));
     auto const years = scene::counted(static_cast<std::size_t>(std::max(part.years, 0)), "year");
     if (part.is_volume)
@@ -70,7 +70,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, PlantTree const
 {
     TRY(check_habit(edit.habit));
     TRY(check_life(edit.first));
-    if (edit.first.kind != LifePart::Kind::Grow)
+    if (edit.first.kind != LifePeriod::Kind::Grow)
         return fail(Fault::User,
                     "a new tree has nothing to cut and no space to clear: let it grow "
                     "first");
@@ -146,10 +146,10 @@ Result<scene::DocumentState> applied(scene::DocumentState state, GrowOn const& e
 
 std::string described(GrowOn const& edit)
 {
-    if (edit.next.kind == LifePart::Kind::Prune)
+    if (edit.next.kind == LifePeriod::Kind::Prune)
         return fmt::format("prunes {} along a brush: {}", scene::name_of(edit.plant),
                            scene::describe_stroke(edit.next.stroke));
-    if (edit.next.kind == LifePart::Kind::Clear)
+    if (edit.next.kind == LifePeriod::Kind::Clear)
         return fmt::format("clears space of {} along a brush: {}", scene::name_of(edit.plant),
                            scene::describe_stroke(edit.next.stroke));
     return fmt::format("lets {} grow on, {}", scene::name_of(edit.plant), describe_part(edit.next));

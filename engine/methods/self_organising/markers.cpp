@@ -38,8 +38,8 @@ std::uint32_t owner_of(Vec3 const& marker, CellIndex const& index, std::vector<V
 
 } // namespace
 
-Perceived compete_for_space(std::vector<Vec3>& markers, GrowingTree const& tree,
-                            std::vector<Bud> const& buds, Laws const& laws)
+BudPerception compete_for_space(std::vector<Vec3>& markers, GrowingTree const& tree,
+                                std::vector<Bud> const& buds, Laws const& laws)
 {
     std::vector<Vec3> places(buds.size());
     std::vector<Vec3> directions(buds.size());
@@ -55,8 +55,8 @@ Perceived compete_for_space(std::vector<Vec3>& markers, GrowingTree const& tree,
             owners[i] = owner_of(markers[i], index, places, directions, laws);
     });
 
-    Perceived perceived { std::vector<double>(buds.size()),
-                          std::vector<Vec3>(buds.size(), Vec3::Zero()) };
+    BudPerception perceived { std::vector<double>(buds.size()),
+                              std::vector<Vec3>(buds.size(), Vec3::Zero()) };
     std::size_t kept = 0;
     for (std::size_t i = 0; i < markers.size(); ++i) {
         if (owners[i] == kUsedUp)

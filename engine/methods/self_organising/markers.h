@@ -10,7 +10,7 @@
 namespace tractus::self_organising {
 
 // The light or space that each bud of a tree perceives.
-struct Perceived {
+struct BudPerception {
     std::vector<double> quality; // Q of each bud: 0 if the bud has no reason to grow.
     // V of each bud: unit vector of the direction to grow in; zero if there is none.
     std::vector<Vec3> direction;
@@ -20,7 +20,7 @@ struct Perceived {
 // bud; each other marker goes to the nearest bud that perceives it, at equal distances to the
 // earlier bud. A bud with a marker gets quality 1 and the mean direction to its markers (Runions et
 // al. 2007). The order of the markers affects only the last digits of the directions.
-Perceived compete_for_space(std::vector<Vec3>& markers, GrowingTree const& tree,
-                            std::vector<Bud> const& buds, Laws const& laws);
+BudPerception compete_for_space(std::vector<Vec3>& markers, GrowingTree const& tree,
+                                std::vector<Bud> const& buds, Laws const& laws);
 
 } // namespace tractus::self_organising

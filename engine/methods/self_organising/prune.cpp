@@ -149,7 +149,7 @@ Result<std::size_t> prune(GrowingTree& tree, std::span<BrushBall const> balls, H
     TRY(check_balls(balls));
     if (balls.empty() || tree.size() < 2)
         return 0;
-    auto const laws = laws_in_year(habit, tree.step);
+    auto const laws = growth_laws_in_year(habit, tree.step);
     auto is_dead = TouchedWood(tree, balls).find();
     auto const stumps = cut(tree, is_dead, laws);
     if (stumps.empty())

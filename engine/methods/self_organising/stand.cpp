@@ -62,7 +62,7 @@ Stand::Stand(Place place)
 }
 
 Result<GrowingTree> Stand::grow_member(std::size_t number, scene::LoadOptions const& options,
-                                       OnYear const& on_year) const
+                                       YearCallback const& on_year) const
 {
     CHECK(number < place_.members.size());
     std::lock_guard const lock(mutex_);
@@ -78,14 +78,14 @@ Result<GrowingTree> Stand::grow_member(std::size_t number, scene::LoadOptions co
 }
 
 Result<std::vector<GrowingTree>> Stand::grow(std::size_t watched, scene::LoadOptions const& options,
-                                             OnYear const& on_year) const
+                                             YearCallback const& on_year) const
 {
     auto const& members = place_.members;
     std::vector<GrowingTree> trees;
     for (std::size_t i = 0; i < members.size(); ++i)
         trees.push_back(
-            TRY(grow_tree(members[i].tree, options, i == watched ? on_year : OnYear {})));
-    // What does not grow, in the frame of each member.
+            TRY(grow_tree(members[i].tree, options, i == watched ? on_year : YearCallback {})));
+    // Points of the plants that do not grow, in the frame of each member.
     std::vector<std::vector<Vec3>> still(members.size());
     for (auto const& other : place_.others)
         for (std::size_t i = 0; i < members.size(); ++i) {

@@ -37,11 +37,11 @@ public:
     // Grows all members and returns one of them. `on_year` gets that tree at its beginning and
     // after each year. Fails like grow_tree(), and if another plant cannot be built.
     Result<GrowingTree> grow_member(std::size_t number, scene::LoadOptions const& options,
-                                    OnYear const& on_year = {}) const;
+                                    YearCallback const& on_year = {}) const;
 
 private:
     Result<std::vector<GrowingTree>> grow(std::size_t watched, scene::LoadOptions const& options,
-                                          OnYear const& on_year) const;
+                                          YearCallback const& on_year) const;
 
     Place place_;
     // Members that were grown for another one and have not been asked for yet: a document builds

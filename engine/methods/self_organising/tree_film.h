@@ -44,7 +44,7 @@ private:
     // Nodes of the last tree: number_in_[year][node] is the node's number in the tree of that year,
     // or kNone if it has not grown yet.
     std::vector<std::vector<std::uint32_t>> number_in_;
-    std::vector<std::vector<double>> diameters_; // Of each year's tree.
+    std::vector<std::vector<double>> diameters_; // Node diameters of each year's tree.
     std::vector<std::uint32_t> leaf_node_;       // Node of the last tree that each leaf is on.
 };
 

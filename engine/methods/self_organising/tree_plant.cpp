@@ -24,7 +24,7 @@ public:
         : tree_(tree)
         , habit_(habit)
         , seed_(seed)
-        , laws_(laws_in_year(habit, tree.step))
+        , laws_(growth_laws_in_year(habit, tree.step))
         , diameters_(diameters(tree, laws_))
     {
     }

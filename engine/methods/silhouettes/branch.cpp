@@ -88,7 +88,7 @@ void BranchingAngles::learn(Sample const& sample)
     samples_.insert(after, sample);
 }
 
-Vec2 way_over(Cubic const& curve, double share)
+Vec2 chord_to_share(Cubic const& curve, double share)
 {
     double const wanted = share * curve_length(curve);
     double length = 0;
@@ -117,7 +117,7 @@ void settle_angle(Cubic& curve, Vec2 const& along, double over)
     double const wanted = angle_to(curve.base_tangent);
     double start = wanted;
     for (int i = 0; i < 5; ++i) {
-        start += wanted - angle_to(way_over(curve, over));
+        start += wanted - angle_to(chord_to_share(curve, over));
         start = std::clamp(start, -radians(kMax_deg), radians(kMax_deg));
         curve.base_tangent = reach * turned(along, start);
     }
@@ -281,7 +281,7 @@ std::vector<Vec2> shared_with(std::span<Vec2 const> outline, Bump const& bump, C
 
 } // namespace
 
-std::vector<Vec2> lens_around(Cubic const& branch)
+std::vector<Vec2> lens_crown(Cubic const& branch)
 {
     constexpr std::size_t kPoints = 9;
     // Half the lens's greatest width, as a share of the branch's length.

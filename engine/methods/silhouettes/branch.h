@@ -72,7 +72,7 @@ struct BranchSearch {
 };
 
 // Chord from a branch's base to the point at `share` of its length.
-Vec2 way_over(Cubic const& curve, double share);
+Vec2 chord_to_share(Cubic const& curve, double share);
 
 // The branch that starts at one sample. The magnitude of its end tangents is `share` of the chord.
 BranchCurve branch_from(BranchSearch const& search, std::size_t sample, BranchEnd const& to,
@@ -93,7 +93,7 @@ BranchCurve drawn_branch(BranchSearch const& search, std::span<Vec2 const> strok
 double cone_angle_deg(double radius, double distance);
 
 // Crown of a branch that ends in no bump: a lens around its outer part, counter-clockwise.
-std::vector<Vec2> lens_around(Cubic const& branch);
+std::vector<Vec2> lens_crown(Cubic const& branch);
 
 // Outline of a branch's own crown, counter-clockwise: the bump's samples that lie in the cone at
 // the branch's base, closed by two curves back to the base.

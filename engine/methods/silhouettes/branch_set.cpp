@@ -170,14 +170,14 @@ BranchSet BranchSetMaker::make(std::size_t index, LevelOptions const& options) c
     for (std::size_t i = 0; i < arrangement.places.size(); ++i) {
         auto place = arrangement.places[i];
         if (i < drawn.size()) {
-            stand_in_plane(branch_set, model, i, place);
+            place_in_plane(branch_set, model, i, place);
             continue;
         }
         if (spread)
             place.theta_deg = spread->theta_deg(place.theta_deg);
         if (auto const nearest = nearest_drawn(model, place))
-            stand_added(branch_set, model, place, *nearest,
-                        lean_of(system.branches[*nearest], place, smaller));
+            place_added_branch(branch_set, model, place, *nearest,
+                               lean_of(system.branches[*nearest], place, smaller));
     }
     finish(branch_set, system);
     return branch_set;
@@ -222,7 +222,7 @@ std::vector<DrawnPlace> BranchSetMaker::drawn_places(Line const& parent,
         drawn.push_back({ .u = parent.place_of(branch.path.curve.base),
                           .theta_deg = is_left ? 180.0 : 0.0,
                           .most_off_deg = off_deg,
-                          .keeps_u = branch.is_of_hand() });
+                          .keeps_u = branch.is_user_drawn() });
     }
     return drawn;
 }
@@ -239,7 +239,7 @@ void BranchSetMaker::stand(BranchSet& branch_set, Model const& model, std::size_
     Vec2 as_it_is = Vec2::UnitX();
     if (moves_to != place.u) {
         // The end stays on the outline.
-        way = way_to_end(branch, branch_set.parent.at(moves_to));
+        way = similarity_to_end(branch, branch_set.parent.at(moves_to));
         as_it_is = way.turn;
         way.turn *= longer;
     }
@@ -263,14 +263,14 @@ void BranchSetMaker::stand(BranchSet& branch_set, Model const& model, std::size_
 
 // Adds a visible branch that may have moved to a node. It still goes to its end, unless that would
 // change its length or direction too much; then it is placed like an added branch.
-void BranchSetMaker::stand_in_plane(BranchSet& branch_set, Model const& model, std::size_t i,
+void BranchSetMaker::place_in_plane(BranchSet& branch_set, Model const& model, std::size_t i,
                                     Place const& place) const
 {
     constexpr double kMaxStretched = 1.3;
     constexpr double kMaxTurned_deg = 25;
     auto const& branch = model.system.branches[i];
     double const as_inferred = model.drawn[i].u;
-    auto const way = way_to_end(branch, branch_set.parent.at(place.u));
+    auto const way = similarity_to_end(branch, branch_set.parent.at(place.u));
     double const size = way.turn.norm();
     double const turned_deg = degrees(std::fabs(std::atan2(way.turn.y(), way.turn.x())));
     bool const keeps_end = place.u == as_inferred
@@ -279,7 +279,7 @@ void BranchSetMaker::stand_in_plane(BranchSet& branch_set, Model const& model, s
         stand(branch_set, model, i, { as_inferred, place.theta_deg }, place.u);
         return;
     }
-    stand_added(branch_set, model, place, i, lean_of(branch, place, Lean::Smaller::Least));
+    place_added_branch(branch_set, model, place, i, lean_of(branch, place, Lean::Smaller::Least));
     branch_set.branches.back().name = name_of(branch);
 }
 
@@ -291,8 +291,8 @@ BranchSetMaker::Lean BranchSetMaker::lean_of(Branch const& branch, Place const& 
              .smaller = smaller };
 }
 
-void BranchSetMaker::stand_added(BranchSet& branch_set, Model const& model, Place const& place,
-                                 std::size_t nearest, Lean const& lean)
+void BranchSetMaker::place_added_branch(BranchSet& branch_set, Model const& model,
+                                        Place const& place, std::size_t nearest, Lean const& lean)
 {
     auto const& branch = model.system.branches[nearest];
     Vec2 const along = branch_set.parent.direction(place.u);
@@ -311,12 +311,12 @@ void BranchSetMaker::stand_added(BranchSet& branch_set, Model const& model, Plac
     size = std::max(size, lean.least);
     way.turn = size * unit;
     branch_set.branches.push_back(
-        { nearest, name_of_added(branch_set, place), place.u, place.theta_deg, way });
+        { nearest, name_of_added_branch(branch_set, place), place.u, place.theta_deg, way });
 }
 
 // Names an added branch after its rounded position. Added branches are redistributed as a whole
 // after a change; the one that is then at this position gets the same name.
-std::string BranchSetMaker::name_of_added(BranchSet const& branch_set, Place const& place)
+std::string BranchSetMaker::name_of_added_branch(BranchSet const& branch_set, Place const& place)
 {
     constexpr double kSteps = 12; // Resolution of the names, along the parent and around it.
     auto const name = fmt::format("a{}.{}", std::lround(place.u * kSteps),
@@ -348,7 +348,7 @@ std::optional<std::size_t> BranchSetMaker::nearest_drawn(Model const& model, Pla
 }
 
 // The similarity that moves a branch's base to `from` and leaves its end where it is.
-Similarity BranchSetMaker::way_to_end(Branch const& branch, Vec2 const& from)
+Similarity BranchSetMaker::similarity_to_end(Branch const& branch, Vec2 const& from)
 {
     auto const& curve = branch.path.curve;
     Vec2 const before = curve.end - curve.base;

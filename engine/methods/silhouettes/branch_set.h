@@ -15,7 +15,7 @@ namespace tractus::silhouette {
 
 // A branch of a system, placed around its parent.
 struct PositionedBranch {
-    // Index in the system of the branch itself, or of the branch that it copies.
+    // Index of the branch in its system, or of the branch that it copies.
     std::size_t branch = 0;
     std::string name;
     double u = 0;
@@ -69,23 +69,23 @@ public:
         double least = 0.15;
         enum class Smaller { LeftOut, Least } smaller = Smaller::LeftOut;
     };
-    static void stand_added(BranchSet& branch_set, Model const& model, Place const& place,
-                            std::size_t nearest, Lean const& lean);
+    static void place_added_branch(BranchSet& branch_set, Model const& model, Place const& place,
+                                   std::size_t nearest, Lean const& lean);
 
     // Sorts the branches, with the trunk's end last.
     static void finish(BranchSet& branch_set, BranchingSystem const& system);
 
     // The similarity that moves a branch's base to `from` and leaves its end where it is.
-    static Similarity way_to_end(Branch const& branch, Vec2 const& from);
+    static Similarity similarity_to_end(Branch const& branch, Vec2 const& from);
 
     // Axis of a branch. `below` is the index of its own system, kNoSystem if it has none.
     std::vector<Vec2> line_of(Branch const& model, std::size_t below) const;
 
 private:
-    void stand_in_plane(BranchSet& branch_set, Model const& model, std::size_t i,
+    void place_in_plane(BranchSet& branch_set, Model const& model, std::size_t i,
                         Place const& place) const;
     Lean lean_of(Branch const& branch, Place const& place, Lean::Smaller smaller) const;
-    static std::string name_of_added(BranchSet const& branch_set, Place const& place);
+    static std::string name_of_added_branch(BranchSet const& branch_set, Place const& place);
 
     Skeleton const& skeleton_;
     TreeOptions const& options_;

@@ -30,7 +30,7 @@ double unit_of(Space const& space)
     return std::cbrt(std::fabs(space.linear().determinant()));
 }
 
-Space space_of(Bearer const& bearer, PositionedBranch const& standing, Branch const& branch,
+Space space_of(ParentBranch const& bearer, PositionedBranch const& standing, Branch const& branch,
                double share)
 {
     Vec2 const base = standing.way.point(branch.path.curve.base);
@@ -47,8 +47,8 @@ Space space_of(Bearer const& bearer, PositionedBranch const& standing, Branch co
     return around * bearer.space * in_space(standing.way);
 }
 
-Space space_under(SurfaceFit const& surface, Bearer const& bearer, PositionedBranch const& standing,
-                  Branch const& branch)
+Space space_under(SurfaceFit const& surface, ParentBranch const& bearer,
+                  PositionedBranch const& standing, Branch const& branch)
 {
     constexpr double kLarge = 0.8;
     Space best = space_of(bearer, standing, branch);

@@ -17,20 +17,20 @@ Space in_space(Similarity const& way);
 double unit_of(Space const& space);
 
 // The parent of a branch: the transform of its plane, and its axis in that plane.
-struct Bearer {
+struct ParentBranch {
     Space const& space;
     Line const& line;
 };
 
 // Transform of a placed branch. `share` scales its azimuth about the parent: 0 leaves it in the
 // parent's plane, 1 turns it fully.
-Space space_of(Bearer const& bearer, PositionedBranch const& standing, Branch const& branch,
+Space space_of(ParentBranch const& bearer, PositionedBranch const& standing, Branch const& branch,
                double share = 1);
 
 // Transform of a placed branch, like space_of(), but inside a drawn crown surface. Branches of
 // branches rotate back towards the plane in which their parent was fitted to the surface, and
 // shrink, as far as needed to stay inside.
-Space space_under(SurfaceFit const& surface, Bearer const& bearer, PositionedBranch const& standing,
-                  Branch const& branch);
+Space space_under(SurfaceFit const& surface, ParentBranch const& bearer,
+                  PositionedBranch const& standing, Branch const& branch);
 
 } // namespace tractus::silhouette

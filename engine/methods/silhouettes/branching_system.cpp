@@ -81,7 +81,7 @@ double angle_at_base_deg(BranchingSystem const& system, BranchCurve const& path,
     auto const& trunk = system.trunk;
     auto const next = std::min(path.trunk_sample + 1, trunk.size() - 1);
     Vec2 const along = trunk[next] - trunk[next - 1];
-    Vec2 const out = over > 0 ? way_over(path.curve, over) : path.curve.base_tangent;
+    Vec2 const out = over > 0 ? chord_to_share(path.curve, over) : path.curve.base_tangent;
     return degrees(std::fabs(std::atan2(cross(along, out), along.dot(out))));
 }
 
@@ -91,8 +91,9 @@ struct DrawnBranches {
     std::vector<std::optional<Branch>> of_bump;
     std::vector<Branch> elsewhere {};
 };
-DrawnBranches take_drawn(BranchingSystem const& system, Run const& bases,
-                         std::vector<std::vector<Vec2>> const& strokes, BranchingAngles& angles)
+DrawnBranches take_drawn_branches(BranchingSystem const& system, Run const& bases,
+                                  std::vector<std::vector<Vec2>> const& strokes,
+                                  BranchingAngles& angles)
 {
     DrawnBranches drawn { .of_bump = std::vector<std::optional<Branch>>(system.bumps.size()) };
     for (std::size_t number = 0; number < strokes.size(); ++number) {
@@ -106,7 +107,7 @@ DrawnBranches take_drawn(BranchingSystem const& system, Run const& bases,
             branch = branch_to(system, system.bumps[*bump], std::move(path));
         } else {
             branch.path = std::move(path);
-            branch.crown = lens_around(branch.path.curve);
+            branch.crown = lens_crown(branch.path.curve);
         }
         branch.origin = Branch::Origin::Drawn;
         branch.number = number;
@@ -179,7 +180,7 @@ void add_spaced(BranchingSystem& system, Run const& bases, BranchingAngles const
 FillOptions filling(FillOptions options, std::size_t branches)
 {
     constexpr double kMinGap = 0.006;
-    constexpr double kMinLength = 0.02; // What is nearer to the trunk is covered by it.
+    constexpr double kMinLength = 0.02; // Shorter branches are hidden by the trunk.
     if (branches > 0) {
         options.most_branches = branches;
         options.enough = 1;
@@ -318,7 +319,7 @@ Result<BranchingSystem> infer_system(Drawing const& drawing, InferenceOptions co
     auto const bases = bases_of(system, options.unbranched);
     bool const anywhere = options.drawn_bases == InferenceOptions::DrawnBases::Anywhere;
     auto const drawn_bases = anywhere ? Run { 0, system.trunk.size() - 1 } : system.inside;
-    auto drawn = take_drawn(system, drawn_bases, clean.branches, angles);
+    auto drawn = take_drawn_branches(system, drawn_bases, clean.branches, angles);
     infer_branches(system, bases, std::move(drawn), angles);
     if (options.branches > 0)
         add_spaced(system, bases, angles, options.branches);

@@ -110,7 +110,7 @@ Bump bump_on(std::span<Vec2 const> outline, Arc const& arc, double strength)
 {
     auto const n = static_cast<std::uint32_t>(outline.size());
     auto cap = arc;
-    while (cap.inner_count(n) > 3 && !holds_cap(outline, cap))
+    while (cap.inner_count(n) > 3 && !contains_cap(outline, cap))
         cap = { (cap.first + 1) % n, (cap.last + n - 1) % n };
     auto bump = describe_bump(outline, arc, cap, strength);
     pull_inside(bump, outline);
@@ -125,10 +125,10 @@ std::uint32_t split_sample(std::span<Vec2 const> outline, Bump const& bump, Vec2
                                       // bump's height has no clear direction.
     // Minimum distance of the ray's origin from the tip, as a multiple of the distance from tip to
     // end.
-    constexpr double kBehindEnd = 1.5;
+    constexpr double kMinOriginDistance = 1.5;
     Vec2 const back = chord_middle(outline, bump.arc) - bump.tip;
     Vec2 const from = bump.tip
-        + std::max(back.norm(), kBehindEnd * (bump.end - bump.tip).norm())
+        + std::max(back.norm(), kMinOriginDistance * (bump.end - bump.tip).norm())
             * direction_of(back, -bump.tangent);
     Vec2 const to_tip = bump.tip - from;
     Vec2 way = place - from;
@@ -293,7 +293,7 @@ Result<void> add_touch(Drawing& drawing, BumpTouch const& touch, SkeletonOptions
     return {};
 }
 
-std::size_t touches_waiting(Drawing const& drawing, Skeleton const& skeleton)
+std::size_t count_unmatched_touches(Drawing const& drawing, Skeleton const& skeleton)
 {
     std::size_t taken = 0;
     for (auto const& system : skeleton.systems)

@@ -56,6 +56,6 @@ Result<void> add_touch(Drawing& drawing, BumpTouch const& touch,
                        SkeletonOptions const& options = {}, Search search = Search::AnyLevel);
 
 // Number of the drawing's touches that match no bump at present.
-std::size_t touches_waiting(Drawing const& drawing, Skeleton const& skeleton);
+std::size_t count_unmatched_touches(Drawing const& drawing, Skeleton const& skeleton);
 
 } // namespace tractus::silhouette

@@ -109,7 +109,7 @@ private:
 Chord end_chord(ChordalAxis const& axis, Chord base)
 {
     auto const points = axis.outline().size();
-    while (!holds_cap(axis.outline(), axis.beyond(base))) {
+    while (!contains_cap(axis.outline(), axis.beyond(base))) {
         auto const next = axis.onward(base);
         if (next.empty())
             break;
@@ -128,7 +128,7 @@ Arc even_cap(std::span<Vec2 const> outline, Arc arc)
         = 0.02; // Points may be outside by this share of the half disc's radius.
     constexpr std::size_t kMinInner = 3;
     auto const n = static_cast<std::uint32_t>(outline.size());
-    while (arc.inner_count(n) > kMinInner && !holds_cap(outline, arc, kTremor))
+    while (arc.inner_count(n) > kMinInner && !contains_cap(outline, arc, kTremor))
         arc = { (arc.first + 1) % n, (arc.last + n - 1) % n };
     return arc;
 }
@@ -159,7 +159,7 @@ std::vector<Bump> spindle_ends(ChordalAxis const& axis, BumpThresholds::Ends end
 
 } // namespace
 
-bool holds_cap(std::span<Vec2 const> outline, Arc const& arc, double tolerance)
+bool contains_cap(std::span<Vec2 const> outline, Arc const& arc, double tolerance)
 {
     Vec2 const middle = (outline[arc.first] + outline[arc.last]) / 2;
     double const reach = (outline[arc.last] - outline[arc.first]).norm() / 2 * (1 + tolerance);

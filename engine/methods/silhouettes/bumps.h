@@ -59,7 +59,7 @@ std::vector<Bump> find_bumps(ChordalAxis const& axis, BumpThresholds const& thre
 
 // True if the half disc over the ends of an arc contains the whole arc, up to a share of its
 // radius.
-bool holds_cap(std::span<Vec2 const> outline, Arc const& arc, double tolerance = 1e-9);
+bool contains_cap(std::span<Vec2 const> outline, Arc const& arc, double tolerance = 1e-9);
 
 // Computes the bump that has the given arc and cap.
 Bump describe_bump(std::span<Vec2 const> outline, Arc const& arc, Arc const& cap, double strength);

@@ -30,7 +30,7 @@ double between_distances(double a, double b, double weight_of_a)
 
 CrownSurface::CrownSurface(std::span<Vec2 const> outline, std::span<Vec2 const> trunk)
     : frame_(trunk)
-    , meridians_(halves_of(all_in_frame(outline, frame_), 0))
+    , meridians_(split_into_meridians(all_in_frame(outline, frame_), 0))
 {
 }
 

@@ -26,7 +26,7 @@ public:
     explicit Lattice(CrownVolume const& volume)
         : low_(volume.box_mm().min_mm)
     {
-        constexpr double kPoints = 32; // Along the longest side.
+        constexpr double kPoints = 32; // Number of points along the longest side.
         Vec3 const size = volume.box_mm().max_mm - low_;
         step_ = std::max(size.maxCoeff(), 1e-6) / kPoints;
         for (std::size_t a = 0; a < 3; ++a) // One more point on each side lies outside.
@@ -167,7 +167,7 @@ Result<std::vector<std::uint32_t>> drawn_axes(OutlinedTree const& tree)
     std::vector<std::uint32_t> keys { axis_key(kTrunkName) };
     for (std::size_t i = 0; i < skeleton.systems.size(); ++i)
         for (std::size_t k = 0; k < skeleton.systems[i].branches.size(); ++k)
-            if (skeleton.systems[i].branches[k].is_of_hand())
+            if (skeleton.systems[i].branches[k].is_user_drawn())
                 keys.push_back(axis_key(skeleton.path_of({ i, k })));
     return keys;
 }

@@ -300,7 +300,7 @@ Result<std::vector<Meridian>> meridians_of(std::vector<CrownLine> const& lines,
     std::vector<Meridian> halves;
     CrownRange range;
     if (!outline.empty()) {
-        halves = halves_of(outline, 0);
+        halves = split_into_meridians(outline, 0);
         range = { box_of(outline).low.y(), top_of(outline) };
     }
     double low = 1e300;
@@ -311,7 +311,8 @@ Result<std::vector<Meridian>> meridians_of(std::vector<CrownLine> const& lines,
         auto const kind = TRY(kind_of(line));
         if (kind == CrownLineKind::Side) {
             double const theta_deg = azimuth_deg(line);
-            auto const side = halves_of(TRY(clean_side(line, trunk, theta_deg)), theta_deg);
+            auto const side
+                = split_into_meridians(TRY(clean_side(line, trunk, theta_deg)), theta_deg);
             halves.insert(halves.end(), side.begin(), side.end());
             continue;
         }

@@ -131,7 +131,7 @@ private:
     {
         auto const& curve = model.path.curve;
         double const over = crown_.angles.over();
-        Vec2 const from = direction_of(over > 0 ? way_over(curve, over)
+        Vec2 const from = direction_of(over > 0 ? chord_to_share(curve, over)
                                                 : Vec2(curve.at(1.0 / 16) - curve.base));
         bool const mirrors = model.path.side != side;
         Vec2 const unit = turn_between(from, start, mirrors);

@@ -43,7 +43,7 @@ struct Branch {
     // Branches that were drawn on this one (own_branch.h), and the branches that follow the style
     // of these.
     std::vector<std::vector<Vec2>> own_branches {};
-    StyleTo style_to = StyleTo::None;
+    StyleScope style_to = StyleScope::None;
     // Path of the branch whose style was chosen for this one (chosen_style.h).
     std::string style_from {};
     // Touches at bumps of the branch's own outline (bump_touch.h).
@@ -57,7 +57,7 @@ struct Branch {
     bool is_drawn_leaf() const { return is_outlined() && leaf; }
     bool is_refined() const { return is_outlined() || !own_branches.empty(); }
     // True if the branch, or something on it, was drawn, so that it keeps its place.
-    bool is_of_hand() const { return origin == Origin::Drawn || is_refined(); }
+    bool is_user_drawn() const { return origin == Origin::Drawn || is_refined(); }
     // True if the branch follows a stroke that was drawn on another branch.
     bool is_stroke() const { return origin == Origin::Drawn && !stroke.empty(); }
 

@@ -172,7 +172,7 @@ void KeptNames::name(NewSystem const& made, Drawing& drawing)
     auto const before = earlier_system(made);
     auto& partners = partners_.emplace_back();
     earlier_of_.push_back(before);
-    has_borne_twice_ = !parents_.insert(made.parent).second || has_borne_twice_;
+    has_replaced_children_ = !parents_.insert(made.parent).second || has_replaced_children_;
     if (before) {
         auto const& earlier = earlier_.bare(*before);
         bool const is_on_trunk = made.parent_system == kNoSystem;
@@ -211,7 +211,7 @@ Result<Renamed> kept_names(InferredDrawing const& earlier, Drawing& after, Skele
     auto skeleton = TRY(infer_skeleton(after, options, kept));
     after.is_leaf = is_leaf;
     Renamed renamed { kept.names() };
-    if (!is_leaf && !kept.has_borne_twice() && are_on_the_same(as_given, after))
+    if (!is_leaf && !kept.has_replaced_children() && are_on_the_same(as_given, after))
         renamed.inferred = { std::move(skeleton), kept.take_systems() };
     return renamed;
 }
@@ -224,7 +224,7 @@ Result<Renamed> kept_names(DrawingToInfer const& before, Drawing& after,
     return kept_names(TRY(infer_drawing(drawing, before.options)), after, options, fresh);
 }
 
-void FoundAgain::name(NewSystem const& made, Drawing& drawing)
+void ReassigningNamer::name(NewSystem const& made, Drawing& drawing)
 {
     if (made.parent_system == kNoSystem)
         forget_trunk_branches(drawing);

@@ -49,7 +49,7 @@ public:
 
     // True if the children of some path were replaced by others during inference, so that names
     // alone do not identify them.
-    bool has_borne_twice() const { return has_borne_twice_; }
+    bool has_replaced_children() const { return has_replaced_children_; }
 
 private:
     using Partners = std::vector<std::optional<std::size_t>>;
@@ -61,7 +61,7 @@ private:
     BranchNames names_;
     std::vector<BranchingSystem> systems_;
     std::set<std::string> parents_; // Paths whose children have been named.
-    bool has_borne_twice_ = false;
+    bool has_replaced_children_ = false;
     // Index of the matching earlier system, for each later system.
     std::vector<std::optional<std::size_t>> earlier_of_;
     std::vector<Partners> partners_; // Partners of the branches of each later system.
@@ -97,7 +97,7 @@ Result<Renamed> kept_names(DrawingToInfer const& before, Drawing& after,
 
 // Reassigns lines to branches after the tree has been without a crown for a while, when the names
 // of the trunk's former branches no longer mean anything.
-class FoundAgain final : public BranchNamer {
+class ReassigningNamer final : public BranchNamer {
 public:
     void name(NewSystem const& made, Drawing& drawing) override;
 };

@@ -15,7 +15,7 @@ static Result<BranchingSystem> system_with_strokes(Branch const& parent, Inferen
     drawing.touches = parent.touches;
     auto system = infer_system(drawing, options);
     if (!system)
-        system = infer_system({ { lens_around(parent.path.curve) }, trunk, parent.own_branches },
+        system = infer_system({ { lens_crown(parent.path.curve) }, trunk, parent.own_branches },
                               options);
     if (system)
         for (auto& branch : system->branches)
@@ -35,7 +35,7 @@ static void keep_drawn(BranchingSystem& system)
     system.coverage_after = coverage_of(system);
 }
 
-Result<BranchingSystem> system_of_crown(Drawing const& drawing, InferenceOptions const& options)
+Result<BranchingSystem> infer_crown_system(Drawing const& drawing, InferenceOptions const& options)
 {
     auto system = TRY(infer_system(drawing, options));
     if (!drawing.is_leaf)
@@ -59,7 +59,7 @@ Result<BranchingSystem> system_below(Branch const& branch, LevelInference const&
     auto system = has_strokes ? TRY(system_with_strokes(branch, options))
                               : TRY(infer_system(drawing, options));
     system.is_of_own_outline = branch.is_outlined();
-    system.is_in_siblings_style = branch.style_to != StyleTo::None;
+    system.is_in_siblings_style = branch.style_to != StyleScope::None;
     if (has_strokes && !branch.is_outlined() && how.besides == LevelInference::Besides::Nothing)
         keep_drawn(system);
     return system;

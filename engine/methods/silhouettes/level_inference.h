@@ -23,7 +23,7 @@ struct LevelInference {
 
 // Infers the branches of the trunk; none if the crown is declared a leaf. Fails like
 // infer_system().
-Result<BranchingSystem> system_of_crown(Drawing const& drawing, InferenceOptions const& options);
+Result<BranchingSystem> infer_crown_system(Drawing const& drawing, InferenceOptions const& options);
 
 // Infers the children of a branch, with everything that was drawn on it unchanged. Fails like
 // infer_system().

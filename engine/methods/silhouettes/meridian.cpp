@@ -35,7 +35,7 @@ Vec2 TrunkFrame::to_sheet(Vec2 const& point) const
     return foot_ + point.x() * Vec2(up_.y(), -up_.x()) + point.y() * up_;
 }
 
-std::vector<Meridian> halves_of(std::span<Vec2 const> outline, double theta_deg)
+std::vector<Meridian> split_into_meridians(std::span<Vec2 const> outline, double theta_deg)
 {
     auto const n = outline.size();
     std::size_t low = 0;

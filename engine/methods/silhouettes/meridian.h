@@ -38,6 +38,6 @@ private:
 // Splits an outline into its right and left halves, as meridians at `theta_deg` and opposite to it.
 // The cuts are at its lowest and its highest point near the axis. The outline is counter-clockwise,
 // in the trunk's frame.
-std::vector<Meridian> halves_of(std::span<Vec2 const> outline, double theta_deg);
+std::vector<Meridian> split_into_meridians(std::span<Vec2 const> outline, double theta_deg);
 
 } // namespace tractus::silhouette

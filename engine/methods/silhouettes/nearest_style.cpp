@@ -82,8 +82,8 @@ Result<TreeForm> with_style_of(TreeForm form, Plant const& plant)
     return taken;
 }
 
-std::vector<scene::Edit> styles_that_follow(scene::Scene const& scene,
-                                            std::vector<scene::Edit> const& step)
+std::vector<scene::Edit> dependent_style_edits(scene::Scene const& scene,
+                                               std::vector<scene::Edit> const& step)
 {
     std::vector<scene::Edit> edits;
     if (!has_taker(scene.state))

@@ -35,7 +35,7 @@ Result<TreeForm> with_style_of(TreeForm form, Plant const& plant);
 
 // Additional edits that follow from a step: each tree that takes its style from the nearest one is
 // updated if that tree has changed or a different one is nearest now.
-std::vector<scene::Edit> styles_that_follow(scene::Scene const& scene,
-                                            std::vector<scene::Edit> const& step);
+std::vector<scene::Edit> dependent_style_edits(scene::Scene const& scene,
+                                               std::vector<scene::Edit> const& step);
 
 } // namespace tractus::silhouette

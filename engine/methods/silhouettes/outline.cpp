@@ -17,7 +17,7 @@ constexpr double kWidestGap = 0.25; // Largest gap in a closed stroke, as a shar
 // Largest gap between strokes that are joined, as a share of the drawing's diagonal.
 constexpr double kWidestJoin = 0.1;
 constexpr double kShortestBranch = 1e-2; // Shortest branch, as a share of the drawing's diagonal.
-constexpr double kShareToTell = 0.1; // Add a note if more than this share of the area was left out.
+constexpr double kWarnShare = 0.1; // Add a note if more than this share of the area was left out.
 // Height of the default trunk, as a share of the outline's height.
 constexpr double kTrunkHeight = 0.85;
 // Maximum number of outline points for the search of crossings.
@@ -194,7 +194,7 @@ Result<std::vector<Vec2>> simple_outline(std::vector<Vec2> const& closed,
                     fmt::format("the outline encloses {:.1f} mm²: draw it larger",
                                 loop.area * unit_mm * unit_mm));
     double const left_out = 1 - loop.area / loop.area_of_all;
-    if (left_out > kShareToTell)
+    if (left_out > kWarnShare)
         notes.push_back(fmt::format("the outline crosses itself: its largest loop counts, {:.0f} % "
                                     "of the area are left out",
                                     100 * left_out));
@@ -248,7 +248,7 @@ Similarity inverse(Similarity const& frame)
 
 } // namespace
 
-bool comes_back(std::span<Vec2 const> stroke)
+bool is_closed_stroke(std::span<Vec2 const> stroke)
 {
     return stroke.size() > 2
         && (stroke.back() - stroke.front()).norm() <= kWidestGap * length_of(stroke);

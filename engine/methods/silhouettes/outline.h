@@ -12,7 +12,7 @@
 namespace tractus::silhouette {
 
 // The branches that follow the style of a branch that was drawn on (sibling_style.h).
-enum class StyleTo {
+enum class StyleScope {
     None,
     Siblings, // Siblings that were not drawn on.
     Deeper,   // Siblings, and the descendants of these and of the branch itself, down to the last
@@ -23,7 +23,7 @@ enum class StyleTo {
 struct OwnOutline {
     std::string branch; // Path of the branch (Skeleton::at(), skeleton.h).
     std::vector<Vec2> outline;
-    StyleTo style_to = StyleTo::None; // Style propagation from this branch.
+    StyleScope style_to = StyleScope::None; // Style propagation from this branch.
     // True if the branch is declared a leaf, which ends the recursion (leaf_blade.h).
     bool is_leaf = false;
 };
@@ -32,7 +32,7 @@ struct OwnOutline {
 struct OwnBranch {
     std::string branch; // Path of the parent branch.
     std::vector<Vec2> line;
-    StyleTo style_to = StyleTo::None; // Style propagation from the parent branch.
+    StyleScope style_to = StyleScope::None; // Style propagation from the parent branch.
 };
 
 // A touch at the bumps of a drawn outline (bump_touch.h).
@@ -72,7 +72,7 @@ struct Drawing {
 
 // True if a stroke is closed: the gap between its ends is at most a quarter of its length. A closed
 // stroke is an outline, an open one a branch.
-bool comes_back(std::span<Vec2 const> stroke);
+bool is_closed_stroke(std::span<Vec2 const> stroke);
 
 // Limit on the points of all strokes of a drawing together.
 constexpr std::size_t kMaxDrawnPoints = 20'000;

@@ -138,10 +138,10 @@ Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke,
     return tree;
 }
 
-Result<std::optional<std::string>> branch_borne_by(OutlinedTree const& tree, Stroke const& stroke,
-                                                   Search search)
+Result<std::optional<std::string>> parent_of_drawn_branch(OutlinedTree const& tree,
+                                                          Stroke const& stroke, Search search)
 {
-    return branch_under(tree, stroke, search, branch_borne_by);
+    return branch_under(tree, stroke, search, parent_of_drawn_branch);
 }
 
 Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke,
@@ -236,7 +236,7 @@ Result<std::optional<scene::ItemId>> outline_around(OutlinedTree const& tree, St
     return smallest;
 }
 
-Result<std::size_t> count_waiting(OutlinedTree const& tree)
+Result<std::size_t> count_without_effect(OutlinedTree const& tree)
 {
     if (!tree.is_refined() && tree.styles.empty() && tree.touches.empty())
         return 0;
@@ -245,7 +245,7 @@ Result<std::size_t> count_waiting(OutlinedTree const& tree)
             + tree.touches.size();
     auto const drawing = TRY(drawing_of(tree));
     auto const skeleton = TRY(skeleton_of(tree));
-    std::size_t count = touches_waiting(drawing, skeleton);
+    std::size_t count = count_unmatched_touches(drawing, skeleton);
     for (auto const& own : tree.own_outlines)
         count += !skeleton.at(own.branch);
     for (auto const& own : tree.own_branches) {
@@ -277,7 +277,7 @@ Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::st
     if (!before.has_crown()) {
         if (!after.is_refined())
             return {};
-        FoundAgain again;
+        ReassigningNamer again;
         TRY(infer_skeleton(drawing, options_of(after), again));
         place_lines(after, drawing);
         return {};

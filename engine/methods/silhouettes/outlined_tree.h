@@ -34,7 +34,7 @@ struct DrawnOnBranch {
     scene::ItemId id = 0;
     Stroke stroke {};
     std::string branch {};
-    StyleTo style_to = StyleTo::None;
+    StyleScope style_to = StyleScope::None;
     // True for an outline that is declared a leaf, which ends the recursion (leaf_blade.h).
     bool is_leaf = false;
     // True for an outline that was made by a touch at a bump instead of drawn (bump_leaf.h).
@@ -116,7 +116,7 @@ branch_outlined_by(OutlinedTree const& tree, Stroke const& stroke, Search search
 // Description of a line that is to be added to a branch.
 struct LineOnBranch {
     scene::ItemId id = 0;
-    StyleTo style_to = StyleTo::None;
+    StyleScope style_to = StyleScope::None;
     Search search = Search::OnTrunk;
     bool is_leaf = false; // True: declare the outline a leaf.
     bool of_bump = false; // True: the outline is the inferred one, taken from a bump.
@@ -135,8 +135,9 @@ Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke,
 // Functions for a branch drawn on another branch (own_branch.h): the path of the branch to which a
 // stroke belongs, and the tree with the stroke added. They correspond to branch_outlined_by() and
 // with_own_outline().
-Result<std::optional<std::string>> branch_borne_by(OutlinedTree const& tree, Stroke const& stroke,
-                                                   Search search = Search::OnTrunk);
+Result<std::optional<std::string>> parent_of_drawn_branch(OutlinedTree const& tree,
+                                                          Stroke const& stroke,
+                                                          Search search = Search::OnTrunk);
 Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke,
                                      LineOnBranch const& line);
 
@@ -164,7 +165,7 @@ Result<CrownLine> crown_line_of(Stroke const& stroke);
 
 // Number of lines on branches, touches at bumps and chosen styles that have no effect because their
 // branch or bump does not exist. Fails like infer_system().
-Result<std::size_t> count_waiting(OutlinedTree const& tree);
+Result<std::size_t> count_without_effect(OutlinedTree const& tree);
 
 // Keeps the names of the tree's branches and the assignment of lines to branches after lines have
 // changed (kept_names.h). Does nothing if there is no outline.

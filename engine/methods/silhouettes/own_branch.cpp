@@ -20,13 +20,13 @@ bool is_long_enough(std::span<Vec2 const> stroke, Branch const& parent)
 
 } // namespace
 
-std::optional<NearBranch> branch_near(BranchingSystem const& system, Vec2 const& place)
+std::optional<NearestBranch> branch_near(BranchingSystem const& system, Vec2 const& place)
 {
     double const diagonal = box_of(system.outline).diagonal();
     double const to_trunk = distance_to_line(place, system.whole_trunk());
     if (to_trunk < kOffTrunk * diagonal)
         return std::nullopt;
-    std::optional<NearBranch> nearest;
+    std::optional<NearestBranch> nearest;
     double least = std::min(to_trunk, kNear * diagonal);
     for (std::size_t i = 0; i < system.branches.size(); ++i) {
         auto const& branch = system.branches[i];
@@ -41,9 +41,9 @@ std::optional<NearBranch> branch_near(BranchingSystem const& system, Vec2 const&
     return nearest;
 }
 
-std::optional<BranchAt> branch_near(Skeleton const& skeleton, Vec2 const& place)
+std::optional<BranchRef> branch_near(Skeleton const& skeleton, Vec2 const& place)
 {
-    std::optional<BranchAt> nearest;
+    std::optional<BranchRef> nearest;
     double least = 1e300;
     for (auto const s : skeleton.drawn_systems()) {
         auto const near = branch_near(skeleton.systems[s], place);
@@ -57,7 +57,7 @@ std::optional<BranchAt> branch_near(Skeleton const& skeleton, Vec2 const& place)
 
 std::optional<std::size_t> parent_of(BranchingSystem const& system, std::span<Vec2 const> stroke)
 {
-    if (stroke.size() < 2 || comes_back(stroke))
+    if (stroke.size() < 2 || is_closed_stroke(stroke))
         return std::nullopt;
     auto const near = branch_near(system, stroke.front());
     if (!near || !is_long_enough(stroke, system.branches[near->branch]))
@@ -75,21 +75,22 @@ void take_own_branches(BranchingSystem& system, std::span<OwnBranch const> branc
         branch.own_branches.push_back(own.line);
         branch.model.reset();
         branch.from_model = {};
-        if (own.style_to != StyleTo::None)
+        if (own.style_to != StyleScope::None)
             branch.style_to = own.style_to;
     }
 }
 
-Result<std::optional<std::string>> branch_borne_by(Drawing const& drawing,
-                                                   std::span<Vec2 const> stroke,
-                                                   SkeletonOptions const& options, Search search)
+Result<std::optional<std::string>> parent_of_drawn_branch(Drawing const& drawing,
+                                                          std::span<Vec2 const> stroke,
+                                                          SkeletonOptions const& options,
+                                                          Search search)
 {
     if (search == Search::OnTrunk || !drawing.is_refined()) {
         auto const system = TRY(infer_on_trunk(drawing, options));
         auto const parent = parent_of(system, stroke);
         return parent ? std::optional(name_of(system.branches[*parent])) : std::nullopt;
     }
-    if (stroke.size() < 2 || comes_back(stroke))
+    if (stroke.size() < 2 || is_closed_stroke(stroke))
         return std::nullopt;
     auto const skeleton = TRY(infer_skeleton(drawing, options));
     auto const parent = branch_near(skeleton, stroke.front());
@@ -99,10 +100,10 @@ Result<std::optional<std::string>> branch_borne_by(Drawing const& drawing,
     return skeleton.path_of(*parent);
 }
 
-Result<void> add_own_branch(Drawing& drawing, std::vector<Vec2> stroke, StyleTo style_to,
+Result<void> add_own_branch(Drawing& drawing, std::vector<Vec2> stroke, StyleScope style_to,
                             SkeletonOptions const& options, Search search)
 {
-    auto const parent = TRY(branch_borne_by(drawing, stroke, options, search));
+    auto const parent = TRY(parent_of_drawn_branch(drawing, stroke, options, search));
     if (!parent)
         return fail(Fault::User,
                     "the line begins on none of the tree's branches: draw it from one on, not "

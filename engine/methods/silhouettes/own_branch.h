@@ -22,14 +22,14 @@ enum class Search {
 // A point is on a branch if it is within 2.5 % of the outline's diagonal of the branch's axis,
 // nearer to it than to all others and to the trunk, and at least 2 % of the diagonal away from the
 // trunk. The apex branch is not considered.
-struct NearBranch {
+struct NearestBranch {
     std::size_t branch = 0;
     double distance = 0;
 };
-std::optional<NearBranch> branch_near(BranchingSystem const& system, Vec2 const& place);
+std::optional<NearestBranch> branch_near(BranchingSystem const& system, Vec2 const& place);
 
 // The nearest branch at a point over all systems of the skeleton that may be drawn on.
-std::optional<BranchAt> branch_near(Skeleton const& skeleton, Vec2 const& place);
+std::optional<BranchRef> branch_near(Skeleton const& skeleton, Vec2 const& place);
 
 // The branch of a system that is the parent of a stroke: the stroke begins on it (branch_near())
 // and is not closed. No value if there is none. The system and the stroke are in the same
@@ -42,13 +42,13 @@ void take_own_branches(BranchingSystem& system, std::span<OwnBranch const> branc
 
 // Adds a stroke to a drawing as a child of the branch on which it begins. Fails with a user error
 // if it begins on none or is shorter than 2 % of that branch, and like infer_system().
-Result<void> add_own_branch(Drawing& drawing, std::vector<Vec2> stroke, StyleTo style_to,
+Result<void> add_own_branch(Drawing& drawing, std::vector<Vec2> stroke, StyleScope style_to,
                             SkeletonOptions const& options = {}, Search search = Search::OnTrunk);
 
 // Path of the branch to which add_own_branch() would attach the stroke; no value if there is none.
-Result<std::optional<std::string>> branch_borne_by(Drawing const& drawing,
-                                                   std::span<Vec2 const> stroke,
-                                                   SkeletonOptions const& options = {},
-                                                   Search search = Search::OnTrunk);
+Result<std::optional<std::string>> parent_of_drawn_branch(Drawing const& drawing,
+                                                          std::span<Vec2 const> stroke,
+                                                          SkeletonOptions const& options = {},
+                                                          Search search = Search::OnTrunk);
 
 } // namespace tractus::silhouette

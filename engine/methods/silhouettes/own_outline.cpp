@@ -182,7 +182,7 @@ Result<std::optional<std::string>> branch_outlined_by(Drawing const& drawing,
 }
 
 Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke,
-                             SkeletonOptions const& options, StyleTo style_to, Search search,
+                             SkeletonOptions const& options, StyleScope style_to, Search search,
                              bool is_leaf)
 {
     auto const branch = TRY(branch_outlined_by(drawing, stroke, options, search));

@@ -40,7 +40,8 @@ void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outl
 // earlier one, and optionally declares it a leaf. A branch that is a leaf already stays one. Fails
 // with a user error if the stroke surrounds no branch, and like infer_system() and clean_drawing().
 Result<void> add_own_outline(Drawing& drawing, std::vector<Vec2> stroke,
-                             SkeletonOptions const& options = {}, StyleTo style_to = StyleTo::None,
+                             SkeletonOptions const& options = {},
+                             StyleScope style_to = StyleScope::None,
                              Search search = Search::OnTrunk, bool is_leaf = false);
 
 // Path of the branch to which add_own_outline() would assign the stroke; no value if there is none.

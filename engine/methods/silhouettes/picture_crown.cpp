@@ -326,7 +326,7 @@ std::vector<Vec2> smooth(std::vector<Vec2> const& edge, double deviation)
 
 } // namespace
 
-Result<std::vector<Vec2>> crown_in_picture(PictureGrid const& picture, Vec2 const& place)
+Result<std::vector<Vec2>> find_crown_in_picture(PictureGrid const& picture, Vec2 const& place)
 {
     auto const nothing = [] {
         return fail(Fault::User,

@@ -34,6 +34,6 @@ constexpr int kPictureGridWidth = 360;
 //
 // Fails with a user error if no region is distinct, as in sky or ground, or if the crown is cut off
 // by two sides of the picture.
-Result<std::vector<Vec2>> crown_in_picture(PictureGrid const& picture, Vec2 const& place);
+Result<std::vector<Vec2>> find_crown_in_picture(PictureGrid const& picture, Vec2 const& place);
 
 } // namespace tractus::silhouette

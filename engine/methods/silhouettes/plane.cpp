@@ -67,8 +67,8 @@ double distance_to_outline(std::span<Vec2 const> outline, Vec2 const& point)
     return least;
 }
 
-std::optional<double> way_to_outline(std::span<Vec2 const> outline, Vec2 const& from,
-                                     Vec2 const& ahead)
+std::optional<double> ray_distance_to_outline(std::span<Vec2 const> outline, Vec2 const& from,
+                                              Vec2 const& ahead)
 {
     std::optional<double> least;
     for (std::size_t i = 0; i < outline.size(); ++i) {

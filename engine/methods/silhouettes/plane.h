@@ -36,8 +36,8 @@ double distance_to_line(Vec2 const& point, std::span<Vec2 const> line);
 
 // Distance to the first intersection of a ray with the outline, as a multiple of `ahead`; no value
 // if it does not meet the outline.
-std::optional<double> way_to_outline(std::span<Vec2 const> outline, Vec2 const& from,
-                                     Vec2 const& ahead);
+std::optional<double> ray_distance_to_outline(std::span<Vec2 const> outline, Vec2 const& from,
+                                              Vec2 const& ahead);
 
 // Greatest distance from the outline of the points outside it; 0 if all are inside.
 double excursion(std::span<Vec2 const> outline, std::span<Vec2 const> points);

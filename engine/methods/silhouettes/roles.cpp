@@ -112,7 +112,7 @@ std::optional<Vec2> set_roles(std::vector<Bump>& bumps, std::span<Vec2 const> ou
     }
     if (run.last + 1 != trunk.size() || forks)
         return std::nullopt;
-    auto const far = way_to_outline(outline, end, ahead);
+    auto const far = ray_distance_to_outline(outline, end, ahead);
     return far ? std::optional<Vec2>(end + kOn * *far * ahead) : std::nullopt;
 }
 

@@ -316,7 +316,7 @@ void spread_leaves(BranchingSystem& system, std::function<bool(Branch const&)> c
 {
     std::vector<Branch> examples;
     for (auto const& branch : system.branches)
-        if (branch.style_to != StyleTo::None)
+        if (branch.style_to != StyleScope::None)
             examples.push_back(branch);
     auto const is_leaf = [](Branch const& branch) { return branch.leaf.has_value(); };
     if (std::none_of(examples.begin(), examples.end(), is_leaf))
@@ -334,7 +334,7 @@ void spread_leaves(BranchingSystem& system, std::function<bool(Branch const&)> c
     system.coverage_after = coverage_of(system);
 }
 
-bool bears_leaves_alone(BranchingSystem const& system)
+bool has_only_leaves(BranchingSystem const& system)
 {
     return !system.branches.empty()
         && std::all_of(system.branches.begin(), system.branches.end(),

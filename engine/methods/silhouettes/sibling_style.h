@@ -27,7 +27,8 @@ struct ParentStyle {
                           // only one child.
     double deviation = 0; // Standard deviation of the distances between children.
     bool is_of_own_outline = false;
-    bool goes_deeper = false; // True if the style also applies to deeper levels (StyleTo::Deeper).
+    bool includes_deeper_levels
+        = false; // True if the style also applies to deeper levels (StyleScope::Deeper).
 
     // Shares of the parent's length before the first child and up to the last one.
     double unbranched() const { return children.front().u; }
@@ -60,6 +61,6 @@ void take_leaf(Branch& branch, Branch const& source, std::span<Vec2 const> outli
 void spread_leaves(BranchingSystem& system, std::function<bool(Branch const&)> const& may);
 
 // True if the system has branches and all of them are leaves.
-bool bears_leaves_alone(BranchingSystem const& system);
+bool has_only_leaves(BranchingSystem const& system);
 
 } // namespace tractus::silhouette

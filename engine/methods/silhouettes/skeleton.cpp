@@ -17,13 +17,13 @@ std::size_t Skeleton::branch_count() const
     return systems.empty() ? 0 : count_in(0);
 }
 
-std::size_t Skeleton::branches_on(BranchAt const& branch) const
+std::size_t Skeleton::branches_on(BranchRef const& branch) const
 {
     auto const below = system_of[branch.system][branch.branch];
     return below == kNoSystem ? 0 : systems[below].branches.size();
 }
 
-std::optional<BranchAt> Skeleton::at(std::string_view path) const
+std::optional<BranchRef> Skeleton::at(std::string_view path) const
 {
     std::size_t system = 0;
     while (system != kNoSystem) {
@@ -32,14 +32,14 @@ std::optional<BranchAt> Skeleton::at(std::string_view path) const
         if (!branch)
             return std::nullopt;
         if (end == path.size())
-            return BranchAt { system, *branch };
+            return BranchRef { system, *branch };
         path.remove_prefix(end + 1);
         system = system_of[system][*branch];
     }
     return std::nullopt;
 }
 
-std::string Skeleton::path_of(BranchAt const& branch) const
+std::string Skeleton::path_of(BranchRef const& branch) const
 {
     auto const name = name_of(systems[branch.system].branches[branch.branch]);
     auto const& parent = parents[branch.system];

@@ -40,7 +40,7 @@ struct SkeletonOptions {
 };
 
 // Reference to a branch of one of a skeleton's systems.
-struct BranchAt {
+struct BranchRef {
     std::size_t system = 0;
     std::size_t branch = 0;
 };
@@ -57,8 +57,8 @@ struct Skeleton {
 
     // The branch with this path: the names of its ancestors from the trunk's branch on, and its
     // own, as "b3/d0". For copies the path uses the model's names. No value if there is none.
-    std::optional<BranchAt> at(std::string_view path) const;
-    std::string path_of(BranchAt const& branch) const;
+    std::optional<BranchRef> at(std::string_view path) const;
+    std::string path_of(BranchRef const& branch) const;
 
     // Indices of the trunk's system and of the systems of branches that were drawn on, at any
     // level.
@@ -68,7 +68,7 @@ struct Skeleton {
     std::size_t branch_count() const;
 
     // Number of children of a branch.
-    std::size_t branches_on(BranchAt const& branch) const;
+    std::size_t branches_on(BranchRef const& branch) const;
 };
 
 // Infers only the trunk's branches, with what was drawn on them. Fails like infer_system().

@@ -71,7 +71,7 @@ public:
 
     Result<Skeleton> run()
     {
-        add(TRY(system_of_crown(drawing_, styled(options_.tree, options_.styles, 0))), kNoParent,
+        add(TRY(infer_crown_system(drawing_, styled(options_.tree, options_.styles, 0))), kNoParent,
             {});
         auto below = options_.below;
         auto outlined = options_.outlined;
@@ -102,7 +102,7 @@ public:
     }
 
 private:
-    static constexpr BranchAt kNoParent { kNoSystem, 0 };
+    static constexpr BranchRef kNoParent { kNoSystem, 0 };
 
     // A range of systems whose branches are inferred together.
     struct Level {
@@ -112,13 +112,13 @@ private:
 
     // A branch that takes another branch's style.
     struct Target {
-        BranchAt at;
-        BranchAt source;
+        BranchRef at;
+        BranchRef source;
     };
 
-    Branch& branch(BranchAt const& at) { return skeleton_.systems[at.system].branches[at.branch]; }
+    Branch& branch(BranchRef const& at) { return skeleton_.systems[at.system].branches[at.branch]; }
 
-    void add(BranchingSystem system, BranchAt const& parent,
+    void add(BranchingSystem system, BranchRef const& parent,
              std::vector<std::size_t> const& parents)
     {
         auto const path = parent.system == kNoSystem ? std::string() : skeleton_.path_of(parent);
@@ -138,7 +138,7 @@ private:
     }
 
     // Makes `made` the system of a branch; none if it has no branches.
-    void bear(BranchAt const& parent, std::optional<BranchingSystem> made,
+    void bear(BranchRef const& parent, std::optional<BranchingSystem> made,
               std::vector<std::size_t> const& parents)
     {
         auto& below = skeleton_.system_of[parent.system][parent.branch];
@@ -164,7 +164,7 @@ private:
         }
     }
 
-    bool is_target(BranchAt const& at) const
+    bool is_target(BranchRef const& at) const
     {
         return std::any_of(targets_.begin(), targets_.end(), [&](Target const& target) {
             return target.at.system == at.system && target.at.branch == at.branch;
@@ -172,7 +172,7 @@ private:
     }
 
     // Indices of a branch and its copies.
-    std::vector<std::size_t> with_copies(BranchAt const& of) const
+    std::vector<std::size_t> with_copies(BranchRef const& of) const
     {
         std::vector<std::size_t> numbers;
         auto const& branches = skeleton_.systems[of.system].branches;
@@ -189,13 +189,14 @@ private:
         if (usual == Which::All && !from_above_[system].empty())
             return true;
         auto const& branches = skeleton_.systems[system].branches;
-        return std::any_of(branches.begin(), branches.end(),
-                           [](Branch const& branch) { return branch.style_to != StyleTo::None; });
+        return std::any_of(branches.begin(), branches.end(), [](Branch const& branch) {
+            return branch.style_to != StyleScope::None;
+        });
     }
 
     // True if a branch is inferred now. A target with copies is inferred as well, because its
     // copies keep the inferred children.
-    bool is_wanted(BranchAt const& at, Which which) const
+    bool is_wanted(BranchRef const& at, Which which) const
     {
         auto const& branch = skeleton_.systems[at.system].branches[at.branch];
         if (branch.model || branch.leaf)
@@ -209,7 +210,7 @@ private:
     // children.
     void infer_level(Level const& level, LevelInference const& how)
     {
-        std::vector<BranchAt> wanted;
+        std::vector<BranchRef> wanted;
         for (auto s = level.first; s < level.last; ++s) {
             auto const which = has_style(s, how.which) ? Which::Refined : how.which;
             for (std::size_t b = 0; b < skeleton_.systems[s].branches.size(); ++b)
@@ -233,7 +234,7 @@ private:
     }
 
     // The style of a branch for its siblings; without children if it has none.
-    ParentStyle style_of(BranchAt const& at)
+    ParentStyle style_of(BranchRef const& at)
     {
         auto const below = skeleton_.system_of[at.system][at.branch];
         if (below == kNoSystem)
@@ -255,10 +256,10 @@ private:
     {
         std::vector<ParentStyle> styles;
         for (std::size_t i = 0; i < skeleton_.systems[system].branches.size(); ++i) {
-            if (branch({ system, i }).style_to == StyleTo::None)
+            if (branch({ system, i }).style_to == StyleScope::None)
                 continue;
             auto style = style_of({ system, i });
-            style.goes_deeper = branch({ system, i }).style_to == StyleTo::Deeper;
+            style.includes_deeper_levels = branch({ system, i }).style_to == StyleScope::Deeper;
             if (!style.children.empty())
                 styles.push_back(std::move(style));
         }
@@ -313,7 +314,8 @@ private:
     void hand_down(std::size_t s)
     {
         auto styles = styles_for_siblings(s);
-        std::erase_if(styles, [](ParentStyle const& style) { return !style.goes_deeper; });
+        std::erase_if(styles,
+                      [](ParentStyle const& style) { return !style.includes_deeper_levels; });
         auto const& handed = styles.empty() ? from_above_[s] : styles;
         if (handed.empty())
             return;
@@ -339,7 +341,7 @@ private:
     }
 
     // Gives a branch its own system; it is no longer a copy.
-    void stand_alone(BranchAt const& at, std::optional<BranchingSystem> made)
+    void stand_alone(BranchRef const& at, std::optional<BranchingSystem> made)
     {
         branch(at).model.reset();
         branch(at).from_model = {};
@@ -359,7 +361,7 @@ private:
 
 Result<BranchingSystem> infer_on_trunk(Drawing const& drawing, SkeletonOptions const& options)
 {
-    auto tree = TRY(system_of_crown(drawing, styled(options.tree, options.styles, 0)));
+    auto tree = TRY(infer_crown_system(drawing, styled(options.tree, options.styles, 0)));
     name_branches(tree, options.names, "");
     take_lines(tree, drawing, "");
     return tree;

@@ -166,11 +166,11 @@ private:
                             ? kept_by_lateral(bump)
                             : kept_by_trunk(crown_.outline, bump, crown_.branches));
         }
-        // Where the trunk enters beside all bumps, and straight ahead of its end.
+        // The trunk keeps the outline where it enters beside bumps, and straight ahead of its end.
         if (!has_foot && run_.first > 0)
             owners.take_around(nearest_sample(crown_.outline, trunk_[run_.first]), spacing());
-        auto const ahead
-            = way_to_outline(crown_.outline, trunk_[run_.last], trunk_direction(trunk_, run_.last));
+        auto const ahead = ray_distance_to_outline(crown_.outline, trunk_[run_.last],
+                                                   trunk_direction(trunk_, run_.last));
         if (ahead)
             owners.take_around(
                 nearest_sample(crown_.outline,
@@ -243,7 +243,7 @@ private:
         std::sort(parts.begin(), parts.end(), [&](Part const& a, Part const& b) {
             return std::pair(a.base, height(a)) < std::pair(b.base, height(b));
         });
-        constexpr double kMinGap = 0.4; // As a share of the mean distance of bases.
+        constexpr double kMinGap = 0.4; // Minimum gap, as a share of the mean distance of bases.
         auto const run = run_.last - run_.first;
         auto const gap = static_cast<std::size_t>(kMinGap * static_cast<double>(run)
                                                   / static_cast<double>(parts.size()));

@@ -17,7 +17,7 @@ namespace tractus::silhouette {
 // Input of spaced_branches().
 struct CrownToDivide {
     std::span<Vec2 const> outline; // Equally spaced, counter-clockwise.
-    std::span<Bump const> bumps;   // With their roles.
+    std::span<Bump const> bumps;   // Bumps with assigned roles.
     // The search for branches; its trunk may be longer than the one drawn.
     BranchSearch const& search;
     std::span<Vec2 const> drawn_ends; // Ends of drawn branches that end in no bump.

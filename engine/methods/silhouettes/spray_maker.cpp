@@ -27,7 +27,7 @@ void SprayMaker::add_shapes()
     shapes.push_back(spray_twig(0));
 }
 
-void SprayMaker::add(SprayBearer const& parent, std::vector<double> const& places, double from)
+void SprayMaker::add(SprayParent const& parent, std::vector<double> const& places, double from)
 {
     constexpr double kBare = 0.15;
     constexpr double kSpiral_deg = 137.5;
@@ -51,7 +51,8 @@ void SprayMaker::add(SprayBearer const& parent, std::vector<double> const& place
         double const lean = i == count ? 0 : radians(random.uniform(38, 58));
         double far = kLongestSpray * height;
         for (double const side : { 1.0, -1.0 })
-            if (auto const edge = way_to_outline(parent.crown, at, turned(along, side * lean)))
+            if (auto const edge
+                = ray_distance_to_outline(parent.crown, at, turned(along, side * lean)))
                 far = std::min(far, 0.95 * *edge);
         add({ parent, node, at, along },
             { lean, radians(first_deg + static_cast<double>(i) * kSpiral_deg),
@@ -60,7 +61,7 @@ void SprayMaker::add(SprayBearer const& parent, std::vector<double> const& place
     }
 }
 
-void SprayMaker::add(SprayPlace const& place, SprayWay const& way, Random& random)
+void SprayMaker::add(SprayPlace const& place, TwigDirection const& way, Random& random)
 {
     auto const& space = place.parent.space;
     Vec3 const forward = (space.linear() * Vec3(place.along.x(), place.along.y(), 0)).normalized();

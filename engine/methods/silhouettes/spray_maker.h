@@ -10,7 +10,7 @@
 namespace tractus::silhouette {
 
 // The parent axis of twigs with leaves, already part of the tree.
-struct SprayBearer {
+struct SprayParent {
     Space const& space; // Transform of the parent's plane.
     Line const& line;
     // Crown inside which twigs end; empty: they have their default length.
@@ -36,22 +36,22 @@ public:
 
     // Adds twigs of about one length, more of them on a longer parent, beyond the share `from` of
     // its length. `places`: positions of the parent's nodes as shares of its length.
-    void add(SprayBearer const& parent, std::vector<double> const& places, double from);
+    void add(SprayParent const& parent, std::vector<double> const& places, double from);
 
 private:
     struct SprayPlace {
-        SprayBearer const& parent;
+        SprayParent const& parent;
         std::size_t segment;
         Vec2 at;
         Vec2 along;
     };
-    struct SprayWay {
+    struct TwigDirection {
         double lean;
         double around;
         double length; // Length of the twig in the plane's unit.
     };
 
-    void add(SprayPlace const& place, SprayWay const& way, Random& random);
+    void add(SprayPlace const& place, TwigDirection const& way, Random& random);
 
     Tree& tree_;
     TreeOptions const& options_;

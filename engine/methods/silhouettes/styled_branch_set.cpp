@@ -27,7 +27,7 @@ StyledBranchSetMaker::StyledBranchSetMaker(BranchSetMaker const& branch_sets,
 std::optional<BranchSet> StyledBranchSetMaker::next(Parent const& parent)
 {
     auto const& system = skeleton_.systems[parent.system];
-    if (!styled_.next_bears())
+    if (!styled_.next_has_children())
         return std::nullopt;
     BranchSet branch_set { .parent = parent.line, .branches = {} };
     auto const surface = set_maker_.surface_of(parent.system);
@@ -38,7 +38,7 @@ std::optional<BranchSet> StyledBranchSetMaker::next(Parent const& parent)
     double const style_u = level_.style.unbranched;
     auto const drawn_by_hand
         = std::count_if(system.branches.begin(), system.branches.end(), [](Branch const& branch) {
-              return branch.origin != Branch::Origin::Apex && branch.is_of_hand();
+              return branch.origin != Branch::Origin::Apex && branch.is_user_drawn();
           });
     auto const places = styled_.next({ parent.is_trunk ? crown_u : std::min(crown_u, style_u),
                                        static_cast<std::size_t>(drawn_by_hand), parent.number });
@@ -75,7 +75,7 @@ std::vector<std::size_t> StyledBranchSetMaker::kept_branches(BranchingSystem con
     constexpr std::array kRanks { 1, 2, 3, 0, 4 };
     std::vector<std::tuple<int, double, std::size_t>> ranks;
     for (std::size_t i = 0; i < drawn.size(); ++i)
-        ranks.emplace_back(system.branches[i].is_of_hand()
+        ranks.emplace_back(system.branches[i].is_user_drawn()
                                ? 0
                                : kRanks[static_cast<std::size_t>(system.branches[i].origin)],
                            -std::fabs(signed_area(system.branches[i].crown)), i);
@@ -129,9 +129,9 @@ bool StyledBranchSetMaker::keeps_end(Parent const& parent, Model const& model,
         return false;
     double const u = place.at.u;
     auto const& branch = model.system.branches[*place.branch];
-    if (branch.is_of_hand() || branch.origin != Branch::Origin::Bump)
-        return branch.is_of_hand();
-    auto const way = BranchSetMaker::way_to_end(branch, parent.line.at(u));
+    if (branch.is_user_drawn() || branch.origin != Branch::Origin::Bump)
+        return branch.is_user_drawn();
+    auto const way = BranchSetMaker::similarity_to_end(branch, parent.line.at(u));
     double const size = way.turn.norm();
     double const angle_deg = angle_between_deg(parent.line.direction(u),
                                                way.vector(way_of(parent.system, *place.branch)));
@@ -147,7 +147,7 @@ void StyledBranchSetMaker::stand(Parent const& parent, BranchSet& branch_set, Mo
     if (keeps_end(parent, model, place)) {
         double const as_inferred = model.drawn[*branch].u;
         double const moves_to
-            = model.system.branches[*branch].is_of_hand() ? as_inferred : place.at.u;
+            = model.system.branches[*branch].is_user_drawn() ? as_inferred : place.at.u;
         BranchSetMaker::stand(branch_set, model, *branch, { as_inferred, place.at.theta_deg },
                               moves_to);
         auto const& way = branch_set.branches.back().way;
@@ -160,10 +160,10 @@ void StyledBranchSetMaker::stand(Parent const& parent, BranchSet& branch_set, Mo
     auto const copied = branch ? branch : BranchSetMaker::nearest_drawn(model, place.at);
     if (!copied)
         return;
-    BranchSetMaker::stand_added(branch_set, model, place.at, *copied,
-                                { .from = way_of(parent.system, *copied),
-                                  .angle_deg = angle_deg,
-                                  .smaller = BranchSetMaker::Lean::Smaller::Least });
+    BranchSetMaker::place_added_branch(branch_set, model, place.at, *copied,
+                                       { .from = way_of(parent.system, *copied),
+                                         .angle_deg = angle_deg,
+                                         .smaller = BranchSetMaker::Lean::Smaller::Least });
     if (branch)
         branch_set.branches.back().name = name_of(model.system.branches[*branch]);
 }

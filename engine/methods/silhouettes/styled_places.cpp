@@ -82,7 +82,7 @@ StyledPlaces::StyledPlaces(BranchStyle const& style, Pattern pattern, std::uint6
     extent_phase_ = random.uniform();
 }
 
-bool StyledPlaces::next_bears()
+bool StyledPlaces::next_has_children()
 {
     bearing_ += 1 - style_.bare;
     if (bearing_ < 0.5)

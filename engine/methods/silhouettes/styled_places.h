@@ -19,7 +19,7 @@ public:
                  std::uint32_t level);
 
     // True if the next parent has children.
-    bool next_bears();
+    bool next_has_children();
 
     struct Parent {
         double low = 0;           // Share of the parent's length, from its base, without children.

@@ -105,7 +105,7 @@ private:
         auto const places = node_places(parent, branch_set);
         auto const axis = add_axis(parent, places);
         bool const has_twigs = !branch_set
-            || (parent.level > 0 && !bears_leaves_alone(skeleton_.systems[parent.system]));
+            || (parent.level > 0 && !has_only_leaves(skeleton_.systems[parent.system]));
         if (has_twigs)
             sprays_.add({ parent.space, parent.line, parent.crown, axis }, places,
                         branch_set ? 0.5 : 0.0);
@@ -158,7 +158,7 @@ private:
     {
         auto const& system = skeleton_.systems[parent.system];
         auto const& branch = system.branches[standing.branch];
-        Bearer const bearer { parent.space, parent.line };
+        ParentBranch const bearer { parent.space, parent.line };
         bool const is_fitted = fit_ && parent.level > 0 && !branch.is_stroke();
         Space const own = is_fitted ? space_under(*fit_, bearer, standing, branch)
                                     : space_of(bearer, standing, branch);

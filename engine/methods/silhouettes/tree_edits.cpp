@@ -24,11 +24,13 @@ void list(scene::Fields& fields, DrawTree& edit)
     fields.word("part", edit.part, kParts);
     fields.sparse_field("is_leaf", &edit.is_leaf);
     fields.sparse_field("of_bump", &edit.of_bump);
-    bool to_siblings = edit.style_to == StyleTo::Siblings;
-    bool to_deeper = edit.style_to == StyleTo::Deeper;
+    bool to_siblings = edit.style_to == StyleScope::Siblings;
+    bool to_deeper = edit.style_to == StyleScope::Deeper;
     fields.sparse_field("style_to_siblings", &to_siblings);
     fields.sparse_field("style_to_deeper", &to_deeper);
-    edit.style_to = to_deeper ? StyleTo::Deeper : to_siblings ? StyleTo::Siblings : StyleTo::None;
+    edit.style_to = to_deeper ? StyleScope::Deeper
+        : to_siblings         ? StyleScope::Siblings
+                              : StyleScope::None;
     bool at_any_level = edit.search == Search::AnyLevel;
     fields.sparse_field("at_any_level", &at_any_level);
     edit.search = at_any_level ? Search::AnyLevel : Search::OnTrunk;

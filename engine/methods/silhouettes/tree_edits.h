@@ -26,7 +26,7 @@ struct DrawTree {
     bool is_leaf = false; // True: the outline is declared a leaf (leaf_blade.h).
     bool of_bump = false; // True: the outline comes from a touch at a bump (bump_leaf.h).
     // Style propagation from the branch that is drawn on (sibling_style.h).
-    StyleTo style_to = StyleTo::None;
+    StyleScope style_to = StyleScope::None;
     Search search = Search::OnTrunk; // The branches among which that branch is searched.
     // An existing tree; 0: a new plant, which becomes the active one. The fields down to `scale`
     // apply only to a new plant.

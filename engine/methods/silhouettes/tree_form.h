@@ -29,7 +29,7 @@ struct TreeForm {
     // from before this option existed: these have branches in bumps, and others until the crown is
     // covered.
     int plane_branches = 0;
-    // Branching angles at the trunk's base and tip, degrees; 0: the usual ones (BranchingAngles).
+    // Branching angles at the trunk's base and tip, degrees; 0: the default (BranchingAngles).
     double base_angle_deg = 0;
     double tip_angle_deg = 0;
 

@@ -26,14 +26,14 @@ static double extent(std::span<Vec2 const> outline, Vec2 const& along)
     return high - low;
 }
 
-std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
-                                       std::vector<Vec2> const& outline)
+std::optional<double> extension_into_crown(std::span<Vec2 const> trunk,
+                                           std::vector<Vec2> const& outline)
 {
-    return reach_into_crown(trunk, std::vector<std::vector<Vec2>> { outline });
+    return extension_into_crown(trunk, std::vector<std::vector<Vec2>> { outline });
 }
 
-std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
-                                       std::vector<std::vector<Vec2>> const& strokes)
+std::optional<double> extension_into_crown(std::span<Vec2 const> trunk,
+                                           std::vector<std::vector<Vec2>> const& strokes)
 {
     constexpr double kFarthest_mm = 6;
     constexpr double kOfLength = 0.15;
@@ -58,11 +58,11 @@ std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
     if (distance_to_outline(crown, trunk.back()) > most)
         return std::nullopt;
     Vec2 const ahead = tip_direction(trunk);
-    auto const to_crown = way_to_outline(crown, trunk.back(), ahead);
+    auto const to_crown = ray_distance_to_outline(crown, trunk.back(), ahead);
     if (!to_crown || *to_crown > kOblique * most)
         return std::nullopt;
     double const in = *to_crown + kBeyond * box_of(crown).diagonal();
-    auto const through = way_to_outline(crown, trunk.back() + in * ahead, ahead);
+    auto const through = ray_distance_to_outline(crown, trunk.back() + in * ahead, ahead);
     if (!through || *through < kThrough * extent(crown, ahead))
         return std::nullopt;
     return in + kOn * *through;

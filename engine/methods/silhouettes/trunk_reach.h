@@ -19,12 +19,12 @@ namespace tractus::silhouette {
 // crown does not point into it.
 //
 // The outline is as drawn; the trunk has its base first. Both are in millimetres.
-std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
-                                       std::vector<Vec2> const& outline);
+std::optional<double> extension_into_crown(std::span<Vec2 const> trunk,
+                                           std::vector<Vec2> const& outline);
 
 // Computes the extension for an outline drawn in several strokes.
-std::optional<double> reach_into_crown(std::span<Vec2 const> trunk,
-                                       std::vector<std::vector<Vec2>> const& strokes);
+std::optional<double> extension_into_crown(std::span<Vec2 const> trunk,
+                                           std::vector<std::vector<Vec2>> const& strokes);
 
 // Extends a trunk straight on by this length.
 void go_on(std::vector<Vec2>& trunk, double by);

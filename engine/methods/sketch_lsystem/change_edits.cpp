@@ -109,7 +109,7 @@ void list(scene::Fields& fields, RedrawSketch& edit)
     fields.field("plant", &edit.plant);
     fields.sparse_field("part", &edit.part);
     fields.word("surface", edit.surface, kSurfaceWords);
-    fields.sparse_field("turned_round", &edit.is_turned_round);
+    fields.sparse_field("turned_round", &edit.is_drawn_reversed);
     fields.numbers(edit.stroke);
 }
 
@@ -119,7 +119,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, RedrawSketch co
     state = TRY(changed(std::move(state), edit, [&](GrowAlongStroke& sketch) {
         sketch.stroke = edit.stroke;
         sketch.surface = edit.surface;
-        sketch.is_turned_round = edit.is_turned_round;
+        sketch.is_drawn_reversed = edit.is_drawn_reversed;
         return Result<void> {};
     }));
     if (edit.part != 0)
@@ -128,7 +128,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, RedrawSketch co
                         [&](scene::PlantState& plant) {
                             auto const& sketch = *sketch_of(plant.source);
                             plant.stands_at_mm = stands_at_mm(sketch);
-                            plant.paper_mm = stands_on_paper_mm(sketch);
+                            plant.paper_mm = paper_position_mm(sketch);
                         });
     return state;
 }

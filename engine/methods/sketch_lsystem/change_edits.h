@@ -44,8 +44,8 @@ struct RedrawSketch {
     // Surface on which the stroke was drawn; must not be Decided.
     StrokeSurface surface = StrokeSurface::Space;
     Stroke stroke {}; // The new stroke, world frame.
-    // True if the stroke is the reverse of what was drawn (GrowAlongStroke::is_turned_round).
-    bool is_turned_round = false;
+    // True if the stroke is the reverse of what was drawn (GrowAlongStroke::is_drawn_reversed).
+    bool is_drawn_reversed = false;
 };
 
 // A plant or grafted part that grew along a stroke.

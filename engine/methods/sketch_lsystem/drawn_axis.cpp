@@ -20,10 +20,10 @@ DrawnAxis draw_axis(Rule const& rule, std::span<Vec3 const> nodes_mm)
     for (std::size_t i = 1; i < nodes_mm.size(); ++i) {
         auto const turn = turtle.turn_towards(nodes_mm[i] - nodes_mm[i - 1]);
         turtle.turn(turn);
-        axis.turns.push_back({ as_written(turn.plane_deg), as_written(turn.bend_deg) });
+        axis.turns.push_back({ rounded_as_text(turn.plane_deg), rounded_as_text(turn.bend_deg) });
     }
     axis.depth = depth_within_limit(rule, axis.segments());
-    if (rule.gives_way_mm > 0 && rule.laterals > 0)
+    if (rule.occupancy_radius_mm > 0 && rule.laterals > 0)
         axis.room = lateral_room(rule, nodes_mm, axis.turns);
     return axis;
 }
@@ -38,7 +38,7 @@ DrawnAxis aim_axis(SegmentLengths const& lengths, std::span<Vec3 const> nodes_mm
     double length_mm = lengths.first_mm.front();
     for (std::size_t i = 1; i < nodes_mm.size(); ++i) {
         auto const exact = turtle.turn_towards(nodes_mm[i] - turtle.position_mm());
-        Turn const turn { as_written(exact.plane_deg), as_written(exact.bend_deg) };
+        Turn const turn { rounded_as_text(exact.plane_deg), rounded_as_text(exact.bend_deg) };
         turtle.turn(turn);
         turtle.go(length_mm);
         axis.turns.push_back(turn);
@@ -238,7 +238,7 @@ static std::string leaves_of(Rule const& rule)
 {
     bool const is_fine = std::ranges::any_of(rule.lateral_rules, &LateralRule::laterals_by);
     double const length
-        = as_written(std::clamp(rule.first_length_mm / (is_fine ? 15 : 5), 2.0, 12.0));
+        = rounded_as_text(std::clamp(rule.first_length_mm / (is_fine ? 15 : 5), 2.0, 12.0));
     auto text = fmt::format("\nhomomorphism\n"
                             "L(l, w, d) --> ~l({0:g})\n"
                             "T(i, l, w) --> ~l({0:g})\n",

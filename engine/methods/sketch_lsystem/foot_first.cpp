@@ -6,7 +6,7 @@
 
 namespace tractus::sketch {
 
-bool runs_to_its_foot(std::span<Vec3 const> tips_mm, std::optional<double> ground_mm)
+bool is_drawn_to_foot(std::span<Vec3 const> tips_mm, std::optional<double> ground_mm)
 {
     constexpr double kDown = 0.7; // Least descent as a share of the way from the first to the last.
     constexpr double kAbove = 0.1; // Tolerance for points below the end, as a share of the descent.

@@ -25,7 +25,7 @@ bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
 {
     return one.rule == other.rule && one.stroke.tips.id() == other.stroke.tips.id()
         && one.surface == other.surface && one.leaves == other.leaves && one.scale == other.scale
-        && one.model == other.model && one.is_turned_round == other.is_turned_round;
+        && one.model == other.model && one.is_drawn_reversed == other.is_drawn_reversed;
 }
 
 // Varies the laterals of the rule; the drawn axis stays as it is.
@@ -89,7 +89,7 @@ void list(scene::Fields& fields, GrowAlongStroke& edit)
     fields.field("scale", &edit.scale);
     fields.id(edit.id);
     list_model(fields, edit.model);
-    fields.sparse_field("turned_round", &edit.is_turned_round);
+    fields.sparse_field("turned_round", &edit.is_drawn_reversed);
     fields.numbers(edit.stroke);
 }
 
@@ -99,7 +99,7 @@ Rule at_scale(Rule rule, double scale)
     rule.first_length_mm *= kModelScale / scale;
     rule.first_width_mm *= kModelScale / scale;
     rule.shortest_mm *= kModelScale / scale;
-    rule.gives_way_mm *= kModelScale / scale;
+    rule.occupancy_radius_mm *= kModelScale / scale;
     for (auto& lateral : rule.lateral_rules)
         lateral.shortest_mm *= kModelScale / scale;
     return rule;
@@ -116,7 +116,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, GrowAlongStroke
                                 .source = source_of(edit),
                                 .drawn = scene::Drawn::Beside,
                                 .stands_at_mm = stands_at_mm(edit),
-                                .paper_mm = stands_on_paper_mm(edit),
+                                .paper_mm = paper_position_mm(edit),
                                 .id = edit.id });
 }
 
@@ -187,7 +187,7 @@ void list_rule(scene::Fields& fields, Rule& rule)
     fields.field("l_min", &rule.shortest_mm);
     fields.field("n_max", &rule.most_segments);
     fields.field("limit", &rule.most_internodes);
-    fields.sparse_field("o", &rule.gives_way_mm);
+    fields.sparse_field("o", &rule.occupancy_radius_mm);
     list_lateral_rules(fields, rule.lateral_rules);
 }
 
@@ -258,7 +258,7 @@ Vec3 stands_at_mm(GrowAlongStroke const& edit)
     return at_mm;
 }
 
-std::optional<Vec2> stands_on_paper_mm(GrowAlongStroke const& edit)
+std::optional<Vec2> paper_position_mm(GrowAlongStroke const& edit)
 {
     auto const tips = edit.stroke.tips.in_memory();
     if (edit.surface != StrokeSurface::Paper || !tips || tips->empty())

@@ -33,7 +33,7 @@ struct GrowAlongStroke {
     ModelRule model {};
     // True if the pen drew the stroke from the plant's tip to its foot, so that the tips are in the
     // reverse of their drawn order (foot_first.h).
-    bool is_turned_round = false;
+    bool is_drawn_reversed = false;
 };
 
 // The lengths of the drawn axis's segments on the desk. Fails with a user error for a rule out of
@@ -85,6 +85,6 @@ inline constexpr std::array kSurfaceWords { "space", "paper", "decided" };
 Vec3 stands_at_mm(GrowAlongStroke const& edit);
 
 // The plant's position on the paper that the stroke was drawn on; no value: it was drawn in space.
-std::optional<Vec2> stands_on_paper_mm(GrowAlongStroke const& edit);
+std::optional<Vec2> paper_position_mm(GrowAlongStroke const& edit);
 
 } // namespace tractus::sketch

@@ -121,7 +121,7 @@ double room_for(std::vector<Vec3> const& lateral_mm, std::vector<Vec3> const& wa
             if (double const reach_mm = point_mm.dot(there); reach_mm > free_mm)
                 room = std::min(room, free_mm / reach_mm);
     }
-    return room < kMinRoom ? 0 : as_written(std::floor(1000 * room) / 1000);
+    return room < kMinRoom ? 0 : rounded_as_text(std::floor(1000 * room) / 1000);
 }
 
 } // namespace
@@ -148,7 +148,7 @@ std::vector<double> lateral_room(Rule const& rule, std::span<Vec3 const> nodes_m
                 for (auto const& point : cloud.points())
                     points_mm.push_back(length_mm * rule.lateral_length
                                         * lateral.vector_from_start(point));
-            room.push_back(room_for(points_mm, ways_mm, rule.gives_way_mm));
+            room.push_back(room_for(points_mm, ways_mm, rule.occupancy_radius_mm));
         }
         length_mm *= rule.length_ratio;
     }

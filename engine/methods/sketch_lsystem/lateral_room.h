@@ -10,8 +10,8 @@
 namespace tractus::sketch {
 
 // How much of its length each lateral of a drawn axis has room for, where laterals give way
-// (Rule::gives_way_mm): 1 for all of it, 0 for a lateral that does not grow. In the order of the
-// nodes from the axis's second on, and of the laterals around each.
+// (Rule::occupancy_radius_mm): 1 for all of it, 0 for a lateral that does not grow. In the order of
+// the nodes from the axis's second on, and of the laterals around each.
 //
 // The space around the axis is divided among its nodes: a lateral, with all that it bears, stays
 // nearer to its own node than to any node of another part of the axis, by half the occupancy radius

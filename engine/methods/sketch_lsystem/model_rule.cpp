@@ -19,11 +19,11 @@ std::vector<double> all_lengths(AxisContract const& contract)
     constexpr double kShortest = 0.02; // Shortest length allowed, as a share of the first length.
     std::vector<double> lengths;
     for (double const length : contract.lengths)
-        lengths.push_back(as_written(length));
+        lengths.push_back(rounded_as_text(length));
     auto const given = lengths.size();
     double const ratio = given > 1 ? lengths[given - 1] / lengths[given - 2] : 1;
     while (lengths.size() < kMaxModelSegments) {
-        double const next = as_written(lengths.back() * ratio);
+        double const next = rounded_as_text(lengths.back() * ratio);
         if (!(next >= kShortest * lengths.front()) || !std::isfinite(next))
             break;
         lengths.push_back(next);
@@ -110,7 +110,8 @@ static std::vector<Vec3> short_nodes_mm(SegmentLengths const& lengths)
     return nodes_mm;
 }
 
-std::vector<std::string> lacks_for_stroke(ModelRule const& model, scene::LoadOptions const& options)
+std::vector<std::string> missing_for_stroke(ModelRule const& model,
+                                            scene::LoadOptions const& options)
 {
     auto const reading = read_contract(model.source.name, model.source.text);
     if (!reading.lacks.empty())

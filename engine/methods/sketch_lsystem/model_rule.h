@@ -57,7 +57,7 @@ Result<void> check_follows(std::string const& name, Plant const& plant,
 
 // Lists what a model lacks to grow along a stroke, one sentence each; empty: nothing. A text that
 // keeps the contract is also tested by growing it along a short stroke, with two seeds.
-std::vector<std::string> lacks_for_stroke(ModelRule const& model,
-                                          scene::LoadOptions const& options);
+std::vector<std::string> missing_for_stroke(ModelRule const& model,
+                                            scene::LoadOptions const& options);
 
 } // namespace tractus::sketch

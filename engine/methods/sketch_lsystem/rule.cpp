@@ -52,7 +52,7 @@ Result<void> check_rule(Rule const& rule)
     TRY(check_range("t", "the twist along laterals in degrees", rule.lateral_twist_deg, -180, 180));
     TRY(check_range("l_min", "the shortest internode in mm", rule.shortest_mm, 1e-3,
                     rule.first_length_mm));
-    TRY(check_range("o", "the laterals' occupancy radius in mm", rule.gives_way_mm, 0, 100));
+    TRY(check_range("o", "the laterals' occupancy radius in mm", rule.occupancy_radius_mm, 0, 100));
     TRY(check_range("n_max", "the most segments of a stroke", rule.most_segments, 1, 10'000));
     if (rule.lateral_rules.size() > kMaxLateralRules)
         return fail(Fault::User,
@@ -67,25 +67,25 @@ Result<void> check_rule(Rule const& rule)
                        rule.most_segments, 1e7);
 }
 
-double as_written(double value)
+double rounded_as_text(double value)
 {
     return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr) + 0.0;
 }
 
-Rule as_written(Rule const& rule)
+Rule rounded_as_text(Rule const& rule)
 {
     Rule result = rule;
     for (auto* const value :
          { &result.first_length_mm, &result.length_ratio, &result.width_ratio,
            &result.first_width_mm, &result.angle_deg, &result.lateral_length, &result.lateral_width,
            &result.axis_twist_deg, &result.lateral_twist_deg, &result.shortest_mm,
-           &result.gives_way_mm })
-        *value = as_written(*value);
+           &result.occupancy_radius_mm })
+        *value = rounded_as_text(*value);
     for (auto& lateral : result.lateral_rules)
         for (auto* const value : { &lateral.length_ratio, &lateral.width_ratio, &lateral.angle_deg,
                                    &lateral.lateral_length, &lateral.lateral_width,
                                    &lateral.twist_deg, &lateral.shortest_mm })
-            *value = as_written(*value);
+            *value = rounded_as_text(*value);
     result.most_internodes = std::floor(rule.most_internodes);
     return result;
 }

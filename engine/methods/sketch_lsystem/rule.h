@@ -56,7 +56,7 @@ struct Rule {
     double shortest_mm = 1; // l_min, above 0: length of the shortest allowed internode.
     // o, 0 to 100: occupancy radius, mm. Laterals give way to what grows along another part of the
     // drawn axis: they stay short, or do not grow (lateral_room.h). 0: they do not give way.
-    double gives_way_mm = 0;
+    double occupancy_radius_mm = 0;
     int most_segments = 64;           // n_max, 1 to 10,000: most segments of the drawn axis.
     double most_internodes = 200'000; // limit, n_max to 10 million: most internodes of the plant.
 
@@ -73,11 +73,11 @@ struct Rule {
 Result<void> check_rule(Rule const& rule);
 
 // Rounds a number as a model's text shows it: to six significant digits, -0 to 0.
-double as_written(double value);
+double rounded_as_text(double value);
 
 // Rounds all numbers of a rule. Computations with a rule use the rounded one, so that its text
 // describes the plant completely.
-Rule as_written(Rule const& rule);
+Rule rounded_as_text(Rule const& rule);
 
 // Index in the list of the rule for laterals of the rule at `place`; the list's size means that
 // they fork.

@@ -109,7 +109,7 @@ TEST(PlantGroup, IsThePlantsOfADocumentWhereTheyStand)
     scene::CopyPlant const copy { scene.state.active, { 100, 0, 0 } };
     scene = scene::apply_edit(std::move(scene), copy).value();
     auto group = PlantGroup::create(scene).value();
-    auto const both = group.as_set();
+    auto const both = group.plant_as_displayed();
     ASSERT_EQ(both.segment_count(), 2 * one.segment_count());
     double const moved_mm = 100 / scene.placement.scale;
     auto const nodes = one.node_position_mm.size();

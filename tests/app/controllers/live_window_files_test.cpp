@@ -81,11 +81,12 @@ TEST_F(LiveWindowWithFolder, RecordsHowThePensOtherEndErasesFromTheBeginning)
 {
     auto window = this->window();
     window.perform(
-        view::ChooseTool { tools::EraseTool { .erasing = tools::EraseTool::Erasing::Part } });
+        view::ChooseTool { tools::EraseTool { .erasing = tools::EraseTool::EraseExtent::Part } });
     window.perform(view::ChooseTool { tools::DrawInOrderTool {} });
     window.perform(view::Restart {});
-    EXPECT_EQ(window.state().remembered,
-              std::vector<tools::Tool> { tools::EraseTool { tools::EraseTool::Erasing::Part } });
+    EXPECT_EQ(
+        window.state().remembered,
+        std::vector<tools::Tool> { tools::EraseTool { tools::EraseTool::EraseExtent::Part } });
     window.perform(view::SetRecording { true });
     window.perform(view::SetRecording { false });
     auto const log = drivers::read_log(files(".tractus-log").at(0)).value();

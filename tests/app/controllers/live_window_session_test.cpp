@@ -195,7 +195,7 @@ TEST_F(LiveWindowWithSession, ShowsASeasonAndTakesItBack)
 TEST_F(LiveWindowWithSession, MakesAVariationThePlant)
 {
     auto window = LiveWindow::create(drawing_devices(false), options_with_session(path_)).value();
-    window.perform(view::AskForCollection { 4 });
+    window.perform(view::RequestCollection { 4 });
     window.settle();
     ASSERT_EQ(window.state().collection.size(), 4u);
     window.perform(view::PickVariation { window.state().collection[2].seed });

@@ -250,7 +250,7 @@ TEST(LiveWindow, SaysWhatIsWrongWithTheHeightSensor)
 class Chatterbox final : public ScriptedSource {
 public:
     using ScriptedSource::ScriptedSource;
-    std::uint64_t too_long_count() const override { return 1; }
+    std::uint64_t oversized_count() const override { return 1; }
 };
 
 TEST(LiveWindow, SaysThatReportsAreLost)

@@ -135,7 +135,7 @@ TEST_F(LongDrawing, ShowsInkUntilTheStrokeIsInThePlant)
     EXPECT_EQ(session::read_session(path_, scene::core_edit_kinds()).value().last_step(), 2u);
     EXPECT_EQ(state.strokes.size(), 2u);
     EXPECT_TRUE(state.live_ink.empty());
-    EXPECT_EQ(state.unkept_steps, 0u);
+    EXPECT_EQ(state.unsaved_steps, 0u);
 }
 
 TEST_F(LongDrawing, ANewStationLosesNothingThatAFullDiskCouldNotKeep)
@@ -144,16 +144,16 @@ TEST_F(LongDrawing, ANewStationLosesNothingThatAFullDiskCouldNotKeep)
     {
         FullDisk const disk(1);
         draw(1);
-        EXPECT_EQ(controller_.view().state().unkept_steps, 1u);
+        EXPECT_EQ(controller_.view().state().unsaved_steps, 1u);
         EXPECT_NE(controller_.view().state().trouble.find("is not kept"), std::string::npos);
-        station_ = flat_station(); // A new station is also made by another calibration.
+        station_ = flat_station(); // Recalibrating also creates a new station.
         controller_.show_again(station_, "");
         draw(1);
         EXPECT_FALSE(controller_.finish(station_, at_ms(now_ms_)));
         EXPECT_EQ(scene().associations.size(), 3u);
     }
     ASSERT_TRUE(controller_.finish(station_, at_ms(now_ms_)));
-    EXPECT_EQ(controller_.view().state().unkept_steps, 0u);
+    EXPECT_EQ(controller_.view().state().unsaved_steps, 0u);
     EXPECT_EQ(session::read_session(path_, scene::core_edit_kinds()).value().last_step(), 3u);
 }
 

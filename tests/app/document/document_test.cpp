@@ -20,14 +20,14 @@ tools::ToolStroke stroke_number(int number)
              tools::DrawInOrderTool {} };
 }
 
-WantedStep seeded(std::uint64_t seed)
+StepRequest seeded(std::uint64_t seed)
 {
-    auto const change = [=](scene::Scene const& scene) -> Result<WantedStep::Change> {
+    auto const change = [=](scene::Scene const& scene) -> Result<StepRequest::Change> {
         auto growth = scene.growth;
         growth.seed = 10 * growth.seed + seed; // The seed shows the order of the steps.
-        return WantedStep::Change { { growth }, "seeded" };
+        return StepRequest::Change { { growth }, "seeded" };
     };
-    return { change, WantedStep::Of::Growth };
+    return { change, StepRequest::Of::Growth };
 }
 
 class DocumentTest : public session::SessionFolder {
@@ -51,7 +51,7 @@ TEST_F(DocumentTest, DrawsShowsAndKeepsInOrder)
     document.settle();
     EXPECT_TRUE(document.is_settled());
     EXPECT_TRUE(document.waiting().empty());
-    auto const drawn = document.take_drawn();
+    auto const drawn = document.take_finished_strokes();
     ASSERT_EQ(drawn.size(), 5u);
     for (int i = 1; i <= 5; ++i)
         EXPECT_EQ(drawn[static_cast<std::size_t>(i - 1)].stroke.tips.back().position_mm.x(),
@@ -130,7 +130,7 @@ TEST_F(DocumentTest, ARefusedStrokeChangesNothingAndSaysWhy)
     auto document = new_document();
     document.draw({ stroke_number(1).stroke, tools::DrawTool {} });
     document.settle();
-    auto const drawn = document.take_drawn();
+    auto const drawn = document.take_finished_strokes();
     ASSERT_EQ(drawn.size(), 1u);
     EXPECT_NE(drawn[0].refusal.find("nothing is selected"), std::string::npos);
     EXPECT_TRUE(drawn[0].edits.empty());

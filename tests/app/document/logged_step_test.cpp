@@ -18,7 +18,7 @@ std::string refusal(std::string_view name, std::string_view arguments)
 
 RC_GTEST_PROP(LoggedStep, EditsComeBackBitForBit, ())
 {
-    DoneStep done { .status = "" };
+    StepOutcome done { .status = "" };
     for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
         done.edits.push_back(session::random_edit());
     auto const words = words_for(done, 17);

@@ -9,10 +9,10 @@
 namespace tractus::document {
 
 // Returns a step with these edits, independent of the scene.
-inline WantedStep step_of(std::vector<scene::Edit> edits, std::string status = "")
+inline StepRequest step_of(std::vector<scene::Edit> edits, std::string status = "")
 {
-    return { [change = WantedStep::Change { std::move(edits), std::move(status) }](
-                 scene::Scene const&) -> Result<WantedStep::Change> { return change; } };
+    return { [change = StepRequest::Change { std::move(edits), std::move(status) }](
+                 scene::Scene const&) -> Result<StepRequest::Change> { return change; } };
 }
 
 } // namespace tractus::document

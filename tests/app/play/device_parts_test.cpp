@@ -38,7 +38,7 @@ public:
         return {};
     }
     bool is_read() const override { return serves_until_read == 0; }
-    bool tells_readers_by_reports() const override { return false; }
+    bool detects_readers_by_reports() const override { return false; }
     std::uint64_t lost_count() const override { return 0; }
     std::size_t waiting_count() const override { return 0; }
 
@@ -80,7 +80,7 @@ protected:
     Sent sent;
     std::vector<std::unique_ptr<FakeDevice>> devices;
     std::vector<std::unique_ptr<ReportPart>> parts;
-    DevicePlay play;
+    PlaybackSet play;
     std::atomic<bool> stop = false;
 };
 
@@ -110,7 +110,7 @@ TEST_F(DeviceParts, BeginAnewUntilTheyAreAskedToStop)
 {
     auto& pen = add("pen", { report(0, 10), report(1, 12) });
     pen.on_send = [&] { stop = sent.size() >= 5; };
-    play.then = DevicePlay::Then::Repeat;
+    play.then = PlaybackSet::Then::Repeat;
     EXPECT_TRUE(play_parts(play, stop));
     sent.resize(5); // Another report may have been due at the same time.
     EXPECT_EQ(sent, (Sent { "pen:10", "pen:12", "pen:10", "pen:12", "pen:10" }));
@@ -120,7 +120,7 @@ TEST_F(DeviceParts, EndWhenTheyAreAskedTo)
 {
     add("pen", { report(0, 10) }).serves_until_read = 1'000'000;
     stop = true;
-    play.then = DevicePlay::Then::Stay;
+    play.then = PlaybackSet::Then::Stay;
     EXPECT_TRUE(play_parts(play, stop));
     EXPECT_EQ(sent, Sent {});
 }

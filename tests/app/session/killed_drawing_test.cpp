@@ -111,7 +111,7 @@ protected:
         int done = -1;
         auto const say_done = [&] {
             auto const strokes = static_cast<int>(station.counts().strokes);
-            if (controller.document().is_settled() && controller.view().state().unkept_steps == 0
+            if (controller.document().is_settled() && controller.view().state().unsaved_steps == 0
                 && strokes > done)
                 say(done = strokes);
         };

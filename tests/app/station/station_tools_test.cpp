@@ -119,11 +119,11 @@ TEST(StationTools, TakesBackAStrokeThatTurnsOutToBeAPress)
     auto station = station_in_hand();
     for (int i = 0; i < 10; ++i)
         station.push(kPen, at_ms(5 * i), pen_report(50 + i, 50, true));
-    station.press_instead();
+    station.convert_touch_to_press();
     EXPECT_TRUE(station.is_pressing());
     station.push(kPen, at_ms(50), pen_report(60, 50, false));
     EXPECT_FALSE(station.is_pressing());
-    station.press_instead(); // Without a touch, there is no effect.
+    station.convert_touch_to_press(); // Without a touch, there is no effect.
     draw_across(station, 100);
     station.finish();
     ASSERT_EQ(station.strokes().size(), 1u);
@@ -157,7 +157,7 @@ TEST(StationTools, DoesAtOnceWhatNeedsNoStroke)
     auto station = station_in_hand(indicators::IndicateTool {});
     station.set_tool(
         at_ms(0),
-        tools::Tool(tools::SelectTool { .selecting = tools::SelectTool::Selecting::Invert })
+        tools::Tool(tools::SelectTool { .selecting = tools::SelectTool::SelectionMode::Invert })
             .done_at_once());
     EXPECT_FALSE(station.scene().selection.empty());
     EXPECT_TRUE(station.tool().get<indicators::IndicateTool>());
@@ -196,7 +196,7 @@ DrawingStation drawn_and_erased(std::vector<Station::ToolChange> const& changes)
 
 TEST(StationTools, ErasesWithThePensOtherEndAsItDidLast)
 {
-    tools::Tool const part = tools::EraseTool { .erasing = tools::EraseTool::Erasing::Part };
+    tools::Tool const part = tools::EraseTool { .erasing = tools::EraseTool::EraseExtent::Part };
     auto live = drawn_and_erased({ { at_ms(2000), part },
                                    { at_ms(2050), tools::DrawInOrderTool {} },
                                    { at_ms(5000), tools::EraseTool {} } });
@@ -234,7 +234,7 @@ TEST(StationTools, ErasesWithThePensOtherEndAsItDidLast)
 TEST(StationTools, RemembersForHoursHowThePensOtherEndErases)
 {
     auto station = station_in_hand();
-    tools::Tool const part = tools::EraseTool { .erasing = tools::EraseTool::Erasing::Part };
+    tools::Tool const part = tools::EraseTool { .erasing = tools::EraseTool::EraseExtent::Part };
     station.set_tool(at_ms(0), part);
     constexpr std::int64_t kHour_ms = 3'600'000;
     for (int i = 0; i < 4; ++i)
@@ -242,10 +242,10 @@ TEST(StationTools, RemembersForHoursHowThePensOtherEndErases)
                          i % 2 == 0 ? tools::Tool(tools::DrawInOrderTool {})
                                     : tools::Tool(indicators::IndicateTool {}));
     EXPECT_EQ(station.remembered(), std::vector<tools::Tool> { part });
-    EXPECT_EQ(station.tools_to_go_on_with(),
+    EXPECT_EQ(station.tools_for_continuation(),
               (std::vector<tools::Tool> { part, indicators::IndicateTool {} }));
     station.set_tool(at_ms(5 * kHour_ms), part);
-    EXPECT_EQ(station.tools_to_go_on_with(), std::vector<tools::Tool> { part });
+    EXPECT_EQ(station.tools_for_continuation(), std::vector<tools::Tool> { part });
 }
 
 TEST(StationTools, ErasesWithThePensOtherEnd)

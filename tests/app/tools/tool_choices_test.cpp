@@ -24,7 +24,7 @@ std::string buttons(Tool const& hand)
 
 TEST(ToolChoices, AreOneOfEachGroup)
 {
-    std::vector<Tool> const remembered { EraseTool { EraseTool::Erasing::Part } };
+    std::vector<Tool> const remembered { EraseTool { EraseTool::EraseExtent::Part } };
     auto const choices = tool_choices(methods::all_methods().tools, remembered);
     std::string texts;
     for (auto const& choice : choices)

@@ -26,8 +26,8 @@
 namespace tractus::tools {
 namespace {
 
-using Selecting = SelectTool::Selecting;
-using Erasing = EraseTool::Erasing;
+using SelectionMode = SelectTool::SelectionMode;
+using EraseExtent = EraseTool::EraseExtent;
 
 ToolKinds tools()
 {
@@ -50,9 +50,10 @@ TEST(Tool, IsReadAndWrittenAsWords)
         DrawTool { variation::Propagation::Descendants },
         DrawTool { variation::Propagation::Both },
         EraseTool {},
-        EraseTool { EraseTool::Erasing::Part },
+        EraseTool { EraseTool::EraseExtent::Part },
         Tool(SmoothTool {}).done_at_once(),
-        Tool(SelectTool { Selecting::Ends }).seen_from({ 30, -12.5, 2, { 10, -4 }, { 152, 95 } }),
+        Tool(SelectTool { SelectionMode::Ends })
+            .seen_from({ 30, -12.5, 2, { 10, -4 }, { 152, 95 } }),
     };
     for (auto const& tool : some) {
         auto const words = words_for(tool);
@@ -158,12 +159,12 @@ TEST(DrawTool, LaysByHeadingInHandAndByLeastTwistInOlderLogs)
     EXPECT_EQ(words_for(DrawTool { variation::Propagation::Both }).arguments, "both heading");
     EXPECT_EQ(parse_tool(tools(), "draw", "both")->get<DrawTool>()->laying,
               StrokeLaying::LeastTwist);
-    EXPECT_EQ(tool_of_word(DrawInOrderTool::kKind).get<DrawInOrderTool>()->laying,
+    EXPECT_EQ(default_tool_of_kind(DrawInOrderTool::kKind).get<DrawInOrderTool>()->laying,
               StrokeLaying::LeastTwist);
-    EXPECT_EQ(words_in_hand(tools(), "draw", "both chord"), "both chord heading");
-    EXPECT_EQ(words_in_hand(tools(), "draw", "both least_twist"), "both least_twist");
-    EXPECT_EQ(words_in_hand(tools(), "draw_in_order", ""), "heading");
-    EXPECT_EQ(words_in_hand(tools(), "select", "path"), "path");
+    EXPECT_EQ(words_of_selected_tool(tools(), "draw", "both chord"), "both chord heading");
+    EXPECT_EQ(words_of_selected_tool(tools(), "draw", "both least_twist"), "both least_twist");
+    EXPECT_EQ(words_of_selected_tool(tools(), "draw_in_order", ""), "heading");
+    EXPECT_EQ(words_of_selected_tool(tools(), "select", "path"), "path");
     auto scene = small_scene();
     select(scene, { segments_of(scene.base->axes[1]) });
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 60, 0, -30 } });
@@ -180,10 +181,12 @@ TEST(DrawTool, SaysWhatItHasBentBelowTheGround)
         auto const edits = edits_of(DrawTool {}, stroke_through({ { 0, 0, 0 }, end }), scene);
         return scene::after(*edits, scene);
     };
-    EXPECT_EQ(say_underground(DrawTool {}, drawn({ 10, 0, 100 })), "");
+    EXPECT_EQ(underground_message(DrawTool {}, drawn({ 10, 0, 100 })), "");
     auto const below = drawn({ 10, 0, -100 });
-    EXPECT_TRUE(say_underground(DrawTool {}, below).starts_with("The stroke shapes the branch; "));
-    EXPECT_NE(say_underground(DrawTool {}, below).find("are below the ground"), std::string::npos);
+    EXPECT_TRUE(
+        underground_message(DrawTool {}, below).starts_with("The stroke shapes the branch; "));
+    EXPECT_NE(underground_message(DrawTool {}, below).find("are below the ground"),
+              std::string::npos);
     auto const lines = kUndergroundLayer.lines(below);
     ASSERT_FALSE(lines.empty());
     EXPECT_LT(lines.front().back().z(), below.placement.world_of_plant(Vec3::Zero()).z());
@@ -213,7 +216,7 @@ TEST(DrawInOrderTool, ShapesTheTrunkFirstAndThenTheLongestBranch)
     EXPECT_EQ(scene.base->axes[order[1]].segment_count, 4u);
 }
 
-variation::Selection selection_by(Selecting selecting, Stroke const& stroke,
+variation::Selection selection_by(SelectionMode selecting, Stroke const& stroke,
                                   scene::Scene const& scene)
 {
     auto const edits = edits_of(SelectTool { selecting }, stroke, scene);
@@ -254,24 +257,24 @@ TEST(SelectTool, ChoosesInAllWays)
 
     // A straight stroke from the trunk's middle to a branch's tip, off the branches.
     auto const base = plant.positions(plant.axes[0])[1] * 0.5;
-    auto const path = selection_by(Selecting::Ends, along(base, tip_of(2)), scene);
+    auto const path = selection_by(SelectionMode::Ends, along(base, tip_of(2)), scene);
     ASSERT_EQ(path.size(), 1u);
     EXPECT_EQ(path[0].front(), trunk[0]);
     EXPECT_EQ(path[0].back(), second.back());
 
     auto const touch = along(tip_of(1) + Vec3(0, 0, 1), tip_of(1));
-    EXPECT_EQ(selection_by(Selecting::Order, touch, scene),
+    EXPECT_EQ(selection_by(SelectionMode::Order, touch, scene),
               (variation::Selection { first, second }));
-    EXPECT_EQ(selection_by(Selecting::Alike, touch, scene),
+    EXPECT_EQ(selection_by(SelectionMode::Alike, touch, scene),
               (variation::Selection { first, second }));
     select(scene, { trunk });
-    EXPECT_EQ(selection_by(Selecting::Invert, touch, scene),
+    EXPECT_EQ(selection_by(SelectionMode::Invert, touch, scene),
               (variation::Selection { first, second }));
-    EXPECT_EQ(selection_by(Selecting::Nothing, touch, scene), variation::Selection {});
-    EXPECT_EQ(selection_by(Selecting::Add, touch, scene).size(), 2u);
+    EXPECT_EQ(selection_by(SelectionMode::Nothing, touch, scene), variation::Selection {});
+    EXPECT_EQ(selection_by(SelectionMode::Add, touch, scene).size(), 2u);
     select(scene, { first, second });
-    auto const taken
-        = selection_by(Selecting::Take, along(plant.positions(plant.axes[1])[1], tip_of(1)), scene);
+    auto const taken = selection_by(SelectionMode::Take,
+                                    along(plant.positions(plant.axes[1])[1], tip_of(1)), scene);
     EXPECT_EQ(taken.back(), second);
     EXPECT_NE(taken.front(), first);
 }
@@ -392,7 +395,7 @@ TEST(Tool, HasAnOtherEnd)
         auto const& [other, options] = kind->other_end;
         ASSERT_TRUE(other) << kind->word;
         if (kind == &SelectTool::kKind) {
-            EXPECT_EQ(Tool(*other, options()), Tool(SelectTool { Selecting::Take }));
+            EXPECT_EQ(Tool(*other, options()), Tool(SelectTool { SelectionMode::Take }));
         } else if (kind == &LimbTool::kKind) {
             EXPECT_EQ(Tool(*other, options()), Tool(LimbTool { LimbTool::Does::Erase }));
         } else {
@@ -401,7 +404,7 @@ TEST(Tool, HasAnOtherEnd)
     }
 }
 
-Tool const kErasePart = EraseTool { Erasing::Part };
+Tool const kErasePart = EraseTool { EraseExtent::Part };
 
 // Returns a stroke along x at a height of 20 mm, with a tip every millimetre, and tip 0 at -50.
 Stroke level_stroke(double height_mm = 20)
@@ -547,7 +550,7 @@ TEST(EraseTool, MissesNothingOnItsWay)
     Stroke fast;
     for (double const y_mm : { -40.0, 40.0 })
         fast.tips.push_back({ .position_mm = { 10.5, y_mm, 30 }, .touching = true });
-    for (auto const erasing : { Erasing::Whole, Erasing::Part })
+    for (auto const erasing : { EraseExtent::Whole, EraseExtent::Part })
         EXPECT_TRUE(edits_of(EraseTool { erasing }, fast, scene));
 }
 

@@ -104,7 +104,7 @@ public:
         }
         if (auto const* const named = std::get_if<view::NameDrawing>(&command))
             given_names.push_back(named->name);
-        if (auto const* const asked = std::get_if<view::AskForCollection>(&command)) {
+        if (auto const* const asked = std::get_if<view::RequestCollection>(&command)) {
             collections.push_back(*asked);
             state_.individuality = asked->individuality;
         }
@@ -130,8 +130,8 @@ public:
     std::vector<tools::Tool> moved {};       // Settings of a tool while a slider is dragged.
     std::vector<tools::Tool> released {};    // Settings of a tool when the slider is released.
     std::vector<std::string> given_names {}; // Names given to the drawing.
-    std::vector<view::AskForCollection> collections {}; // Collections that were asked for.
-    std::vector<std::size_t> picked {};                 // Drawn curves that were clicked.
+    std::vector<view::RequestCollection> collections {}; // Collections that were asked for.
+    std::vector<std::size_t> picked {};                  // Drawn curves that were clicked.
     std::size_t touches = 0;
     double surface_mm = 0; // Distance by which the surface was moved.
 

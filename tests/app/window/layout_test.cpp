@@ -98,18 +98,18 @@ TEST_F(LayoutTest, LetsTheMouseDrawOnStageUntilEscape)
     HandInput escape;
     escape.presses = { { .key = KeyPress::kEscape } };
     bool is_on_stage = true;
-    bool wants_to_close = false;
+    bool is_close_requested = false;
     work(
         { 1280, 720 },
         { { { 600, 400 } }, { { 600, 400 }, true, drawing }, { { 600, 400 }, false, escape } },
         model, [](Layout& layout) { layout.workspace().is_on_stage = true; },
         [&](Layout& layout) {
             is_on_stage = layout.workspace().is_on_stage;
-            wants_to_close = layout.take_wish_to_close();
+            is_close_requested = layout.take_close_request();
         });
     EXPECT_GE(model.touches, 1u);
     EXPECT_FALSE(is_on_stage);
-    EXPECT_FALSE(wants_to_close);
+    EXPECT_FALSE(is_close_requested);
 }
 
 namespace {

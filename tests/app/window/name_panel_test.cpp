@@ -6,7 +6,7 @@
 namespace tractus::window {
 
 using namespace layout_tests;
-using Of = Workspace::AskedName::Of;
+using Of = Workspace::NameRequest::Of;
 
 namespace {
 
@@ -84,7 +84,7 @@ TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
     // The key C would choose a tool if the panel were closed.
     moments[1].input.presses.push_back({ 'C' });
     work(size, moments, model, ask, [](Layout& layout) {
-        EXPECT_FALSE(layout.workspace().asked_name) << "the panel closes when it is done";
+        EXPECT_FALSE(layout.workspace().name_request) << "the panel closes when it is done";
     });
     ASSERT_EQ(model.given_names.size(), 1u);
     EXPECT_EQ(model.given_names.front(), "Ash 2");
@@ -102,7 +102,7 @@ TEST_F(LayoutTest, TypesANameInThePlaceOfTheOldOneAndConfirmsWithEnter)
             [](Layout& layout) {
                 layout.workspace().ask_name({ Of::Drawing, "Shrub" });
             },
-            [&](Layout& layout) { EXPECT_EQ(!layout.workspace().asked_name, is_closed); });
+            [&](Layout& layout) { EXPECT_EQ(!layout.workspace().name_request, is_closed); });
         EXPECT_EQ(model.surface_mm, 0) << "letters move no surface";
         return model.given_names;
     };

@@ -114,11 +114,11 @@ TEST_F(PenPointerTest, AsksForTheRingWithItsButton)
     auto held = pen_at(0, 0);
     held.barrel = true;
     frame({ held });
-    EXPECT_TRUE(pen_.asks_for_ring());
+    EXPECT_TRUE(pen_.requests_tool_ring());
     frame({ held });
-    EXPECT_FALSE(pen_.asks_for_ring()) << "once";
+    EXPECT_FALSE(pen_.requests_tool_ring()) << "once";
     frame({ pen_at(0, 0) });
-    EXPECT_TRUE(pen_.has_let_barrel_go());
+    EXPECT_TRUE(pen_.has_released_barrel());
 }
 
 TEST_F(PenPointerTest, AsksForTheRingWhenATouchRests)
@@ -126,13 +126,13 @@ TEST_F(PenPointerTest, AsksForTheRingWhenATouchRests)
     auto const touch = pen_at(0, 0, true, false);
     frame({ touch });
     int frames = 1;
-    while (frames < 100 && !pen_.asks_for_ring()) {
+    while (frames < 100 && !pen_.requests_tool_ring()) {
         frame({ touch });
         ++frames;
     }
     EXPECT_NEAR(frames / 60.0, PenPointer::kLongPress_s, 0.05);
     frame({ touch });
-    EXPECT_FALSE(pen_.asks_for_ring()) << "once";
+    EXPECT_FALSE(pen_.requests_tool_ring()) << "once";
 }
 
 TEST_F(PenPointerTest, TakesASurfaceThatRisesForDrawing)
@@ -141,7 +141,7 @@ TEST_F(PenPointerTest, TakesASurfaceThatRisesForDrawing)
     for (int i = 0; i < 100; ++i) {
         touch.tip_mm.z() += 0.2f;
         frame({ touch });
-        EXPECT_FALSE(pen_.asks_for_ring());
+        EXPECT_FALSE(pen_.requests_tool_ring());
     }
 }
 

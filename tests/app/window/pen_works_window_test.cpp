@@ -286,7 +286,7 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     run(window, script);
     EXPECT_TRUE(window.state().hand.get<tools::DrawInOrderTool>());
     auto const& remembered = window.state().remembered;
-    tools::Tool const chosen = tools::EraseTool { tools::EraseTool::Erasing::Part };
+    tools::Tool const chosen = tools::EraseTool { tools::EraseTool::EraseExtent::Part };
     EXPECT_EQ(std::count(remembered.begin(), remembered.end(), chosen), 1);
     ASSERT_EQ(window.station().counts().strokes, 3u);
     ASSERT_EQ(window.scene().associations.size(), 1u);

@@ -79,10 +79,10 @@ TEST_F(Shortcuts, ToolsAreForAKeyAlone)
 TEST_F(Shortcuts, PressedTwiceInAFrameTheFullScreenStaysOff)
 {
     press('F');
-    ASSERT_TRUE(workspace.full_screen_wished);
-    EXPECT_TRUE(workspace.full_screen_wished->is_on);
+    ASSERT_TRUE(workspace.requested_full_screen);
+    EXPECT_TRUE(workspace.requested_full_screen->is_on);
     press('F');
-    EXPECT_FALSE(workspace.full_screen_wished->is_on);
+    EXPECT_FALSE(workspace.requested_full_screen->is_on);
 }
 
 TEST_F(Shortcuts, EscapeClosesOneThingAfterTheOther)
@@ -92,31 +92,31 @@ TEST_F(Shortcuts, EscapeClosesOneThingAfterTheOther)
     ASSERT_TRUE(workspace.keys_are_listed);
     press(KeyPress::kEscape);
     EXPECT_FALSE(workspace.keys_are_listed);
-    EXPECT_FALSE(workspace.full_screen_wished);
+    EXPECT_FALSE(workspace.requested_full_screen);
     press(KeyPress::kEscape);
-    ASSERT_TRUE(workspace.full_screen_wished);
-    EXPECT_FALSE(workspace.full_screen_wished->is_on);
-    EXPECT_FALSE(workspace.wants_to_close);
+    ASSERT_TRUE(workspace.requested_full_screen);
+    EXPECT_FALSE(workspace.requested_full_screen->is_on);
+    EXPECT_FALSE(workspace.is_close_requested);
     press(KeyPress::kEscape);
-    EXPECT_TRUE(workspace.wants_to_close);
+    EXPECT_TRUE(workspace.is_close_requested);
 }
 
 TEST_F(Shortcuts, NothingThatIsPressedAfterwardsKeepsTheWindowOpen)
 {
     press('Q');
     press('V');
-    EXPECT_TRUE(workspace.wants_to_close);
+    EXPECT_TRUE(workspace.is_close_requested);
 }
 
 TEST_F(Shortcuts, InTheCalibrationEscapeLeadsBack)
 {
     take_calibration_shortcut({ KeyPress::kEscape }, model, workspace);
     EXPECT_TRUE(model.was_last_asked_for<view::CloseCalibration>());
-    EXPECT_FALSE(workspace.wants_to_close);
+    EXPECT_FALSE(workspace.is_close_requested);
     take_calibration_shortcut({ 'N' }, model, workspace);
     EXPECT_EQ(model.asked.size(), 1u);
     take_calibration_shortcut({ 'Q' }, model, workspace);
-    EXPECT_TRUE(workspace.wants_to_close);
+    EXPECT_TRUE(workspace.is_close_requested);
 }
 
 TEST(Status, BeginsWithACapitalUnlessItBeginsWithAName)

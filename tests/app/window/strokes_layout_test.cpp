@@ -41,11 +41,11 @@ TEST(ShownViews, FollowEachOtherAndHaveWords)
     auto const words = shown_words();
     ASSERT_EQ(words.size(), 6u);
     for (std::size_t i = 0; i < words.size(); ++i)
-        EXPECT_EQ(after_keys(i), shown_of_word(words[i])) << words[i];
+        EXPECT_EQ(after_keys(i), parse_shown(words[i])) << words[i];
     EXPECT_EQ(after_keys(words.size()), Workspace::Shown::All);
-    EXPECT_EQ(shown_of_word("strokes"), Workspace::Shown::Strokes);
-    EXPECT_FALSE(shown_of_word("stroke"));
-    EXPECT_FALSE(shown_of_word(""));
+    EXPECT_EQ(parse_shown("strokes"), Workspace::Shown::Strokes);
+    EXPECT_FALSE(parse_shown("stroke"));
+    EXPECT_FALSE(parse_shown(""));
 }
 
 TEST_F(LayoutTest, ShowsStrokesBelowThePadWhereThereIsRoom)

@@ -55,7 +55,7 @@ TEST_F(LayoutTest, TakesACardIntoTheHand)
     EXPECT_EQ(model.state().hand, second);
 }
 
-// Wherever on the glyph a drag begins, it must set the rule while moving and once at its end, if it
+// Wherever on the gizmo a drag begins, it must set the rule while moving and once at its end, if it
 // began on a handle, and must not draw on the pad below.
 TEST_F(LayoutTest, DragsTheHandlesOfTheRule)
 {

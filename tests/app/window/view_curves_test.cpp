@@ -172,7 +172,7 @@ TEST(PadCurves, LayTheSheetOnTheSurfaceForToolsThatDrawOnPaper)
     auto state = small_state();
     EXPECT_TRUE(pad_of_world(state).matrix().isIdentity());
     state.hand = silhouette::OutlineTool {};
-    state.paper = { .base_mm = { 10, -60 }, .stands_mm = { 30, 5, 0 } };
+    state.paper = { .base_mm = { 10, -60 }, .world_point_mm = { 30, 5, 0 } };
     auto const T_pad_world = pad_of_world(state);
     EXPECT_TRUE((T_pad_world * Vec3f(30, 5, 0)).isApprox(Vec3f(10, -60, 150), 1e-5f))
         << "the plant's base lies on the surface where it was drawn";

@@ -122,13 +122,13 @@ TEST(HidSource, CountsReportsThatAreTooLong)
     HidHandle handle(reinterpret_cast<hid_device_*>(&device), kLongReports.close);
     auto const source = make_hid_source(
         simple_pen(), make_hid_link(kLongReports, std::move(handle), simple_pen()));
-    EXPECT_EQ(source->too_long_count(), 0u);
+    EXPECT_EQ(source->oversized_count(), 0u);
     for (int i = 0; i < 2; ++i) {
         auto const report = source->read(Duration(0));
         ASSERT_TRUE(report);
         EXPECT_FALSE(*report);
     }
-    EXPECT_EQ(source->too_long_count(), 2u);
+    EXPECT_EQ(source->oversized_count(), 2u);
 }
 
 TEST(DeviceKind, TellsPensFromSensorsFromOthers)

@@ -109,7 +109,7 @@ TEST_F(LinakDesk, IsAskedFiftyTimesASecond)
 
 TEST_F(LinakDesk, SaysWhatToDoWithADeskThatHasLostItsPlace)
 {
-    desk.lose_place();
+    desk.lose_position();
     auto const source = open();
     ASSERT_FALSE(source);
     EXPECT_EQ(source.error().fault, Fault::User);

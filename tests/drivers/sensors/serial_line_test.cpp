@@ -99,7 +99,7 @@ TEST(SerialLine, GivesWholeLinesHoweverTheyArrive)
     EXPECT_EQ(lines_of(*source), (Lines { "513", "514" }));
     board.print(std::string(600, 'x') + "\n515\n");
     EXPECT_EQ(lines_of(*source), Lines { "515" });
-    EXPECT_EQ(source->too_long_count(), 1u);
+    EXPECT_EQ(source->oversized_count(), 1u);
 }
 
 TEST(SerialLine, WaitsForTheNextLine)

@@ -57,7 +57,7 @@ private:
     }
 };
 
-using Told = std::vector<std::string>;
+using PrintedState = std::vector<std::string>;
 
 DeviceInfo plain_device(std::uint16_t vendor_id, std::uint16_t product_id)
 {
@@ -72,7 +72,7 @@ TEST(ModeSwitch, SendsAWacomItsFeatureReport)
     FakePort port;
     auto info = plain_device(0x056a, 0x037a);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
-    EXPECT_EQ(port.told, Told { "feature 02 02" });
+    EXPECT_EQ(port.told, PrintedState { "feature 02 02" });
     EXPECT_TRUE(info.warnings.empty());
 }
 
@@ -81,12 +81,13 @@ TEST(ModeSwitch, SendsSeveralReportsInTheirOrder)
     FakePort port;
     auto intuos3 = plain_device(0x056a, 0x00b1);
     switch_to_full_mode(intuos3, port, SwitchedBy::Nobody);
-    EXPECT_EQ(port.told, (Told { "feature 02 02", "feature 04 00" }));
+    EXPECT_EQ(port.told, (PrintedState { "feature 02 02", "feature 04 00" }));
 
     port.told.clear();
     auto veikk = plain_device(0x2feb, 0x0008);
     switch_to_full_mode(veikk, port, SwitchedBy::Nobody);
-    EXPECT_EQ(port.told, (Told { "output 09 01 04", "output 09 02 02", "output 09 03 02" }));
+    EXPECT_EQ(port.told,
+              (PrintedState { "output 09 01 04", "output 09 02 02", "output 09 03 02" }));
 }
 
 TEST(ModeSwitch, LeavesToTheKernelWhatItsDriverDoes)
@@ -110,7 +111,7 @@ TEST(ModeSwitch, ReadsTheStringsOfAHuion)
     port.strings = { { 200, kHs610Parameters }, { 201, "HUION_T194_180726" } };
     auto info = plain_device(0x256c, 0x006d);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
-    EXPECT_EQ(port.told, (Told { "string 2", "string 201", "string 200" }));
+    EXPECT_EQ(port.told, (PrintedState { "string 2", "string 201", "string 200" }));
     EXPECT_EQ(info.strings.at(201), "HUION_T194_180726");
     EXPECT_EQ(info.strings.at(2), ""); // The tablet lacks this string.
 
@@ -127,7 +128,7 @@ TEST(ModeSwitch, ReadsTheStringsOfATabletThatTheKernelHasSwitched)
     port.strings = { { 200, kHs610Parameters }, { 201, "HUION_T194_180726" } };
     auto info = plain_device(0x256c, 0x006d);
     switch_to_full_mode(info, port, SwitchedBy::Kernel);
-    EXPECT_EQ(port.told, (Told { "string 2", "string 201", "string 200" }));
+    EXPECT_EQ(port.told, (PrintedState { "string 2", "string 201", "string 200" }));
 }
 
 TEST(ModeSwitch, SwitchesANewModelLikeItsKin)
@@ -146,7 +147,8 @@ TEST(ModeSwitch, ReadsAStringOnlyOnce)
     port.strings = { { 201, "F610_M61P-T1234" } };
     auto info = plain_device(0x5543, 0x0081);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
-    EXPECT_EQ(port.told, (Told { "string 4", "string 5", "string 6", "string 201", "string 100" }));
+    EXPECT_EQ(port.told,
+              (PrintedState { "string 4", "string 5", "string 6", "string 201", "string 100" }));
     port.told.clear();
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
     EXPECT_TRUE(port.told.empty());
@@ -167,11 +169,11 @@ TEST(ModeSwitch, WarnsOfARefusedReportAndSendsNoMore)
     port.refused_report = "output 09 02 02";
     auto info = plain_device(0x2feb, 0x0008);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
-    EXPECT_EQ(port.told, Told { "output 09 01 04" });
-    EXPECT_EQ(
-        info.warnings,
-        Told { "cannot switch VEIKK VK1060 to its full mode, so it stays in the one it is in: "
-               "it does not take report 2" });
+    EXPECT_EQ(port.told, PrintedState { "output 09 01 04" });
+    EXPECT_EQ(info.warnings,
+              PrintedState {
+                  "cannot switch VEIKK VK1060 to its full mode, so it stays in the one it is in: "
+                  "it does not take report 2" });
 }
 
 TEST(ModeSwitch, WarnsWhereStringsCannotBeRead)
@@ -181,8 +183,9 @@ TEST(ModeSwitch, WarnsWhereStringsCannotBeRead)
     auto info = plain_device(0x256c, 0x0067);
     switch_to_full_mode(info, port, SwitchedBy::Nobody);
     EXPECT_EQ(info.warnings,
-              Told { "cannot switch Huion H951P to its full mode, so it stays in the one it is in: "
-                     "cannot open the USB plain_device at 1-2" });
+              PrintedState {
+                  "cannot switch Huion H951P to its full mode, so it stays in the one it is in: "
+                  "cannot open the USB plain_device at 1-2" });
     EXPECT_TRUE(info.strings.empty());
 }
 

@@ -24,7 +24,7 @@ void expect_back(std::vector<std::uint32_t> const& numbers, std::size_t words)
     CompressedElements const elements { .count = numbers.size() / words,
                                         .stride = 4 * words,
                                         .bytes = compressed };
-    RC_ASSERT(flaw_in(elements) == nullptr);
+    RC_ASSERT(find_flaw(elements) == nullptr);
     std::vector<std::uint32_t> back(numbers.size());
     RC_ASSERT(decompress(elements, std::as_writable_bytes(std::span(back))));
     RC_ASSERT(back == numbers);
@@ -62,7 +62,7 @@ RC_GTEST_PROP(MeshCodec, GivesIndicesBackInEitherSize, ())
     CompressedElements elements {
         .mode = CodecMode::Indices, .count = indices.size(), .stride = 4, .bytes = compressed
     };
-    RC_ASSERT(flaw_in(elements) == nullptr);
+    RC_ASSERT(find_flaw(elements) == nullptr);
     std::vector<std::uint32_t> back(indices.size());
     RC_ASSERT(decompress(elements, std::as_writable_bytes(std::span(back))));
     RC_ASSERT(back == indices);
@@ -77,7 +77,7 @@ TEST(MeshCodec, HoldsManyElementsThatAreAlike)
     std::vector<std::uint32_t> const numbers(100'000, 7);
     BulkVector<std::byte> compressed;
     compress_attributes(bytes_of(numbers), 4, compressed);
-    EXPECT_EQ(flaw_in({ .count = numbers.size(), .stride = 4, .bytes = compressed }), nullptr);
+    EXPECT_EQ(find_flaw({ .count = numbers.size(), .stride = 4, .bytes = compressed }), nullptr);
 }
 
 // The format (EXT_meshopt_compression, appendix A) requires that the first byte contains the
@@ -114,7 +114,7 @@ RC_GTEST_PROP(MeshCodec, SurvivesAnyBytes, ())
                                         .count = *rc::gen::inRange<std::uint64_t>(0, 300),
                                         .stride = *rc::gen::element<std::uint64_t>(2, 4, 8),
                                         .bytes = bytes_of(bytes) };
-    if (flaw_in(elements))
+    if (find_flaw(elements))
         return;
     std::vector<std::byte> back(elements.count * elements.stride);
     (void)decompress(elements, back);
@@ -124,11 +124,11 @@ TEST(MeshCodec, SaysWhatCannotBe)
 {
     std::vector<std::byte> const bytes(100);
     CompressedElements const good { .count = 100, .stride = 8, .bytes = bytes };
-    EXPECT_EQ(flaw_in(good), nullptr);
+    EXPECT_EQ(find_flaw(good), nullptr);
     auto const is_flawed = [&](auto const& change) {
         auto elements = good;
         change(elements);
-        return flaw_in(elements) != nullptr;
+        return find_flaw(elements) != nullptr;
     };
     EXPECT_TRUE(is_flawed([](auto& e) { e.count = 0; }));
     EXPECT_TRUE(is_flawed([](auto& e) { e.count = 100 * 64 / 8 + 1; }));

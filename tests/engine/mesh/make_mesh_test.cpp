@@ -136,7 +136,7 @@ TEST(MakeMesh, NormalsLeanWithTheTaper)
 TEST(MakeMesh, LateralBasesLieInsideTheirParent)
 {
     auto const plant = sample_tree(4);
-    SpineRoom room;
+    SpineBuffers room;
     for (auto const& axis : std::span(plant.axes).subspan(1)) {
         auto const spine = trace_spine(plant, axis, {}, 90, room);
         ASSERT_FALSE(spine.stations.empty());

@@ -101,7 +101,7 @@ Vec2 on_four_patches(Vec3f const& at)
 
 TEST(SurfaceMesh, LaysATextureOnPatches)
 {
-    auto const mesh = surface_mesh(surface(four_patches()), 4, TextureLies::OnPatches);
+    auto const mesh = surface_mesh(surface(four_patches()), 4, TextureMapping::OnPatches);
     expect_sound(mesh);
     for (std::size_t i = 0; i < mesh.positions_mm.size(); ++i)
         EXPECT_LT(
@@ -123,7 +123,7 @@ TEST(SurfaceMesh, LaysATextureAsTheOrganLies)
         patch.neighbors = { sides[BezierPatch::Right], sides[BezierPatch::Left],
                             sides[BezierPatch::Below], sides[BezierPatch::Above] };
     }
-    auto const mesh = surface_mesh(surface(patches), 4, TextureLies::OnPatches);
+    auto const mesh = surface_mesh(surface(patches), 4, TextureMapping::OnPatches);
     for (std::size_t i = 0; i < mesh.positions_mm.size(); ++i)
         EXPECT_LT(
             (mesh.texture_coordinates[i].cast<double>() - on_four_patches(mesh.positions_mm[i]))
@@ -138,7 +138,7 @@ TEST(SurfaceMesh, LaysATextureOnTheBoxOfPatchesThatAreNoGrid)
     patches[1].neighbors[BezierPatch::Above] = BezierPatch::kNoPatch;
     patches[2].neighbors[BezierPatch::Right] = BezierPatch::kNoPatch;
     auto const on_box = surface_mesh(surface(patches), 4);
-    auto const on_patches = surface_mesh(surface(patches), 4, TextureLies::OnPatches);
+    auto const on_patches = surface_mesh(surface(patches), 4, TextureMapping::OnPatches);
     ASSERT_EQ(on_box.positions_mm.size(), on_patches.positions_mm.size());
     for (std::size_t i = 0; i < on_box.positions_mm.size(); ++i)
         EXPECT_EQ(on_box.texture_coordinates[i], on_patches.texture_coordinates[i]);

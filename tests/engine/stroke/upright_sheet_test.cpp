@@ -17,10 +17,10 @@ TEST(UprightSheet, IsPaperWhereTheSurfaceHardlyMoved)
 {
     auto const still = tips_of({ { 0, 0, 80 }, { 0, 100, 84 } });
     auto const moved = tips_of({ { 0, 0, 80 }, { 0, 100, 86 } });
-    EXPECT_EQ(decide_surface(still, StrokeSurface::Decided), StrokeSurface::Paper);
-    EXPECT_EQ(decide_surface(moved, StrokeSurface::Decided), StrokeSurface::Space);
-    EXPECT_EQ(decide_surface(moved, StrokeSurface::Paper), StrokeSurface::Paper);
-    EXPECT_EQ(decide_surface(still, StrokeSurface::Space), StrokeSurface::Space);
+    EXPECT_EQ(resolve_surface(still, StrokeSurface::Decided), StrokeSurface::Paper);
+    EXPECT_EQ(resolve_surface(moved, StrokeSurface::Decided), StrokeSurface::Space);
+    EXPECT_EQ(resolve_surface(moved, StrokeSurface::Paper), StrokeSurface::Paper);
+    EXPECT_EQ(resolve_surface(still, StrokeSurface::Space), StrokeSurface::Space);
 }
 
 TEST(UprightSheet, StandsWithTheUsersAwayAsUp)

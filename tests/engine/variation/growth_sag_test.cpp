@@ -74,7 +74,7 @@ TEST(Sag, IsGivenUpWhenAskedTo)
     auto const plan = plan_of(plant, { .strength = 0, .sag = 1 });
     auto frames = plan.parent_frame;
     auto hanging = plant;
-    Sagger sagger(plan);
+    SagSimulator sagger(plan);
     std::stop_source asked;
     asked.request_stop();
     sagger.sag(hanging, frames, asked.get_token());

@@ -35,7 +35,7 @@ struct ConstructArguments {
     tools::Methods methods;
     fs::path sketch;
     fs::path output;
-    lines::GivenBesides given;
+    lines::SketchOverrides given;
     bool smooth = false;
     bool report = false;
     bool session = false;

@@ -111,15 +111,15 @@ Result<std::vector<Stroke>> strokes_of(BrushArguments const& arguments)
 }
 
 // The periods of the tree's life: one for each stroke, or one without.
-Result<std::vector<LifePart>> parts_of(BrushArguments const& arguments)
+Result<std::vector<LifePeriod>> parts_of(BrushArguments const& arguments)
 {
     auto strokes = TRY(strokes_of(arguments));
     if (strokes.empty())
-        return std::vector<LifePart> { { .years = arguments.years } };
+        return std::vector<LifePeriod> { { .years = arguments.years } };
     // Dereferenced unchecked, as the option parser has checked the range.
     auto const [min_mm, most_mm] = *options::parse_range(arguments.radius);
     auto const years = years_of(strokes, arguments.years);
-    std::vector<LifePart> parts;
+    std::vector<LifePeriod> parts;
     for (std::size_t i = 0; i < strokes.size(); ++i)
         parts.push_back({ .years = years[i],
                           .stroke = std::move(strokes[i]),

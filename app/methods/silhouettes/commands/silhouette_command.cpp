@@ -13,8 +13,8 @@
 #include "app/terminal/error_text.h"
 #include "engine/base/file.h"
 #include "engine/methods/silhouettes/measured_style.h"
-#include "engine/methods/silhouettes/ready_form.h"
 #include "engine/methods/silhouettes/tree_edits.h"
+#include "engine/methods/silhouettes/tree_preset.h"
 #include "engine/scene/scene.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ struct SilhouetteArguments {
     double height_m = 8;
     std::optional<std::size_t> count; // Number of places; only if an arrangement alone is wanted.
     // Branches that take the style of a branch with parts drawn on it.
-    silhouette::StyleTo style_to = silhouette::StyleTo::None;
+    silhouette::StyleScope style_to = silhouette::StyleScope::None;
     bool report = false;
     bool session = false;
     tools::Methods methods;
@@ -267,7 +267,7 @@ void add_style_options(CLI::App& command, SilhouetteArguments& arguments)
         .add_option_function<std::string>(
             "--form",
             [&form = arguments.form](std::string const& name) {
-                for (auto const& ready : silhouette::ready_forms())
+                for (auto const& ready : silhouette::tree_presets())
                     if (ready.name == name)
                         form = ready.form;
             },
@@ -286,9 +286,9 @@ void add_style_options(CLI::App& command, SilhouetteArguments& arguments)
         .add_option_function<std::string>(
             "--style-to",
             [&style_to = arguments.style_to](std::string const& word) {
-                style_to = word == "siblings" ? silhouette::StyleTo::Siblings
-                    : word == "deeper"        ? silhouette::StyleTo::Deeper
-                                              : silhouette::StyleTo::None;
+                style_to = word == "siblings" ? silhouette::StyleScope::Siblings
+                    : word == "deeper"        ? silhouette::StyleScope::Deeper
+                                              : silhouette::StyleScope::None;
             },
             "Whom the style of a branch with parts of the drawing goes to: siblings, the branches "
             "beside it, deeper, those and the ones below, or none")

@@ -39,7 +39,7 @@ std::string describe_contract(std::filesystem::path const& model, scene::LoadOpt
     if (!edit)
         return {}; // Returns nothing, as the model's general check has reported the error.
     auto const name = edit->source.name;
-    auto const lacks = sketch::lacks_for_stroke(rule_of_model(*std::move(edit)), options);
+    auto const lacks = sketch::missing_for_stroke(rule_of_model(*std::move(edit)), options);
     if (lacks.empty())
         return "\nCan be grown along a stroke\n";
     // Models that were not written for strokes lack all parts, of which the manual tells.

@@ -85,23 +85,23 @@ StrokeSurface surface_for(SketchArguments const& arguments)
 struct FootFirst {
     Stroke stroke;
     StrokeSurface surface;
-    bool is_turned_round;
+    bool is_drawn_reversed;
 };
 Result<FootFirst> stroke_from_foot(SketchArguments const& arguments)
 {
     auto stroke = TRY(choose_stroke(arguments));
-    auto const surface = decide_surface(stroke.tips, surface_for(arguments));
-    bool const is_turned_round = arguments.stands == "end"
+    auto const surface = resolve_surface(stroke.tips, surface_for(arguments));
+    bool const is_drawn_reversed = arguments.stands == "end"
         || (arguments.stands == "foot"
-            && sketch::runs_to_its_foot(plant_tips(stroke.tips.vector(), surface), {}));
-    if (is_turned_round)
+            && sketch::is_drawn_to_foot(plant_tips(stroke.tips.vector(), surface), {}));
+    if (is_drawn_reversed)
         stroke = sketch::turned_round(stroke);
-    return FootFirst { std::move(stroke), surface, is_turned_round };
+    return FootFirst { std::move(stroke), surface, is_drawn_reversed };
 }
 
-void warn_of_turn(SketchArguments const& arguments, bool is_turned_round)
+void warn_of_turn(SketchArguments const& arguments, bool is_drawn_reversed)
 {
-    if (is_turned_round && arguments.stands == "foot")
+    if (is_drawn_reversed && arguments.stands == "foot")
         terminal::print_warning(
             fmt::format("{}: the stroke runs from the tip to the foot and is turned round: "
                         "\"--stands begin\" leaves it as drawn",
@@ -110,9 +110,9 @@ void warn_of_turn(SketchArguments const& arguments, bool is_turned_round)
 
 Result<sketch::DrawnAxis> draw_axis(SketchArguments const& arguments, sketch::Rule const& rule)
 {
-    auto const [stroke, surface, is_turned_round] = TRY(stroke_from_foot(arguments));
+    auto const [stroke, surface, is_drawn_reversed] = TRY(stroke_from_foot(arguments));
     auto const& tips = stroke.tips.vector();
-    warn_of_turn(arguments, is_turned_round);
+    warn_of_turn(arguments, is_drawn_reversed);
     auto const nodes_mm = sketch::resample_stroke(rule, plant_tips(tips, surface));
     if (nodes_mm.size() < 2)
         return fail(
@@ -183,13 +183,13 @@ void warn_of_cut(sketch::Rule const& rule, sketch::DrawnAxis const& axis)
 Result<sketch::GrowAlongStroke> drawn_edit(SketchArguments const& arguments,
                                            sketch::Rule const& rule)
 {
-    auto [stroke, surface, is_turned_round] = TRY(stroke_from_foot(arguments));
+    auto [stroke, surface, is_drawn_reversed] = TRY(stroke_from_foot(arguments));
     return sketch::GrowAlongStroke {
         .rule = rule,
         .stroke = std::move(stroke),
         .surface = surface,
         .leaves = arguments.bare ? sketch::Leaves::Bare : sketch::Leaves::Leafy,
-        .is_turned_round = is_turned_round,
+        .is_drawn_reversed = is_drawn_reversed,
     };
 }
 
@@ -247,7 +247,7 @@ Result<void> write_includes(fs::path const& folder, sketch::ModelRule const& mod
 Result<void> sketch_model(SketchArguments const& arguments, sketch::ModelRule model)
 {
     auto drawn = TRY(drawn_edit(arguments, {}));
-    warn_of_turn(arguments, drawn.is_turned_round);
+    warn_of_turn(arguments, drawn.is_drawn_reversed);
     drawn.model = std::move(model);
     auto const nodes_mm = TRY(sketch::drawn_nodes_mm(drawn));
     auto const base = arguments.folder / arguments.stroke.stem();

@@ -18,7 +18,7 @@ protected:
     void draw(std::vector<Vec3> const& places_mm, tools::Tool const& tool)
     {
         document_.draw({ stroke_through(places_mm), tool });
-        said_ = document_.take_drawn().back();
+        said_ = document_.take_finished_strokes().back();
     }
     void erase(std::vector<Vec3> const& places_mm) { draw(places_mm, EraseLineTool {}); }
 

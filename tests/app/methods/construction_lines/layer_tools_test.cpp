@@ -32,9 +32,9 @@ protected:
     // Draws a stroke and returns the message about it.
     std::string draw(std::vector<Vec3> const& places_mm, tools::Tool const& tool)
     {
-        document_.take_drawn();
+        document_.take_finished_strokes();
         document_.draw({ stroke_through(places_mm), tool });
-        auto const drawn = document_.take_drawn().back();
+        auto const drawn = document_.take_finished_strokes().back();
         return drawn.refusal.empty() ? drawn.message : drawn.refusal;
     }
     std::string leaf(std::vector<Vec3> const& places_mm, Leaf what,
@@ -202,7 +202,8 @@ TEST_F(LayerTools, ALayerHasAPatternAndAFaceOfItsOwn)
     EXPECT_EQ(plant().organs.size(), count) << "alternate everywhere";
     document_.draw(
         { {}, tools::Tool(LinePatternTool { LinePatternTool::What::Face }).done_at_once() });
-    EXPECT_EQ(document_.take_drawn().back().message, "The organs turn their upper side down now");
+    EXPECT_EQ(document_.take_finished_strokes().back().message,
+              "The organs turn their upper side down now");
 }
 
 // A plant drawn beside it is dragged to the layer that will bear it.

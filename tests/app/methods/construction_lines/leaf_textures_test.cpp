@@ -159,15 +159,15 @@ protected:
     void change(scene::Edit const& edit)
     {
         document_.make({ [edit](scene::Scene const&) {
-            return Result<document::WantedStep::Change>({ { edit }, "" });
+            return Result<document::StepRequest::Change>({ { edit }, "" });
         } });
     }
     std::string leaf(std::vector<Vec3> const& places_mm, Leaf what,
                      OrganColor color = OrganColor::Picture)
     {
-        document_.take_drawn();
+        document_.take_finished_strokes();
         document_.draw({ stroke_through(places_mm), LineOrganTool { what, color } });
-        auto const drawn = document_.take_drawn().back();
+        auto const drawn = document_.take_finished_strokes().back();
         return drawn.refusal.empty() ? drawn.message : drawn.refusal;
     }
     PenSketch const& sketch() { return *active_pen_sketch(document_.newest()->scene.state); }

@@ -28,7 +28,7 @@ scene::Scene frond_scene()
            stroke_through({ { -50, -30, 50 }, { 0, -45, 50 }, { 40, -20, 50 } }),
            stroke_through({ { -40, 70, 50 }, { 0, 35, 50 }, { 45, 72, 50 } }) })
         document.draw({ stroke, LineTool { .nodes = 6 } });
-    EXPECT_EQ(document.take_drawn().size(), 5u);
+    EXPECT_EQ(document.take_finished_strokes().size(), 5u);
     return document.newest()->scene;
 }
 

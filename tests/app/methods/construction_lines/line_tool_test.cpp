@@ -80,7 +80,7 @@ TEST(LineTool, BeginsAPlantAndGoesOnWithIt)
     auto const scene = small_scene();
     document::Document document(scene, document::Document::Working::AtOnce);
     draw_frond(document);
-    auto const drawn = document.take_drawn();
+    auto const drawn = document.take_finished_strokes();
     ASSERT_EQ(drawn.size(), 5U);
     for (auto const& stroke : drawn)
         EXPECT_EQ(stroke.refusal, "");
@@ -97,7 +97,7 @@ TEST(LineTool, DrawsSeveralStemsOfOnePlant)
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_two_stems_and_a_lateral(document);
-    auto const drawn = document.take_drawn();
+    auto const drawn = document.take_finished_strokes();
     for (auto const& stroke : drawn)
         EXPECT_EQ(stroke.refusal, "");
     auto const& after = document.newest()->scene;
@@ -139,7 +139,7 @@ TEST(LineTool, GivesLinesToTheStemBesideWhichTheyAreDrawn)
     EXPECT_EQ(sketch.lines.back().stem, 1U);
     EXPECT_EQ(kBoundaryLayer.lines(scene).size(), 2U);
     EXPECT_EQ(kOtherBoundaryLayer.lines(scene).size(), 1U);
-    EXPECT_EQ(lines::stem_in_hand(sketch).value(), 1U);
+    EXPECT_EQ(lines::current_stem(sketch).value(), 1U);
     EXPECT_EQ(lines::model_of(sketch)->functions.size(), 3U * 2 + 2 * 5);
     EXPECT_EQ(kLinesToDrawLayer.lines(scene).size(), 3U) << "of the stem in hand";
 }
@@ -214,7 +214,7 @@ TEST(LineTool, DrawsBoundariesWhileTheSurfaceMoves)
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_frond_in_space(document);
-    auto const drawn = document.take_drawn();
+    auto const drawn = document.take_finished_strokes();
     EXPECT_EQ(drawn[5].message.substr(0, 38), "This is a boundary in space, in front,");
     auto const& after = document.newest()->scene;
     auto const& sketch = *lines::active_pen_sketch(after.state);
@@ -347,7 +347,7 @@ scene::Scene drawn_in(session::Session session,
         { {}, tools::Tool(LayerNodesTool { LayerNodesTool::What::More }).done_at_once() });
     document.draw(
         { stroke_through({ { -60, 0, 50 }, { -74, 0, 50 } }), LineRoleTool { Role::Unsure } });
-    for (auto const& drawn : document.take_drawn()) {
+    for (auto const& drawn : document.take_finished_strokes()) {
         EXPECT_EQ(drawn.refusal, "");
         for (auto const& edit : drawn.edits) {
             auto const record = session::record_of(edit);
@@ -423,7 +423,7 @@ TEST_F(LineToolAndCommand, GiveTheSameTextOfSeveralStems)
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     draw_two_stems_and_a_lateral(document);
     nlohmann::json file { { "pattern", "spiral" }, { "nodes_per_layer", { 6 } } };
-    for (auto const& drawn : document.take_drawn()) {
+    for (auto const& drawn : document.take_finished_strokes()) {
         nlohmann::json line;
         for (auto const& tip : drawn.stroke.tips)
             line.push_back({ tip.position_mm.x(), tip.position_mm.y() });
@@ -488,7 +488,7 @@ TEST(LineTool, SaysWhatTheLineWasTakenForAndWhatIsMissing)
     document.draw({ frond()[0], spiral() });
     document.draw({ stroke_through({ { 80, 0, 50 }, { 90, 10, 50 } }), spiral() });
     document.draw({ stroke_through({ { 80, 0, 50 }, { 80, 0, 50 } }), spiral() });
-    auto const drawn = document.take_drawn();
+    auto const drawn = document.take_finished_strokes();
     ASSERT_EQ(drawn.size(), 3U);
     EXPECT_EQ(drawn[0].message,
               "This is the stem: draw a boundary on its left or right, the line that the leaves' "

@@ -55,7 +55,7 @@ TEST(LinePatternTool, GoesThroughThePatterns)
     // The stem has seven nodes. The patterns are alternate, whorls of three, two patterns with two
     // organs per node, and spiral again.
     EXPECT_EQ(patterns, "7 21 14 14 7 ");
-    EXPECT_EQ(document.take_drawn().back().message, "The organs are spiral now");
+    EXPECT_EQ(document.take_finished_strokes().back().message, "The organs are spiral now");
     scene::Scene scene = small_scene();
     EXPECT_NE(
         document::draw({}, LinePatternTool {}, scene).refusal.find("has no construction lines"),
@@ -74,7 +74,7 @@ TEST(LinePatternTool, LetsSizesFollowHalfEllipsesAndBack)
     EXPECT_EQ(line_of(sizes.done_at_once()), "line_pattern sizes now");
     document.draw({ {}, sizes.done_at_once() });
     EXPECT_EQ(model().functions.size(), linear.functions.size() + 2);
-    EXPECT_EQ(document.take_drawn().back().message,
+    EXPECT_EQ(document.take_finished_strokes().back().message,
               "Sizes follow half-ellipses around the stem now");
     document.draw({ {}, tools::Tool(LinePatternTool {}).done_at_once() });
     EXPECT_NE(model().source.text.find("azimuth[0]"), std::string::npos) << "in any pattern";
@@ -97,7 +97,7 @@ TEST(LineLayers, ShowWhereALineIsMissing)
         // Converts from the upright sheet to the tablet.
         points.emplace_back(point.x(), point.z() - 100, 50);
     document.draw({ stroke_through(points), spiral() });
-    auto const drawn = document.take_drawn();
+    auto const drawn = document.take_finished_strokes();
     EXPECT_EQ(drawn.back().message, "This is the right boundary");
     EXPECT_TRUE(kLinesToDrawLayer.lines(document.newest()->scene).empty());
 }
@@ -119,10 +119,10 @@ TEST(LayerNodesTool, ChangesTheLayerThatIsTouchedOrTheTopmost)
     EXPECT_EQ(organs(), 20U);
     document.draw({ frond()[0], LayerNodesTool { .nodes = 0 } });
     EXPECT_EQ(organs(), 1U);
-    document.take_drawn();
+    document.take_finished_strokes();
     document.draw(
         { {}, tools::Tool(LayerNodesTool { LayerNodesTool::What::Fewer }).done_at_once() });
-    EXPECT_EQ(document.take_drawn().back().refusal,
+    EXPECT_EQ(document.take_finished_strokes().back().refusal,
               "the topmost layer has 0 nodes, and cannot have fewer");
 }
 
@@ -139,10 +139,10 @@ TEST(LineRoleTool, SaysWhatTheTouchedLineIs)
     document.draw({ touch(-12, 0), LineRoleTool { Role::Right } });
     sketch = lines::active_pen_sketch(document.newest()->scene.state);
     EXPECT_EQ(sketch->lines[2].role, Role::Right);
-    document.take_drawn();
+    document.take_finished_strokes();
     document.draw({ touch(100, 0), LineRoleTool { Role::Right } });
     document.draw({ touch(-42, 0), LineRoleTool { Role::Left } });
-    auto const drawn = document.take_drawn();
+    auto const drawn = document.take_finished_strokes();
     EXPECT_NE(drawn[0].refusal.find("no construction line here"), std::string::npos);
     EXPECT_NE(drawn[1].refusal.find("would have no stem"), std::string::npos);
 }

@@ -54,7 +54,7 @@ protected:
     void draw(Stroke const& stroke)
     {
         document_.draw({ stroke, LeafLineTool {} });
-        for (auto const& drawn : document_.take_drawn())
+        for (auto const& drawn : document_.take_finished_strokes())
             EXPECT_EQ(drawn.refusal, "");
     }
 
@@ -66,8 +66,8 @@ protected:
     void make(std::vector<scene::Edit> edits)
     {
         document_.make({ [edits = std::move(edits)](
-                             scene::Scene const&) -> Result<document::WantedStep::Change> {
-            return document::WantedStep::Change { edits, "made" };
+                             scene::Scene const&) -> Result<document::StepRequest::Change> {
+            return document::StepRequest::Change { edits, "made" };
         } });
     }
 
@@ -128,7 +128,7 @@ TEST_F(WornLeaf, FollowsItsNumbersAndKeepsHowItIsWorn)
     auto const before = tree();
     make({ leaf::FormLeaf { leaf_, { .teeth = 9 } } });
     EXPECT_NE(tree(), before);
-    auto const worn = methods::worn_leaves(scene().state, tree_);
+    auto const worn = methods::chosen_foliage(scene().state, tree_);
     ASSERT_TRUE(worn);
     EXPECT_EQ(worn->drawn, leaf_);
     EXPECT_EQ(worn->age, 0.6);
@@ -141,7 +141,7 @@ TEST_F(WornLeaf, StaysWhenItsDrawingIsRemoved)
     auto const before = tree();
     make({ scene::RemovePlant { leaf_ } });
     EXPECT_EQ(tree(), before);
-    auto const worn = methods::worn_leaves(scene().state, tree_);
+    auto const worn = methods::chosen_foliage(scene().state, tree_);
     ASSERT_TRUE(worn);
     EXPECT_EQ(worn->drawn, 0u);
     EXPECT_TRUE(methods::grammar_of(scene().state, *worn)) << "its text is kept";

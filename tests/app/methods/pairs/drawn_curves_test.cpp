@@ -42,10 +42,10 @@ Bounds box_of(scene::Scene const& scene)
 
 void brush_tree(Steps& steps, double x_mm)
 {
-    self_organising::LifePart first { .years = 3 };
+    self_organising::LifePeriod first { .years = 3 };
     first.stroke = stroke_through({ { x_mm, 0, 0 }, { x_mm, 0, 60 } });
     steps.add(self_organising::PlantTree { .scale = 0.05, .first = first });
-    self_organising::LifePart next { .years = 1 };
+    self_organising::LifePeriod next { .years = 1 };
     next.stroke = stroke_through({ { x_mm, 0, 60 }, { x_mm + 30, 0, 90 } });
     steps.add(self_organising::GrowOn { steps.active(), next });
 }

@@ -63,7 +63,7 @@ std::vector<tools::Tool> every_tool()
     for (auto const* const kind : all_methods().tools) {
         tools::Tool const usual(*kind);
         all.push_back(usual);
-        auto const words = tools::chosen_words(usual);
+        auto const words = tools::word_settings(usual);
         for (std::size_t i = 0; i < words.size(); ++i)
             for (std::size_t value = 0; value < words[i].option.words.size(); ++value)
                 if (auto tool = tools::with_word(usual, i, static_cast<int>(value)); tool != usual)
@@ -229,7 +229,7 @@ TEST_F(EveryTool, MeansTheSameWhateverReplaysIt)
         auto const scene = scene::apply_edits({}, edits).value();
         for (auto const& usual : every_tool())
             for (bool const at_once : { false, true }) {
-                if (at_once && !usual.can_be_done_at_once())
+                if (at_once && !usual.needs_no_stroke())
                     continue;
                 auto const tool = at_once ? usual.done_at_once() : usual;
                 auto const words = tools::words_for(tool);
@@ -268,7 +268,7 @@ TEST_F(EveryTool, GoesThroughEveryCommandThatReplays)
 {
     HandLog log;
     for (auto const& tool : every_tool()) {
-        if (tool.can_be_done_at_once())
+        if (tool.needs_no_stroke())
             log.take(tool.done_at_once());
         log.take(tool);
         log.draw({ { 100, 95 }, { 101, 50 }, { 99, 20 } });
@@ -297,7 +297,7 @@ TEST_F(EveryTool, GoesThroughEveryCommandThatReplays)
 TEST_F(EveryTool, ThatNeedsAStrokeIsRefusedWithoutOne)
 {
     for (auto const& tool : every_tool()) {
-        if (tool.can_be_done_at_once())
+        if (tool.needs_no_stroke())
             continue;
         auto const words = tools::words_for(tool);
         HandLog log;

@@ -23,16 +23,17 @@ void draw_at_random(document::Document& document, RandomHand& hand, std::size_t 
         else if (hand.happens(0.05))
             document.redo();
         else if (hand.happens(0.05))
-            document.make({ [&](scene::Scene const& scene) -> Result<document::WantedStep::Change> {
-                if (!scene.state.picture)
-                    return document::WantedStep::Change {
-                        { scene::LayPicture { "small.png", pictures::small_png() } }, ""
-                    };
-                return document::WantedStep::Change { { hand.growth(scene.growth) }, "" };
-            } });
+            document.make(
+                { [&](scene::Scene const& scene) -> Result<document::StepRequest::Change> {
+                    if (!scene.state.picture)
+                        return document::StepRequest::Change {
+                            { scene::LayPicture { "small.png", pictures::small_png() } }, ""
+                        };
+                    return document::StepRequest::Change { { hand.growth(scene.growth) }, "" };
+                } });
         else
             document.draw(hand.stroke(document.newest()->scene));
-        for (auto const& drawn : document.take_drawn())
+        for (auto const& drawn : document.take_finished_strokes())
             if (drawn.refusal.empty())
                 hand.has_done(drawn.tool);
     }

@@ -35,7 +35,7 @@ public:
     tools::ToolStroke stroke(scene::Scene const& scene)
     {
         auto tool = any_tool(scene);
-        if (tool.can_be_done_at_once() && (tool.kind().at_once || happens(0.5)))
+        if (tool.needs_no_stroke() && (tool.kind().at_once || happens(0.5)))
             return { {}, tool.done_at_once() };
         return { path(tool, scene), tool };
     }
@@ -66,12 +66,12 @@ private:
         if (scene.plants.size() > kMany && happens(0.3))
             kind = tools::find_tool_kind(tools, "remove_plant");
         tools::Tool tool(*kind);
-        auto const words = tools::chosen_words(tool);
+        auto const words = tools::word_settings(tool);
         for (std::size_t i = 0; i < words.size(); ++i)
             if (happens(0.4))
                 tool = tools::with_word(tool, i,
                                         static_cast<int>(below(words[i].option.words.size())));
-        auto const numbers = tools::chosen_numbers(tool);
+        auto const numbers = tools::number_settings(tool);
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             auto const& [option, value] = numbers[i];
             if (happens(

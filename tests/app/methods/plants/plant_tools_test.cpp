@@ -102,8 +102,9 @@ TEST(PlantTools, PutAPlantOnABranchAndTakeItOff)
     ASSERT_EQ(on.plants.size(), 1u);
     EXPECT_EQ(on.base->segment_count(), 24u);
     EXPECT_EQ(on.placement.scale, two.placement.scale);
-    Vec3 const stands_mm = on.placement.world_of_plant(on.base->positions(on.base->axes[3])[0]);
-    EXPECT_NEAR((stands_mm - tip_mm).norm(), 0, 1e-9);
+    Vec3 const world_point_mm
+        = on.placement.world_of_plant(on.base->positions(on.base->axes[3])[0]);
+    EXPECT_NEAR((world_point_mm - tip_mm).norm(), 0, 1e-9);
     EXPECT_FALSE(tools::Tool(TakeOffTool {}).edits_for(touch(on.placement.origin_mm), on))
         << "its own";
     auto const off = after(TakeOffTool {}, touch(end_of(on, 14)), on);

@@ -150,7 +150,7 @@ to_mm = [30, 0, 170]
     auto const scene = replayed();
     auto const* const tree = grown_tree_of(scene.drawn->source);
     ASSERT_TRUE(tree);
-    using Kind = LifePart::Kind;
+    using Kind = LifePeriod::Kind;
     std::vector<Kind> kinds;
     for (auto const& part : tree->life)
         kinds.push_back(part.kind);

@@ -102,7 +102,7 @@ TEST(Habits, GrowTreesOfTheirKind)
 TEST(Habits, AnOakBearsAsManyLeavesAsOaksDo)
 {
     auto const habit = load_habit("oak").value();
-    auto const plant = plant_of(grow_by_itself(habit, 40, 1).value(), habit, 1).plant;
+    auto const plant = plant_of(grow_without_brush(habit, 40, 1).value(), habit, 1).plant;
     expect_within(static_cast<double>(plant.organs.size()), { 100'000, 300'000 }, "leaves");
 }
 

@@ -16,7 +16,7 @@ Stroke bump_touch_at(Vec2 const& place)
     return stroke_through({ { place.x(), place.y(), 150 }, { place.x(), place.y() + 0.1, 150 } });
 }
 
-OutlineTool leaf_tool(StyleTo style = StyleTo::Siblings)
+OutlineTool leaf_tool(StyleScope style = StyleScope::Siblings)
 {
     return { .what = OutlineTool::What::Leaf, .style = style };
 }
@@ -58,7 +58,7 @@ TEST_F(BumpLeafTool, DeclaresABumpALeafAndTakesItBack)
     auto const before = scene().base->node_position_mm;
     auto const bump = leaf_on_bump(tree(), bump_touch_at(kLobe), Search::AnyLevel).value();
     ASSERT_TRUE(bump);
-    touch(kLobe, leaf_tool(StyleTo::None));
+    touch(kLobe, leaf_tool(StyleScope::None));
     ASSERT_EQ(tree().own_outlines.size(), 1u);
     auto const own = tree().own_outlines[0];
     EXPECT_TRUE(own.is_leaf && own.of_bump);
@@ -107,23 +107,23 @@ TEST_F(BumpLeafTool, LeavesTheCrownsMiddleToTheCrown)
 // A leaf on a branch's own outline, and then on the bump that contains it.
 TEST_F(BumpLeafTool, IsOfTheSmallestOutline)
 {
-    document_.draw({ lobe_of_crown(), OutlineTool { .style = StyleTo::None } });
+    document_.draw({ lobe_of_crown(), OutlineTool { .style = StyleScope::None } });
     ASSERT_EQ(tree().own_outlines.size(), 1u);
     auto const limb = tree().own_outlines[0].branch;
     auto const skeleton = skeleton_of(tree()).value();
     auto const at = skeleton.at(limb).value();
     auto const& boughs = skeleton.systems[skeleton.system_of[at.system][at.branch]].branches;
     ASSERT_EQ(boughs.front().origin, Branch::Origin::Bump);
-    touch(boughs.front().path.curve.end, leaf_tool(StyleTo::None));
+    touch(boughs.front().path.curve.end, leaf_tool(StyleScope::None));
     ASSERT_EQ(tree().own_outlines.size(), 2u);
     EXPECT_TRUE(tree().own_outlines[1].branch.starts_with(limb + kPathSeparator));
     EXPECT_TRUE(tree().own_outlines[1].is_leaf);
-    EXPECT_EQ(count_waiting(tree()).value(), 0u);
-    auto of_trunk = leaf_tool(StyleTo::None);
+    EXPECT_EQ(count_without_effect(tree()).value(), 0u);
+    auto of_trunk = leaf_tool(StyleScope::None);
     of_trunk.branches = OutlineTool::Branches::OfTrunk;
     touch(tree().own_outlines[0].stroke.tips.begin()->position_mm.head<2>() - Vec2(2, 0), of_trunk);
     EXPECT_TRUE(tree().own_outlines[0].is_leaf) << "the limb's own outline, on the crown's bump";
-    EXPECT_EQ(count_waiting(tree()).value(), 1u);
+    EXPECT_EQ(count_without_effect(tree()).value(), 1u);
 }
 
 TEST_F(BumpLeafTool, OutlastsACrownThatIsDrawnAnewAndASession)

@@ -42,7 +42,7 @@ scene::Scene with_tree(scene::Scene const& scene, double x_mm, scene::ItemId id,
 scene::Scene stepped(scene::Scene const& scene, scene::Edit const& edit)
 {
     auto step = std::vector { edit };
-    auto const more = styles_that_follow(scene, step);
+    auto const more = dependent_style_edits(scene, step);
     step.insert(step.end(), more.begin(), more.end());
     return scene::apply_edits(scene, step).value();
 }
@@ -102,12 +102,13 @@ TEST(NearestStyle, FollowsARefinedTree)
     EXPECT_NE(tree_of(refined, 10).form, begun_form());
     // The style is not taken again if nothing relevant has changed.
     EXPECT_TRUE(
-        styles_that_follow(refined, { scene::SetScale { refined.placement.scale } }).empty());
+        dependent_style_edits(refined, { scene::SetScale { refined.placement.scale } }).empty());
     // Until it is refined itself, or its form is set by the user.
     auto const formed = scene::apply_edit(refined, FormTree { 10, {} }).value();
     EXPECT_FALSE(takes_style(tree_of(formed, 10)));
-    EXPECT_TRUE(styles_that_follow(formed, { EraseTreePart { 20, DrawTree::Part::OwnOutline, 30 } })
-                    .empty());
+    EXPECT_TRUE(
+        dependent_style_edits(formed, { EraseTreePart { 20, DrawTree::Part::OwnOutline, 30 } })
+            .empty());
 }
 
 TEST(NearestStyle, IsNotTakenByNumbersThatSomebodyChose)

@@ -13,7 +13,7 @@
 #include "app/session/edit_record.h"
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/draw_tool.h"
-#include "engine/methods/silhouettes/ready_form.h"
+#include "engine/methods/silhouettes/tree_preset.h"
 #include "tests/app/methods/silhouettes/drawn_trees.h"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ Stroke line_from_branch(silhouette::OutlinedTree const& tree)
 OutlineTool tool_of_old_logs()
 {
     return { .branches = OutlineTool::Branches::OfTrunk,
-             .style = silhouette::StyleTo::None,
+             .style = silhouette::StyleScope::None,
              .reads = OutlineTool::Reads::AsAtFirst,
              .nodes = NodesOption::AsAtFirst,
              .fills = FillsOption::AsAtFirst };
@@ -111,9 +111,9 @@ TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
                               .last_angle_deg = 40 };
     // A ready-made form replaces the style.
     auto const scene = scene::apply_edit(outlined, styled).value();
-    for (auto const& ready : silhouette::ready_forms()) {
+    for (auto const& ready : silhouette::tree_presets()) {
         tools::Tool tool = OutlineTool {};
-        auto const words = tools::chosen_words(tool)[0].option.words;
+        auto const words = tools::word_settings(tool)[0].option.words;
         for (std::size_t i = 0; i < words.size(); ++i)
             if (words[i].word == ready.name)
                 tool = tools::with_word(tool, 0, static_cast<int>(i));
@@ -186,13 +186,13 @@ TEST(OutlineTool, TellsABranchOnABranchByWhereItBegins)
     auto const line = line_from_branch(*silhouette::outlined_tree(*tree.drawn));
     auto const own = meant(line, tree);
     EXPECT_EQ(own.part, DrawTree::Part::OwnBranch);
-    EXPECT_EQ(own.style_to, silhouette::StyleTo::Siblings);
+    EXPECT_EQ(own.style_to, silhouette::StyleScope::Siblings);
     auto const old = meant(line, tree, tool_of_old_logs());
     EXPECT_EQ(old.part, DrawTree::Part::Branch) << "as logs have it";
-    EXPECT_EQ(old.style_to, silhouette::StyleTo::None);
+    EXPECT_EQ(old.style_to, silhouette::StyleScope::None);
     auto const on_trunk = stroke_through({ { 1, -10, 0 }, { 12, 0, 0 }, { 26, 4, 0 } });
     EXPECT_EQ(meant(on_trunk, tree).part, DrawTree::Part::Branch);
-    EXPECT_EQ(meant(lobe_of_crown(), tree).style_to, silhouette::StyleTo::Siblings);
+    EXPECT_EQ(meant(lobe_of_crown(), tree).style_to, silhouette::StyleScope::Siblings);
 }
 
 // Drawing, undoing, redoing and erasing must give the same plants at each step.
@@ -230,7 +230,7 @@ TEST(OutlineTool, CarriesAStyle)
 {
     document::Document document({}, document::Document::Working::AtOnce);
     for (auto const& stroke : { trunk_at(0), crown_around(0, 10), lobe_of_crown() })
-        document.draw({ stroke, OutlineTool { .style = silhouette::StyleTo::None } });
+        document.draw({ stroke, OutlineTool { .style = silhouette::StyleScope::None } });
     OutlineTool const carrying { .what = OutlineTool::What::Carry };
     auto const words = tools::words_for(carrying);
     EXPECT_EQ(words.arguments, "carry of_any siblings closely whole_nodes fills_by_spacing");
@@ -274,7 +274,7 @@ TEST(OutlineTool, CarriesAStyle)
 // search there.
 TEST(OutlineTool, DrawsOnBranchesOfBranches)
 {
-    OutlineTool const alone { .style = silhouette::StyleTo::None };
+    OutlineTool const alone { .style = silhouette::StyleScope::None };
     auto tree = crowned();
     Vec3 const base = line_from_branch(*silhouette::outlined_tree(*tree.drawn)).tips[0].position_mm;
     std::vector<Vec3> places; // Across the branch, which rises to the right.
@@ -314,7 +314,8 @@ TEST(OutlineTool, SaysWhatWaitsForItsBranch)
     EXPECT_NE(OutlineTool::kKind.describe(OutlineTool {}, without).find("waits for it"),
               std::string::npos);
     auto const again = after(without, crown_around(0, 10));
-    EXPECT_EQ(silhouette::count_waiting(*silhouette::outlined_tree(*again.drawn)).value(), 0u);
+    EXPECT_EQ(silhouette::count_without_effect(*silhouette::outlined_tree(*again.drawn)).value(),
+              0u);
 }
 
 TEST(OutlineTool, RefinesABranchStepByStep)

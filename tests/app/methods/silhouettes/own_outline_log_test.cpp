@@ -124,7 +124,7 @@ TEST(OwnOutlineLog, GivesTheTreeOfItsTouches)
     ASSERT_EQ(tree->own_outlines.size(), 1U);
     EXPECT_FALSE(tree->own_outlines[0].is_leaf);
     using What = OutlineTool::What;
-    auto const tool = [](What what, silhouette::StyleTo style = silhouette::StyleTo::None) {
+    auto const tool = [](What what, silhouette::StyleScope style = silhouette::StyleScope::None) {
         return OutlineTool { .what = what,
                              .branches = OutlineTool::Branches::OfTrunk,
                              .style = style };
@@ -132,7 +132,7 @@ TEST(OwnOutlineLog, GivesTheTreeOfItsTouches)
     auto const alone
         = drawn_alone(replay.strokes,
                       { tool(What::GoOn), tool(What::GoOn), tool(What::Split), tool(What::Join),
-                        tool(What::Leaf, silhouette::StyleTo::Siblings), tool(What::Leaf) });
+                        tool(What::Leaf, silhouette::StyleScope::Siblings), tool(What::Leaf) });
     EXPECT_EQ(alone.base->node_position_mm, replay.scene.base->node_position_mm);
     EXPECT_EQ(replayed(log, {}, scene::Scene {}).scene.base->node_position_mm,
               replay.scene.base->node_position_mm);

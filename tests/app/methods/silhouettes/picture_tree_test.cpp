@@ -133,7 +133,7 @@ TEST(TouchedCrown, IsTheOneThatThePictureShows)
                 = outline_touched(*scene.state.picture, touch_at(sheet_of(tree.middle() + off)));
             ASSERT_TRUE(outline) << outline.error().message;
             EXPECT_GT(likeness(pixels_of(*outline), tree), 0.85) << off.transpose();
-            EXPECT_TRUE(silhouette::comes_back(pixels_of(*outline)));
+            EXPECT_TRUE(silhouette::is_closed_stroke(pixels_of(*outline)));
         }
 }
 

@@ -32,7 +32,7 @@ Vec2 place_of_handle(SketchTool const& tool, std::string_view sign)
     return handle_of(gizmo, sign).place;
 }
 
-// Returns the end of the parent, which is the glyph's first line.
+// Returns the end of the parent, which is the gizmo's first line.
 Vec2 node_of(SketchTool const& tool)
 {
     return tools::Tool(tool).gizmo().lines.front().points.back();
@@ -162,8 +162,8 @@ TEST(RuleGizmo, LeavesAHandleWhereItWasPut)
             for (auto const& moved : once.gizmo().handles)
                 if (moved.id == handle.id) {
                     EXPECT_LT((moved.place - handle.place).norm(), 0.03) << handle.sign;
-                    EXPECT_TRUE(says_rule(*once.dragged(moved.id, moved.place).get<SketchTool>(),
-                                          rule_of(*once.get<SketchTool>())))
+                    EXPECT_TRUE(matches_rule(*once.dragged(moved.id, moved.place).get<SketchTool>(),
+                                             rule_of(*once.get<SketchTool>())))
                         << handle.sign;
                 }
         }
@@ -175,8 +175,8 @@ TEST(RuleGizmo, TakesARuleIntoTheHand)
     AnyRule any(5);
     for (int i = 0; i < 300; ++i) {
         auto const rule = rule_of(any.tool());
-        auto const taken = saying_rule(any.tool(), rule);
-        EXPECT_TRUE(says_rule(taken, rule));
+        auto const taken = with_options_of_rule(any.tool(), rule);
+        EXPECT_TRUE(matches_rule(taken, rule));
         EXPECT_EQ(tools::words_for(tools::Tool(taken)).name, "sketch");
     }
 }
@@ -211,7 +211,7 @@ TEST(RuleGizmo, LetsAllThatGrewByTheRuleFollow)
     auto const changed = scene::apply_edits(scene, edits).value();
     for (std::size_t i = 0; i < 3; ++i) {
         auto const rule = sketch::newest_grown(*changed.plants[i]->drawn)->sketch->rule;
-        EXPECT_EQ(says_rule(after, rule), i < 2) << i;
+        EXPECT_EQ(matches_rule(after, rule), i < 2) << i;
         EXPECT_EQ(rule.first_width_mm, 4.5);
     }
     after.drawn = SketchTool::Drawn::Stays;
@@ -231,7 +231,7 @@ TEST(RuleGizmo, TakesWhatThePlantWasDrawnWith)
               .value();
     auto const taken = SketchTool::kKind.like_drawn(tools::Tool(SketchTool {}), scene);
     ASSERT_TRUE(taken);
-    EXPECT_TRUE(says_rule(*taken->get<SketchTool>(), rule_of(drawn)));
+    EXPECT_TRUE(matches_rule(*taken->get<SketchTool>(), rule_of(drawn)));
     EXPECT_EQ(taken->get<SketchTool>()->leaves, sketch::Leaves::Bare);
     EXPECT_FALSE(SketchTool::kKind.like_drawn(tools::Tool(SketchTool {}), small_scene()));
 }

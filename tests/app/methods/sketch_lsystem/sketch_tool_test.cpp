@@ -455,7 +455,7 @@ TEST(SketchTool, ChangesWhatHasGrownAtOnce)
     tools::Tool const changes = SketchTool { .laterals = 4,
                                              .leaves = sketch::Leaves::Bare,
                                              .place = SketchTool::Place::Change };
-    EXPECT_TRUE(changes.can_be_done_at_once());
+    EXPECT_TRUE(changes.needs_no_stroke());
     auto const after = scene::apply_edits(scene, changes.edits_for({}, scene).value()).value();
     tools::Tool const four = SketchTool { .laterals = 4, .leaves = sketch::Leaves::Bare };
     auto const drawn

@@ -106,7 +106,7 @@ TEST_F(SmallMethodSession, KeepsWhatIsDrawnAndUndone)
     {
         document::Document document(session(), document::Document::Working::AtOnce);
         draw(document);
-        auto const done = document.take_drawn();
+        auto const done = document.take_finished_strokes();
         ASSERT_EQ(done.size(), 1u);
         EXPECT_EQ(done[0].refusal, "");
         EXPECT_EQ(done[0].edits[0].describe(), "blows a gust of 2.5");
@@ -158,9 +158,9 @@ TEST_F(SmallMethodSession, StaysInASessionThatDoesNotKnowIt)
 
 TEST_F(SmallMethodSession, HasItsEditsInLogs)
 {
-    document::DoneStep const step { .status = std::string(),
-                                    .edits
-                                    = { BlowGust { Stroke { std::vector<TipSample>(2) }, 3 } } };
+    document::StepOutcome const step { .status = std::string(),
+                                       .edits
+                                       = { BlowGust { Stroke { std::vector<TipSample>(2) }, 3 } } };
     auto const words = document::words_for(step, 4);
     auto const known = document::parse_step(words.name, words.arguments, methods_with_gust().edits);
     ASSERT_TRUE(known && *known);

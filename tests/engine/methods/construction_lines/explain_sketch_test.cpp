@@ -35,7 +35,7 @@ int misread(std::vector<Habit> const& habits, int count)
     int wrong = 0;
     for (int i = 0; i < count; ++i) {
         auto const drawn = draw_with(static_cast<std::uint64_t>(i) + 1, habits);
-        auto const what = misreading(drawn, read_as_whole(drawn));
+        auto const what = describe_misreading(drawn, read_as_whole(drawn));
         if (what.empty())
             continue;
         ++wrong;
@@ -95,8 +95,8 @@ TEST(ExplainSketch, DISABLED_CountsAThousandSketchesByHabit)
         int now = 0;
         for (std::uint64_t seed = 101; seed <= 100 + kEach; ++seed) {
             auto const drawn = draw_with(seed, { static_cast<Habit>(i) });
-            before += misreading(drawn, read_one_by_one(drawn)).empty() ? 1 : 0;
-            now += misreading(drawn, read_as_whole(drawn)).empty() ? 1 : 0;
+            before += describe_misreading(drawn, read_one_by_one(drawn)).empty() ? 1 : 0;
+            now += describe_misreading(drawn, read_as_whole(drawn)).empty() ? 1 : 0;
         }
         table += fmt::format("| {} | {} of {} | {} of {} |\n", kHabitNames[i], before, kEach, now,
                              kEach);
@@ -115,8 +115,8 @@ TEST(ExplainSketch, DISABLED_CountsAThousandSketchesByHabit)
             continue;
         auto const drawn = draw_with(seed, { one, other });
         ++pairs;
-        right_before += misreading(drawn, read_one_by_one(drawn)).empty() ? 1 : 0;
-        right_pairs += misreading(drawn, read_as_whole(drawn)).empty() ? 1 : 0;
+        right_before += describe_misreading(drawn, read_one_by_one(drawn)).empty() ? 1 : 0;
+        right_pairs += describe_misreading(drawn, read_as_whole(drawn)).empty() ? 1 : 0;
     }
     EXPECT_GE(right_pairs, 0.9 * pairs);
     fmt::print("{}| two at a time | {} of {} | {} of {} |\n", table, right_before, pairs,
@@ -201,12 +201,12 @@ TEST(ExplainSketch, TurnsAStemRoundThatWasDrawnFromItsTop)
     auto strokes = plain_sketch();
     std::reverse(strokes[0].points.begin(), strokes[0].points.end());
     auto const explanation = explain_sketch(strokes).front();
-    EXPECT_TRUE(explanation.strokes[0].is_turned_round);
+    EXPECT_TRUE(explanation.strokes[0].is_drawn_reversed);
     EXPECT_EQ(explanation.strokes[1].role, Role::Left);
     EXPECT_EQ(explanation.sketch.stem.front(), Vec3(0, 0, 0));
     strokes[0].turn_round = true; // The user has rejected the reversal.
     auto const hanging = explain_sketch(strokes).front();
-    EXPECT_FALSE(hanging.strokes[0].is_turned_round);
+    EXPECT_FALSE(hanging.strokes[0].is_drawn_reversed);
     EXPECT_EQ(hanging.sketch.stem.front(), Vec3(0, 200, 0));
     EXPECT_EQ(hanging.strokes[1].role, Role::Right);
 }
@@ -222,7 +222,7 @@ TEST(ExplainSketch, ALeaningPlantThatHangsStaysAsItWasDrawn)
         stroke({ { -45, 10, 0 }, { 6, 60, 0 }, { 50, 5, 0 } }),
     };
     auto const explanation = explain_sketch(strokes).front();
-    EXPECT_FALSE(explanation.strokes[0].is_turned_round);
+    EXPECT_FALSE(explanation.strokes[0].is_drawn_reversed);
     EXPECT_EQ(explanation.strokes[1].role, Role::Right);
 }
 

@@ -45,7 +45,7 @@ inline ReadSketch read_as_whole(DrawnSketch const& drawn)
 
 // Returns what was misread; empty if the sketch was read as intended. Lengths are compared as
 // shares of the stem's, with 1 mm more for the hand's inaccuracy.
-inline std::string misreading(DrawnSketch const& drawn, ReadSketch const& read)
+inline std::string describe_misreading(DrawnSketch const& drawn, ReadSketch const& read)
 {
     for (std::size_t i = 0; i < drawn.strokes.size(); ++i)
         if (read.roles[i] != drawn.strokes[i].role)

@@ -91,7 +91,7 @@ TEST(OrganSurface, IsTheSameInItsFile)
     auto views = lens();
     views.midrib = { { 0, 0 }, { 30, 12 }, { 100, 5 } };
     auto const patches = surface_of(views);
-    auto const read = lsystem::parse_surface("organ.s", surface_text(patches), 100);
+    auto const read = lsystem::parse_surface("organ.s", format_surface(patches), 100);
     ASSERT_TRUE(read) << read.error().message;
     ASSERT_EQ(read->patches.size(), patches.size());
     for (std::size_t i = 0; i < patches.size(); ++i) {

@@ -85,7 +85,7 @@ TEST(LeafSketch, IsTheLeafOfItsLinesAtTheLastAndAPlantAtEveryStage)
         EXPECT_EQ(sketch.seen->left_out, "");
         EXPECT_FALSE(sketch.seen->is_midrib_guessed);
         auto const at_once = fit_leaf(recognise_leaf(drawn.drawing).value()).value();
-        EXPECT_EQ(*formed_leaf(sketch), at_once.leaf) << species;
+        EXPECT_EQ(*adjusted_leaf(sketch), at_once.leaf) << species;
         EXPECT_EQ(sketch.seen->fit.veins.size(), 1 + truth.mains.size() + truth.sides.size())
             << species;
     }
@@ -183,7 +183,7 @@ TEST(LeafSketch, LeavesOutWhatMakesItNone)
     ASSERT_TRUE(beside->seen);
     EXPECT_FALSE(beside->seen->left_out.empty());
     EXPECT_EQ(beside->seen->lines.roles.size(), beside->lines.size());
-    EXPECT_EQ(formed_leaf(*beside), formed_leaf(sketch));
+    EXPECT_EQ(adjusted_leaf(*beside), adjusted_leaf(sketch));
     EXPECT_FALSE(without_line(sketch, 1234));
     auto left = sketch;
     while (left.lines.size() > 1)
@@ -213,7 +213,7 @@ TEST(LeafSketch, IsChangedByNumbers)
     sketch.form = { .teeth = 12, .tooth_depth = 0.03 };
     auto const text = grammar_text(sketch, "toothed").value();
     EXPECT_NE(text.find("teeth(12, 0.03"), std::string::npos);
-    EXPECT_EQ(read_drawn_leaf(parse_grammar(text, "toothed").value()), formed_leaf(sketch));
+    EXPECT_EQ(read_drawn_leaf(parse_grammar(text, "toothed").value()), adjusted_leaf(sketch));
     sketch.form.teeth = 61;
     auto const refused = build_leaf(sketch);
     ASSERT_FALSE(refused);

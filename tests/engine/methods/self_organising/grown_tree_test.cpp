@@ -150,8 +150,8 @@ TEST(GrownTree, AxesKeepTheirKeys)
 {
     auto habit = small_habit();
     habit.shed_below = habit.shed_below_old = 0;
-    auto const young = plant_of(grow_by_itself(habit, 12, 5).value(), habit, 5);
-    auto const old = plant_of(grow_by_itself(habit, kYears, 5).value(), habit, 5);
+    auto const young = plant_of(grow_without_brush(habit, 12, 5).value(), habit, 5);
+    auto const old = plant_of(grow_without_brush(habit, kYears, 5).value(), habit, 5);
     std::set<std::uint32_t> const young_keys(young.keys.begin(), young.keys.end());
     std::map<std::uint32_t, AxisId> old_axes;
     for (AxisId i = 0; i < old.keys.size(); ++i)

@@ -32,7 +32,7 @@ Habit hedge()
 
 GrowingTree grown(int years)
 {
-    return grow_by_itself(hedge(), years, 3).value();
+    return grow_without_brush(hedge(), years, 3).value();
 }
 
 // Returns a level cut through the whole crown.
@@ -102,7 +102,7 @@ TEST(Prune, WakesBudsBelowTheCut)
     // A pole without any bud but its own, as on old wood.
     auto habit = hedge();
     habit.laterals_at_node = 0;
-    auto tree = grow_by_itself(habit, 8, 1).value();
+    auto tree = grow_without_brush(habit, 8, 1).value();
     ASSERT_GT(top_of(tree), 900);
     ASSERT_TRUE(tree.laterals.empty());
     habit.laterals_at_node = 1;
@@ -122,7 +122,7 @@ TEST(Prune, WakesBudsBelowTheCut)
 TEST(Prune, LeavesTheWidthOfTheWoodBelow)
 {
     auto tree = grown(10);
-    auto const laws = laws_in_year(hedge(), tree.step);
+    auto const laws = growth_laws_in_year(hedge(), tree.step);
     std::map<std::pair<std::uint64_t, std::uint32_t>, double> before;
     auto const widths = diameters(tree, laws);
     for (std::size_t i = 0; i < tree.size(); ++i)
@@ -221,10 +221,10 @@ TEST(PruneEdit, CutsWhatTheStrokeTouchesAndLetsItGrowBack)
         = PlantTree { .habit = hedge(), .seed = 3, .scale = 0.1, .first = { .years = 12 } };
     auto const before = pruned_in_steps({ planted });
     double const height_mm = bounds(*before.base).max_mm.z();
-    LifePart const cut { .kind = LifePart::Kind::Prune,
-                         .stroke = level_stroke(0.05 * height_mm, 0.2 * height_mm),
-                         .min_radius_mm = 0.1 * height_mm,
-                         .most_radius_mm = 0.1 * height_mm };
+    LifePeriod const cut { .kind = LifePeriod::Kind::Prune,
+                           .stroke = level_stroke(0.05 * height_mm, 0.2 * height_mm),
+                           .min_radius_mm = 0.1 * height_mm,
+                           .most_radius_mm = 0.1 * height_mm };
     auto const after = pruned_in_steps({ planted, GrowOn { before.state.active, cut } });
     check_plant(*after.base);
     EXPECT_LT(after.base->segment_count(), before.base->segment_count());
@@ -245,17 +245,17 @@ TEST(PruneEdit, CutsWhatTheStrokeTouchesAndLetsItGrowBack)
 
 TEST(ClearEdit, IsAsIfTheBrushHadNotBeenThere)
 {
-    LifePart const brushed {
+    LifePeriod const brushed {
         .years = 20, .stroke = upright_stroke(200), .min_radius_mm = 40, .most_radius_mm = 40
     };
     scene::Edit const planted
         = PlantTree { .habit = hedge(), .seed = 3, .scale = 0.1, .first = brushed };
     auto const before = pruned_in_steps({ planted });
     double const top_mm = bounds(*before.base).max_mm.z();
-    LifePart const cleared { .kind = LifePart::Kind::Clear,
-                             .stroke = level_stroke(160, 60),
-                             .min_radius_mm = 60,
-                             .most_radius_mm = 60 };
+    LifePeriod const cleared { .kind = LifePeriod::Kind::Clear,
+                               .stroke = level_stroke(160, 60),
+                               .min_radius_mm = 60,
+                               .most_radius_mm = 60 };
     scene::Edit const clear = GrowOn { before.state.active, cleared };
     auto const after = pruned_in_steps({ planted, clear });
     EXPECT_LT(bounds(*after.base).max_mm.z(), 0.75 * top_mm);
@@ -267,14 +267,14 @@ TEST(ClearEdit, IsAsIfTheBrushHadNotBeenThere)
 
 TEST(ClearEdit, HoldsForAnotherHabitInTheSameVolume)
 {
-    LifePart const brushed {
+    LifePeriod const brushed {
         .years = 20, .stroke = upright_stroke(200), .min_radius_mm = 40, .most_radius_mm = 40
     };
     scene::Edit const planted
         = PlantTree { .habit = hedge(), .seed = 3, .scale = 0.1, .first = brushed };
     auto const id = pruned_in_steps({ planted }).state.active;
     scene::Edit const clear = GrowOn { id,
-                                       { .kind = LifePart::Kind::Clear,
+                                       { .kind = LifePeriod::Kind::Clear,
                                          .stroke = level_stroke(160, 60),
                                          .min_radius_mm = 60,
                                          .most_radius_mm = 60 } };
@@ -298,22 +298,22 @@ TEST(PruneEdit, RefusesWhatMeansNothing)
 {
     scene::Edit const planted = PlantTree { .habit = hedge(), .first = { .years = 4 } };
     auto const id = pruned_in_steps({ planted }).state.active;
-    auto const refusal = [&](LifePart const& part) {
+    auto const refusal = [&](LifePeriod const& part) {
         auto const scene = scene::fold(std::vector<scene::Edit> { planted, GrowOn { id, part } });
         return scene ? std::string() : scene.error().message;
     };
-    EXPECT_NE(refusal({ .kind = LifePart::Kind::Prune }).find("the stroke is empty"),
+    EXPECT_NE(refusal({ .kind = LifePeriod::Kind::Prune }).find("the stroke is empty"),
               std::string::npos);
-    EXPECT_NE(refusal({ .kind = LifePart::Kind::Clear }).find("the stroke is empty"),
+    EXPECT_NE(refusal({ .kind = LifePeriod::Kind::Clear }).find("the stroke is empty"),
               std::string::npos);
     EXPECT_NE(
         refusal(
-            { .kind = LifePart::Kind::Prune, .stroke = level_stroke(10, 10), .min_radius_mm = 0 })
+            { .kind = LifePeriod::Kind::Prune, .stroke = level_stroke(10, 10), .min_radius_mm = 0 })
             .find("no radius"),
         std::string::npos);
-    auto const first = scene::fold(std::vector<scene::Edit> {
-        PlantTree { .habit = hedge(),
-                    .first = { .kind = LifePart::Kind::Prune, .stroke = level_stroke(10, 10) } } });
+    auto const first = scene::fold(std::vector<scene::Edit> { PlantTree {
+        .habit = hedge(),
+        .first = { .kind = LifePeriod::Kind::Prune, .stroke = level_stroke(10, 10) } } });
     ASSERT_FALSE(first);
     EXPECT_NE(first.error().message.find("let it grow first"), std::string::npos);
 }

@@ -161,9 +161,9 @@ TEST(BumpTouch, IsOfTheSmallestOutlineThatHasABumpThere)
     EXPECT_EQ(after.systems[0].bumps.size(), before.systems[0].bumps.size());
     auto const again = after.system_of[0][after.at(path)->branch];
     EXPECT_EQ(after.systems[again].bumps.size(), system.bumps.size() + 1);
-    EXPECT_EQ(touches_waiting(drawing, after), 0u);
+    EXPECT_EQ(count_unmatched_touches(drawing, after), 0u);
     drawing.own_outlines.clear();
-    EXPECT_EQ(touches_waiting(drawing, skeleton_of_lines(drawing)), 1u);
+    EXPECT_EQ(count_unmatched_touches(drawing, skeleton_of_lines(drawing)), 1u);
     drawing.touches.clear();
     ASSERT_TRUE(add_touch(drawing, { Kind::Split, bump->end }, {}, Search::OnTrunk));
     EXPECT_EQ(drawing.touches[0].branch, "");
@@ -247,7 +247,8 @@ TEST_F(BumpTouchEdits, OutlastACrownThatIsDrawnAnew)
             = draw_on(both,
                       { .part = Part::Outline,
                         .stroke = stroke_of(redrawn(lobed_crown(5).outline[0], 0.03, i)) });
-        stay += count_waiting(drawing(again)).value() == 0 && names_in(again, lobe(1), 38) == halves
+        stay += count_without_effect(drawing(again)).value() == 0
+            && names_in(again, lobe(1), 38) == halves
             && names_in(again, notch_after(3), 28) == joined;
     }
     EXPECT_GE(stay, 95);
@@ -258,13 +259,13 @@ TEST_F(BumpTouchEdits, WaitForTheirBumps)
     auto const split = touch(lobed_tree(), Part::Split, lobe(1));
     auto const narrow = draw_on(
         split, { .part = Part::Outline, .stroke = stroke_of(ellipse(16, 60).outline[0]) });
-    EXPECT_EQ(count_waiting(drawing(narrow)).value(), 1u);
+    EXPECT_EQ(count_without_effect(drawing(narrow)).value(), 1u);
     auto const again = draw_on(
         narrow, { .part = Part::Outline, .stroke = stroke_of(lobed_crown(5).outline[0]) });
-    EXPECT_EQ(count_waiting(drawing(again)).value(), 0u);
+    EXPECT_EQ(count_without_effect(drawing(again)).value(), 0u);
     auto const bare
         = scene::apply_edit(split, EraseTreePart { split.state.active, Part::Outline }).value();
-    EXPECT_EQ(count_waiting(drawing(bare)).value(), 1u);
+    EXPECT_EQ(count_without_effect(drawing(bare)).value(), 1u);
 }
 
 TEST_F(BumpTouchEdits, AreErasedOrTakenBack)
@@ -310,7 +311,7 @@ TEST_F(BumpTouchEdits, CarryWhatIsDrawnOnHalves)
                   { .part = Part::Outline,
                     .stroke = stroke_of(redrawn(lobed_crown(5).outline[0], 0.03, 3)) });
     EXPECT_EQ(drawing(again).own_branches[0].branch, name);
-    EXPECT_EQ(count_waiting(drawing(again)).value(), 0u);
+    EXPECT_EQ(count_without_effect(drawing(again)).value(), 0u);
 }
 
 } // namespace

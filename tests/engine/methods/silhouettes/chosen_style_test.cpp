@@ -121,7 +121,7 @@ TEST(ChosenStyle, GoesBeforeThatOfSiblings)
         smooth.push_back(mirror.point(
             Vec2(52, -18) + 28 * Vec2(std::cos(i * kPi / 30), 0.8 * std::sin(i * kPi / 30))));
     ASSERT_TRUE(add_own_outline(drawing, smooth));
-    drawing.own_outlines[0].style_to = StyleTo::Siblings;
+    drawing.own_outlines[0].style_to = StyleScope::Siblings;
     auto const all = skeleton_of_lines(drawing);
     auto const target = find_branch(all, [](Branch const& branch) { return !branch.is_refined(); });
     drawing.styles[target] = drawing.own_outlines[1].branch;
@@ -278,17 +278,17 @@ TEST_F(ChosenStyleEdits, StayWithTheirBranches)
     Similarity const larger { .turn = Vec2(1.02, 0.01) };
     auto const redrawn = draw(chosen, Part::Outline, larger.points(lines.outline[0]));
     EXPECT_EQ(tree(redrawn).styles, tree(chosen).styles);
-    EXPECT_EQ(count_waiting(tree(redrawn)).value(), 0u);
+    EXPECT_EQ(count_without_effect(tree(redrawn)).value(), 0u);
     EXPECT_EQ(
         skeleton_of(tree(redrawn))->systems[0].branches[skeleton.at(target)->branch].style_from,
         source);
     auto const narrow = draw(chosen, Part::Outline, ellipse(16, 60).outline[0]);
     EXPECT_EQ(tree(narrow).styles.size(), 1u);
-    EXPECT_EQ(count_waiting(tree(narrow)).value(), 2u) << "the outline and the style";
+    EXPECT_EQ(count_without_effect(tree(narrow)).value(), 2u) << "the outline and the style";
     auto const erased
         = scene::apply_edit(chosen, EraseTreePart { chosen.state.active, Part::Outline }).value();
     auto const again = draw(erased, Part::Outline, lines.outline[0]);
-    EXPECT_EQ(count_waiting(tree(again)).value(), 0u);
+    EXPECT_EQ(count_without_effect(tree(again)).value(), 0u);
     EXPECT_EQ(again.base->node_position_mm, chosen.base->node_position_mm);
 }
 

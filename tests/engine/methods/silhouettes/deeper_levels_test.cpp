@@ -22,7 +22,7 @@ std::vector<Vec2> twig_on(Branch const& branch)
 // Adds twigs, each on the previous one, beginning at one of the trunk's branches; returns the last
 // one's path.
 std::string draw_down(Drawing& drawing, std::string const& from, int levels,
-                      StyleTo style_to = StyleTo::None)
+                      StyleScope style_to = StyleScope::None)
 {
     auto path = from;
     for (int level = 0; level < levels; ++level) {
@@ -124,7 +124,7 @@ TEST(DeeperLevels, OutlinesAreDrawnAroundBranchesOfBranches)
             around.push_back(middle
                              + (1.1 + 0.1 * std::sin(5 * turn)) * (branch.crown[i] - middle));
         }
-        ASSERT_TRUE(add_own_outline(deeper, around, {}, StyleTo::None, Search::AnyLevel));
+        ASSERT_TRUE(add_own_outline(deeper, around, {}, StyleScope::None, Search::AnyLevel));
         EXPECT_EQ(deeper.own_outlines.back().branch, on_trunk + "/" + name_of(branch));
         auto const after = skeleton_of_lines(deeper);
         auto const child = after.at(deeper.own_outlines.back().branch).value();
@@ -154,7 +154,7 @@ TEST(DeeperLevels, AStyleGoesToSiblingsThere)
               return a.path.length < b.path.length;
           });
     ASSERT_TRUE(
-        add_own_branch(drawing, twig_on(*longest), StyleTo::Siblings, {}, Search::AnyLevel));
+        add_own_branch(drawing, twig_on(*longest), StyleScope::Siblings, {}, Search::AnyLevel));
     ASSERT_EQ(drawing.own_branches[0].branch, on_trunk + "/" + name_of(*longest));
     auto const styled = skeleton_of_lines(drawing);
     auto const below = styled.system_of[at.system][at.branch];
@@ -174,7 +174,7 @@ TEST(DeeperLevels, AStyleGoesDown)
     auto drawing = lobed_crown(7);
     ASSERT_TRUE(add_own_outline(drawing, limb()));
     SkeletonOptions const options { .levels = 3 };
-    auto const following = [&](StyleTo style_to) {
+    auto const following = [&](StyleScope style_to) {
         drawing.own_outlines[0].style_to = style_to;
         auto const skeleton = skeleton_of_lines(drawing, options);
         std::size_t follow = 0;
@@ -185,9 +185,9 @@ TEST(DeeperLevels, AStyleGoesDown)
                     follow += skeleton.systems[third].is_in_siblings_style;
         return follow;
     };
-    EXPECT_EQ(following(StyleTo::Siblings), 0u);
-    EXPECT_GE(following(StyleTo::Deeper), 50u);
-    drawing.own_outlines[0].style_to = StyleTo::Deeper;
+    EXPECT_EQ(following(StyleScope::Siblings), 0u);
+    EXPECT_GE(following(StyleScope::Deeper), 50u);
+    drawing.own_outlines[0].style_to = StyleScope::Deeper;
     auto const skeleton = skeleton_of_lines(drawing, options);
     auto const source = skeleton.at(drawing.own_outlines[0].branch).value();
     auto const own = seen_on(skeleton.systems[skeleton.system_of[source.system][source.branch]]);
@@ -222,7 +222,7 @@ TEST(DeeperLevels, AStyleIsCarriedAmongThem)
     auto const name = [&](std::size_t b) { return skeleton.path_of({ below, b }); };
     ASSERT_GE(children.size(), 4u);
     auto const twig = twig_on(children[0]);
-    ASSERT_TRUE(add_own_branch(drawing, twig, StyleTo::None, {}, Search::AnyLevel));
+    ASSERT_TRUE(add_own_branch(drawing, twig, StyleScope::None, {}, Search::AnyLevel));
     ASSERT_EQ(drawing.own_branches[0].branch, name(0));
     auto const source = skeleton_of_lines(drawing);
     auto const carried
@@ -279,11 +279,11 @@ TEST_F(DeeperEdits, StayWithTheirParents)
     ASSERT_EQ(tree(before).own_branches.size(), 2u);
     EXPECT_TRUE(
         tree(before).own_branches[1].branch.starts_with(tree(before).own_branches[0].branch + "/"));
-    EXPECT_EQ(count_waiting(tree(before)).value(), 0u);
+    EXPECT_EQ(count_without_effect(tree(before)).value(), 0u);
     for (double const size : { 0.98, 1.02 }) {
         Similarity const way { .turn = Vec2(size, 0.005) };
         auto const after = draw(before, Part::Outline, way.points(lines.outline[0]));
-        EXPECT_EQ(count_waiting(tree(after)).value(), 0u);
+        EXPECT_EQ(count_without_effect(tree(after)).value(), 0u);
         for (std::size_t i = 0; i < 2; ++i)
             EXPECT_EQ(tree(after).own_branches[i].branch, tree(before).own_branches[i].branch);
         EXPECT_EQ(draw(after, Part::Outline, lines.outline[0]).base->node_position_mm,
@@ -293,7 +293,7 @@ TEST_F(DeeperEdits, StayWithTheirParents)
     auto form = tree(before).form;
     form.levels = 1;
     auto const flat = scene::apply_edit(before, FormTree { before.state.active, form }).value();
-    EXPECT_EQ(count_waiting(tree(flat)).value(), 0u);
+    EXPECT_EQ(count_without_effect(tree(flat)).value(), 0u);
     form.levels = 2;
     EXPECT_EQ(scene::apply_edit(flat, FormTree { flat.state.active, form })->base->node_position_mm,
               before.base->node_position_mm);
@@ -306,19 +306,19 @@ TEST_F(DeeperEdits, WaitForTheirParents)
     auto const lines = lobed_crown(7);
     auto const before = three_levels();
     auto const narrow = draw(before, Part::Outline, ellipse(16, 60).outline[0]);
-    EXPECT_EQ(count_waiting(tree(narrow)).value(), 3u);
+    EXPECT_EQ(count_without_effect(tree(narrow)).value(), 3u);
     auto const again = draw(narrow, Part::Outline, lines.outline[0]);
-    EXPECT_EQ(count_waiting(tree(again)).value(), 0u);
+    EXPECT_EQ(count_without_effect(tree(again)).value(), 0u);
     auto const erased = scene::apply_edit(before,
                                           EraseTreePart { before.state.active, Part::OwnBranch,
                                                           tree(before).own_branches[0].id })
                             .value();
     EXPECT_EQ(tree(erased).own_branches.size(), 1u);
-    EXPECT_EQ(count_waiting(tree(erased)).value(), 1u);
+    EXPECT_EQ(count_without_effect(tree(erased)).value(), 1u);
     auto const without
         = scene::apply_edit(before, EraseTreePart { before.state.active, Part::Outline }).value();
     auto const crown = draw(without, Part::Outline, lines.outline[0]);
-    EXPECT_EQ(count_waiting(tree(crown)).value(), 0u);
+    EXPECT_EQ(count_without_effect(tree(crown)).value(), 0u);
     EXPECT_EQ(crown.base->node_position_mm, before.base->node_position_mm);
 }
 

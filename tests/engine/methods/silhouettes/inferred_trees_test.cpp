@@ -71,7 +71,7 @@ TEST(InferredTrees, KnowATreeWhoseLinesAreDrawnAnew)
 
 TEST(InferredTrees, KnowATreeWithLinesOnItsBranches)
 {
-    for (auto const style : { StyleTo::None, StyleTo::Siblings, StyleTo::Deeper }) {
+    for (auto const style : { StyleScope::None, StyleScope::Siblings, StyleScope::Deeper }) {
         auto scene
             = draw_on(lobed_tree(),
                       { .part = Part::OwnOutline, .stroke = stroke_of(limb()), .style_to = style });
@@ -100,7 +100,7 @@ TEST(InferredTrees, BuildWhatTheLinesSayWhereTheyHaveGoneElsewhere)
         outlined, { .part = Part::Outline, .stroke = stroke_of(ellipse(16, 60).outline[0]) });
     auto const again = crown_again(narrow, 1, 0);
     EXPECT_NE(drawing(again).own_outlines[0].branch, path);
-    EXPECT_EQ(count_waiting(drawing(again)).value(), 0u);
+    EXPECT_EQ(count_without_effect(drawing(again)).value(), 0u);
     expect_known(again); // The inference must not have changed since it was built.
 }
 

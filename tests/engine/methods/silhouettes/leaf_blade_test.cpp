@@ -27,7 +27,7 @@ std::vector<Vec2> leaf_outline()
     return outline;
 }
 
-Drawing crown_with_leaf(StyleTo style_to)
+Drawing crown_with_leaf(StyleScope style_to)
 {
     auto drawing = lobed_crown(5);
     auto const added
@@ -103,7 +103,7 @@ TEST(LeafBlade, OfABranchEndsTheRecursionThere)
 {
     auto const plain = tree_of(lobed_crown(5));
     EXPECT_TRUE(leaves_of(plain.plant).empty());
-    auto const drawing = crown_with_leaf(StyleTo::None);
+    auto const drawing = crown_with_leaf(StyleScope::None);
     auto const skeleton = skeleton_of_lines(drawing);
     auto const at = skeleton.at(drawing.own_outlines[0].branch).value();
     EXPECT_EQ(skeleton.system_of[at.system][at.branch], kNoSystem);
@@ -131,7 +131,7 @@ TEST(LeafBlade, OfABranchEndsTheRecursionThere)
 // no twigs.
 TEST(LeafBlade, GoesToSiblings)
 {
-    auto const drawing = crown_with_leaf(StyleTo::Siblings);
+    auto const drawing = crown_with_leaf(StyleScope::Siblings);
     auto const skeleton = skeleton_of_lines(drawing);
     ASSERT_EQ(skeleton.systems.size(), 1u);
     auto const& branches = skeleton.systems[0].branches;
@@ -170,7 +170,7 @@ TEST(LeafBlade, GoesToSiblings)
 TEST(LeafBlade, GoesDownWithAStyle)
 {
     auto drawing = lobed_crown(5);
-    ASSERT_TRUE(add_own_outline(drawing, limb(), {}, StyleTo::Siblings));
+    ASSERT_TRUE(add_own_outline(drawing, limb(), {}, StyleScope::Siblings));
     auto const skeleton = skeleton_of_lines(drawing);
     auto const limb_at = skeleton.at(drawing.own_outlines[0].branch).value();
     auto const& system = skeleton.systems[skeleton.system_of[0][limb_at.branch]];
@@ -178,12 +178,12 @@ TEST(LeafBlade, GoesDownWithAStyle)
                                     [](auto& one) { return one.origin == Branch::Origin::Bump; });
     ASSERT_NE(child, system.branches.end());
     auto const added
-        = add_own_outline(drawing, child->crown, {}, StyleTo::Siblings, Search::AnyLevel, true);
+        = add_own_outline(drawing, child->crown, {}, StyleScope::Siblings, Search::AnyLevel, true);
     ASSERT_TRUE(added) << added.error().message;
     auto const with = skeleton_of_lines(drawing);
     std::size_t bearing = 0;
     for (std::size_t s = 1; s < with.systems.size(); ++s) {
-        EXPECT_TRUE(bears_leaves_alone(with.systems[s])) << with.parents[s];
+        EXPECT_TRUE(has_only_leaves(with.systems[s])) << with.parents[s];
         ++bearing;
     }
     EXPECT_GE(bearing, 5u);
@@ -199,7 +199,7 @@ TEST(LeafBlade, GoesDownWithAStyle)
 
 TEST(LeafBlade, IsAStyleThatIsCarried)
 {
-    auto drawing = crown_with_leaf(StyleTo::None);
+    auto drawing = crown_with_leaf(StyleScope::None);
     auto const skeleton = skeleton_of_lines(drawing);
     auto const source = drawing.own_outlines[0].branch;
     std::string target;
@@ -219,7 +219,7 @@ TEST(LeafBlade, IsAStyleThatIsCarried)
 // The leaves of a species replace the drawn leaf, with its length.
 TEST(LeafBlade, WearsGrownLeaves)
 {
-    auto const plant = tree_of(crown_with_leaf(StyleTo::Siblings)).plant;
+    auto const plant = tree_of(crown_with_leaf(StyleScope::Siblings)).plant;
     auto const grown = std::make_shared<CutLeaf const>(
         CutLeaf { .corners = { { -0.3, 0 }, { 0.3, 0 }, { 0, 1 } }, .triangles = { { 0, 1, 2 } } });
     auto const worn = scene::foliated(plant, { .leaves = { grown } });
@@ -249,9 +249,10 @@ protected:
 
 TEST_F(LeafEdits, DeclareAnOutlineALeafAndTakeItBack)
 {
-    auto const outlined = draw_on(
-        lobed_tree(),
-        { .part = Part::OwnOutline, .stroke = stroke_of(limb()), .style_to = StyleTo::Siblings });
+    auto const outlined = draw_on(lobed_tree(),
+                                  { .part = Part::OwnOutline,
+                                    .stroke = stroke_of(limb()),
+                                    .style_to = StyleScope::Siblings });
     auto const id = drawing(outlined).own_outlines[0].id;
     auto const leafy = declare(outlined, id, true);
     EXPECT_EQ(leaves_of(*leafy.base).size(), leafy.base->axes.size() - 1);
@@ -259,7 +260,7 @@ TEST_F(LeafEdits, DeclareAnOutlineALeafAndTakeItBack)
     EXPECT_EQ(again.base->node_position_mm, outlined.base->node_position_mm);
     auto const whole = declare(outlined, 0, true);
     EXPECT_EQ(whole.base->organs.size(), 1u);
-    EXPECT_EQ(count_waiting(drawing(whole)).value(), 1u) << "the limb's outline";
+    EXPECT_EQ(count_without_effect(drawing(whole)).value(), 1u) << "the limb's outline";
     EXPECT_EQ(declare(whole, 0, false).base->node_position_mm, outlined.base->node_position_mm);
     auto const none = scene::apply_edit(outlined, DeclareLeaf { outlined.state.active, 77, true });
     ASSERT_FALSE(none);
@@ -284,7 +285,7 @@ TEST_F(LeafEdits, OutlastLinesThatAreDrawnAnew)
         { .part = Part::Outline, .stroke = stroke_of(crown.points(lobed_crown(5).outline[0])) });
     EXPECT_EQ(drawing(redrawn).own_outlines[0].branch, path);
     EXPECT_GE(leaves_of(*redrawn.base).size(), 1u);
-    EXPECT_EQ(count_waiting(drawing(redrawn)).value(), 0u);
+    EXPECT_EQ(count_without_effect(drawing(redrawn)).value(), 0u);
 }
 
 // Branches drawn on a branch wait while that is a leaf.
@@ -301,7 +302,7 @@ TEST_F(LeafEdits, LetBranchesOnThemWait)
                     .stroke = stroke_of({ from, from + Vec2(1, 4), from + Vec2(3, 9) }) });
     ASSERT_EQ(drawing(borne).own_branches[0].branch, path);
     auto const leaf = declare(borne, drawing(borne).own_outlines[0].id, true);
-    EXPECT_EQ(count_waiting(drawing(leaf)).value(), 1u);
+    EXPECT_EQ(count_without_effect(drawing(leaf)).value(), 1u);
     auto const again = declare(leaf, drawing(borne).own_outlines[0].id, false);
     EXPECT_EQ(again.base->node_position_mm, borne.base->node_position_mm);
 }

@@ -13,7 +13,7 @@ protected:
     using Part = DrawTree::Part;
 
     static scene::Scene draw(scene::Scene const& before, Part part, std::vector<Vec2> const& points,
-                             StyleTo style_to = StyleTo::None)
+                             StyleScope style_to = StyleScope::None)
     {
         return draw_on(before, { .part = part, .stroke = stroke_of(points), .style_to = style_to });
     }
@@ -72,9 +72,9 @@ TEST_F(OwnBranchEdits, MakeTheTreeOfTheirLines)
 {
     auto const before = tree(lobed_crown(5));
     auto const line = twig_on(on_trunk(before).branches[1]);
-    auto const scene = draw(before, Part::OwnBranch, line, StyleTo::Siblings);
+    auto const scene = draw(before, Part::OwnBranch, line, StyleScope::Siblings);
     auto lines = lobed_crown(5);
-    ASSERT_TRUE(add_own_branch(lines, line, StyleTo::Siblings));
+    ASSERT_TRUE(add_own_branch(lines, line, StyleScope::Siblings));
     auto const skeleton = infer_skeleton(lines).value();
     auto const made = make_tree(skeleton, tree_options({}, drawn_height(skeleton) / 0.1));
     EXPECT_EQ(scene.base->node_position_mm, made.plant.node_position_mm);
@@ -123,13 +123,13 @@ TEST_F(OwnBranchEdits, StayWithTheirParents)
 TEST_F(OwnBranchEdits, WaitForTheirParents)
 {
     auto const before = twigs_on(tree(lobed_crown(5)));
-    EXPECT_EQ(count_waiting(drawing(before)).value(), 0U);
+    EXPECT_EQ(count_without_effect(drawing(before)).value(), 0U);
     auto const count = drawing(before).own_branches.size();
     auto const narrow = draw(before, Part::Outline, ellipse(16, 60).outline[0]);
     EXPECT_EQ(drawing(narrow).own_branches.size(), count);
-    EXPECT_GE(count_waiting(drawing(narrow)).value(), count / 2);
+    EXPECT_GE(count_without_effect(drawing(narrow)).value(), count / 2);
     auto const again = draw(narrow, Part::Outline, lobed_crown(5).outline[0]);
-    EXPECT_EQ(count_waiting(drawing(again)).value(), 0U);
+    EXPECT_EQ(count_without_effect(drawing(again)).value(), 0U);
     auto form = drawing(before).form;
     form.patterns[0] = Pattern::Spiral;
     auto const formed = scene::apply_edit(before, FormTree { before.state.active, form }).value();

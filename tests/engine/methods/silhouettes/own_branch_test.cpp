@@ -33,7 +33,8 @@ std::vector<Vec2> twig_on(Branch const& branch, double place, double share = 0.3
     return line;
 }
 
-Drawing with_twig(Drawing drawing, std::vector<Vec2> const& line, StyleTo style_to = StyleTo::None)
+Drawing with_twig(Drawing drawing, std::vector<Vec2> const& line,
+                  StyleScope style_to = StyleScope::None)
 {
     auto const added = add_own_branch(drawing, line, style_to);
     EXPECT_TRUE(added) << added.error().message;
@@ -69,7 +70,7 @@ TEST(OwnBranch, IsOfTheBranchThatItBeginsOn)
     EXPECT_FALSE(parent_of(system, std::vector<Vec2> { { 200, 0 }, { 220, 10 } })) << "beside it";
     EXPECT_FALSE(parent_of(system, system.branches[0].crown)) << "it comes back";
     auto refused = drawing;
-    auto const answer = add_own_branch(refused, { { 0, 0 }, { 20, 10 } }, StyleTo::None);
+    auto const answer = add_own_branch(refused, { { 0, 0 }, { 20, 10 } }, StyleScope::None);
     ASSERT_FALSE(answer);
     EXPECT_NE(answer.error().message.find("begins on none"), std::string::npos);
 }
@@ -198,9 +199,9 @@ TEST(OwnBranch, RandomOnesMakePlants)
             auto line = twig_on(branch, random.uniform(0.1, 0.95), random.uniform(0.01, 1.5));
             for (auto& point : line)
                 point += random.uniform(0, 3) * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
-            taken
-                += add_own_branch(drawing, line, part % 2 == 0 ? StyleTo::None : StyleTo::Siblings)
-                       .has_value();
+            taken += add_own_branch(drawing, line,
+                                    part % 2 == 0 ? StyleScope::None : StyleScope::Siblings)
+                         .has_value();
         }
         for (int const levels : { 1, 2 })
             check_plant(make_tree(refined(drawing, { .levels = levels })).plant);

@@ -52,7 +52,7 @@ inline Seen seen_on(BranchingSystem const& system)
         seen.places.push_back(length_of(std::span(trunk).first(nearest + 1)));
         auto const low = std::max<std::size_t>(nearest, 1) - 1;
         Vec2 const along = trunk[std::min(nearest + 1, trunk.size() - 1)] - trunk[low];
-        Vec2 const out = way_over(branch.path.curve, kAngleOver);
+        Vec2 const out = chord_to_share(branch.path.curve, kAngleOver);
         seen.angle_deg += degrees(std::fabs(std::atan2(cross(along, out), along.dot(out))));
     }
     seen.angle_deg /= static_cast<double>(std::max<std::size_t>(seen.places.size(), 1));

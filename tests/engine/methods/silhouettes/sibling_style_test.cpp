@@ -10,7 +10,8 @@
 namespace tractus::silhouette {
 namespace {
 
-Skeleton styled(StyleTo style_to, SkeletonOptions const& options = {}, Similarity const& way = {})
+Skeleton styled(StyleScope style_to, SkeletonOptions const& options = {},
+                Similarity const& way = {})
 {
     auto drawing = moved(lobed_crown(7), way);
     auto const added = add_own_outline(drawing, way.points(limb()), options, style_to);
@@ -31,7 +32,7 @@ std::size_t source_of(Skeleton const& skeleton)
 
 TEST(SiblingStyle, IsTheSourcesOnAllSiblings)
 {
-    auto const skeleton = styled(StyleTo::Siblings);
+    auto const skeleton = styled(StyleScope::Siblings);
     auto const source = source_of(skeleton);
     auto const own = seen_on(skeleton.systems[skeleton.system_of[0][source]]);
     ASSERT_GE(own.places.size(), 6U);
@@ -67,7 +68,7 @@ TEST(SiblingStyle, IsTheSourcesOnAllSiblings)
 // straightness and by the ratio of crown to length, whatever its size.
 TEST(SiblingStyle, GivesSiblingsTheSourcesShapes)
 {
-    auto const skeleton = styled(StyleTo::Siblings);
+    auto const skeleton = styled(StyleScope::Siblings);
     auto const source = source_of(skeleton);
     auto const shape = [](Branch const& branch) {
         auto const& curve = branch.path.curve;
@@ -95,8 +96,8 @@ TEST(SiblingStyle, GivesSiblingsTheSourcesShapes)
 
 TEST(SiblingStyle, GoesNowhereUnlessSomebodySaysSo)
 {
-    auto const plain = styled(StyleTo::None);
-    auto const to_all = styled(StyleTo::Siblings);
+    auto const plain = styled(StyleScope::None);
+    auto const to_all = styled(StyleScope::Siblings);
     auto const source = source_of(plain);
     auto const& own = plain.systems[plain.system_of[0][source]];
     auto const& same = to_all.systems[to_all.system_of[0][source]];
@@ -119,10 +120,10 @@ TEST(SiblingStyle, IsMixedBetweenTwoSources)
     auto drawing = lobed_crown(7);
     auto const inferred = infer_skeleton(drawing, { .levels = 1 }).value().systems[0];
     Similarity const mirror { .turn = Vec2(-1, 0), .mirrors = true };
-    ASSERT_TRUE(add_own_outline(drawing, limb(), {}, StyleTo::Siblings));
-    ASSERT_TRUE(add_own_outline(drawing, mirror.points(limb()), {}, StyleTo::None));
+    ASSERT_TRUE(add_own_outline(drawing, limb(), {}, StyleScope::Siblings));
+    ASSERT_TRUE(add_own_outline(drawing, mirror.points(limb()), {}, StyleScope::None));
     auto const one = infer_skeleton(drawing).value();
-    drawing.own_outlines[1].style_to = StyleTo::Siblings;
+    drawing.own_outlines[1].style_to = StyleScope::Siblings;
     auto const two = infer_skeleton(drawing).value();
     for (auto const& own : drawing.own_outlines) {
         auto const i = *number_of(inferred, own.branch);
@@ -136,18 +137,18 @@ TEST(SiblingStyle, IsMixedBetweenTwoSources)
 
 TEST(SiblingStyle, IsThereWhereBranchesBearNoOthers)
 {
-    auto const skeleton = styled(StyleTo::Siblings, { .levels = 1 });
-    EXPECT_EQ(styled(StyleTo::None, { .levels = 1 }).systems.size(), 2U);
+    auto const skeleton = styled(StyleScope::Siblings, { .levels = 1 });
+    EXPECT_EQ(styled(StyleScope::None, { .levels = 1 }).systems.size(), 2U);
     EXPECT_GE(skeleton.systems.size(), skeleton.systems[0].branches.size());
     check_plant(make_tree(skeleton).plant);
-    check_plant(make_tree(styled(StyleTo::Siblings, { .levels = 3 })).plant);
+    check_plant(make_tree(styled(StyleScope::Siblings, { .levels = 3 })).plant);
 }
 
 TEST(SiblingStyle, TurnsWithTheDrawing)
 {
     Similarity const way { .to = Vec2(40, 7), .turn = Vec2(1.3, 0.8) };
-    auto const plain = styled(StyleTo::Siblings);
-    auto const other = styled(StyleTo::Siblings, {}, way);
+    auto const plain = styled(StyleScope::Siblings);
+    auto const other = styled(StyleScope::Siblings, {}, way);
     ASSERT_EQ(plain.systems.size(), other.systems.size());
     double const close = 1e-6 * box_of(other.systems[0].outline).diagonal();
     for (std::size_t s = 0; s < plain.systems.size(); ++s) {

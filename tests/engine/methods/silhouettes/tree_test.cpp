@@ -1,6 +1,6 @@
 #include "engine/methods/silhouettes/tree.h"
 
-#include "engine/methods/silhouettes/ready_form.h"
+#include "engine/methods/silhouettes/tree_preset.h"
 #include "tests/engine/methods/silhouettes/outlines.h"
 
 #include <fmt/format.h>
@@ -171,7 +171,7 @@ TEST(SilhouetteTreeCorpus, IsAPlantInEveryReadyForm)
 {
     REQUIRE_CORPUS();
     for (auto const& [name, drawing, expected] : published_outlines())
-        for (auto const& ready : ready_forms()) {
+        for (auto const& ready : tree_presets()) {
             SCOPED_TRACE(fmt::format("{}, {}", name, ready.name));
             auto const skeleton = skeleton_of(drawing, ready.form.levels);
             auto form = ready.form;

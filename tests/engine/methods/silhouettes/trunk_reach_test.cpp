@@ -26,7 +26,7 @@ std::vector<Vec2> trunk_below(double top, double length = 60)
 TEST(TrunkReach, GoesThroughTheCrown)
 {
     for (double const gap : { 0.5, 2.0, 5.0, 5.9 }) {
-        auto const reach = reach_into_crown(trunk_below(-gap), round_crown());
+        auto const reach = extension_into_crown(trunk_below(-gap), round_crown());
         ASSERT_TRUE(reach) << gap;
         EXPECT_NEAR(*reach, gap + 0.85 * 2 * kCrownRadius, 0.2) << gap;
         auto trunk = trunk_below(-gap);
@@ -37,13 +37,13 @@ TEST(TrunkReach, GoesThroughTheCrown)
 
 TEST(TrunkReach, IsOfNearTrunksAlone)
 {
-    EXPECT_FALSE(reach_into_crown(trunk_below(-6.5), round_crown()))
+    EXPECT_FALSE(extension_into_crown(trunk_below(-6.5), round_crown()))
         << "farther than a hand misses by";
-    EXPECT_TRUE(reach_into_crown(trunk_below(-2, 20), round_crown()));
-    EXPECT_FALSE(reach_into_crown(trunk_below(-4, 20), round_crown()))
+    EXPECT_TRUE(extension_into_crown(trunk_below(-2, 20), round_crown()));
+    EXPECT_FALSE(extension_into_crown(trunk_below(-4, 20), round_crown()))
         << "far for so short a trunk";
-    EXPECT_FALSE(reach_into_crown(trunk_below(3), round_crown())) << "it is inside";
-    EXPECT_FALSE(reach_into_crown(std::vector { Vec2(0, -3) }, round_crown()));
+    EXPECT_FALSE(extension_into_crown(trunk_below(3), round_crown())) << "it is inside";
+    EXPECT_FALSE(extension_into_crown(std::vector { Vec2(0, -3) }, round_crown()));
 }
 
 TEST(TrunkReach, IsOfTrunksThatPointIntoTheCrown)
@@ -51,11 +51,12 @@ TEST(TrunkReach, IsOfTrunksThatPointIntoTheCrown)
     // Trunks beside the crown and parallel to it, pointing away from it, and so far to the side
     // that they cut off a corner.
     Vec2 const side(kCrownRadius + 2, kCrownRadius);
-    EXPECT_FALSE(reach_into_crown(std::vector { Vec2(side - Vec2(0, 60)), side }, round_crown()));
-    EXPECT_FALSE(reach_into_crown(std::vector { Vec2(0, -2), Vec2(0, -60) }, round_crown()));
-    EXPECT_FALSE(reach_into_crown(std::vector { Vec2(28, -50), Vec2(28, 18) }, round_crown()));
+    EXPECT_FALSE(
+        extension_into_crown(std::vector { Vec2(side - Vec2(0, 60)), side }, round_crown()));
+    EXPECT_FALSE(extension_into_crown(std::vector { Vec2(0, -2), Vec2(0, -60) }, round_crown()));
+    EXPECT_FALSE(extension_into_crown(std::vector { Vec2(28, -50), Vec2(28, 18) }, round_crown()));
     // A trunk from below at an angle, like leaning trunks.
-    EXPECT_TRUE(reach_into_crown(std::vector { Vec2(-25, -50), Vec2(-1, -2) }, round_crown()));
+    EXPECT_TRUE(extension_into_crown(std::vector { Vec2(-25, -50), Vec2(-1, -2) }, round_crown()));
 }
 
 // An outline that begins and ends above the trunk's end, as most do, need not be quite closed
@@ -67,7 +68,7 @@ TEST(TrunkReach, LooksAtTheOutlineAsItIsRead)
     std::rotate(open.begin(), open.begin() + 150, open.end());
     ASSERT_LT(open.front().y(), 0.1);
     open.resize(open.size() - 6); // The outline ends 5 mm before its beginning.
-    EXPECT_TRUE(reach_into_crown(trunk_below(-3), open));
+    EXPECT_TRUE(extension_into_crown(trunk_below(-3), open));
 }
 
 } // namespace

@@ -36,7 +36,7 @@ std::vector<std::string> lacks_when_grown(std::string const& text)
     ModelRule model;
     model.source.name = "m.l";
     model.source.text = text;
-    return lacks_for_stroke(model, {});
+    return missing_for_stroke(model, {});
 }
 
 TEST(AxisContract, IsFoundInAText)

@@ -17,23 +17,23 @@ std::vector<Vec3> reversed(std::vector<Vec3> line)
 
 TEST(FootFirst, KnowsStrokesThatRunDown)
 {
-    EXPECT_FALSE(runs_to_its_foot(straight_stroke(100), {}));
-    EXPECT_TRUE(runs_to_its_foot(reversed(straight_stroke(100)), {}));
-    EXPECT_FALSE(runs_to_its_foot(half_circle(50), {}));
-    EXPECT_FALSE(runs_to_its_foot(reversed(half_circle(50)), {}));
-    EXPECT_TRUE(runs_to_its_foot(reversed(bow()), {}));
-    EXPECT_FALSE(runs_to_its_foot(polyline({ { 0, 0, 10 }, { 80, 0, 0 } }), {})) << "flat";
-    EXPECT_FALSE(runs_to_its_foot(polyline({ { 0, 0, 90 }, { 0, 0, -30 }, { 10, 0, 0 } }), {}))
+    EXPECT_FALSE(is_drawn_to_foot(straight_stroke(100), {}));
+    EXPECT_TRUE(is_drawn_to_foot(reversed(straight_stroke(100)), {}));
+    EXPECT_FALSE(is_drawn_to_foot(half_circle(50), {}));
+    EXPECT_FALSE(is_drawn_to_foot(reversed(half_circle(50)), {}));
+    EXPECT_TRUE(is_drawn_to_foot(reversed(bow()), {}));
+    EXPECT_FALSE(is_drawn_to_foot(polyline({ { 0, 0, 10 }, { 80, 0, 0 } }), {})) << "flat";
+    EXPECT_FALSE(is_drawn_to_foot(polyline({ { 0, 0, 90 }, { 0, 0, -30 }, { 10, 0, 0 } }), {}))
         << "comes up again";
-    EXPECT_FALSE(runs_to_its_foot({}, {}));
-    EXPECT_FALSE(runs_to_its_foot(std::vector { Vec3(1, 2, 3) }, {}));
+    EXPECT_FALSE(is_drawn_to_foot({}, {}));
+    EXPECT_FALSE(is_drawn_to_foot(std::vector { Vec3(1, 2, 3) }, {}));
 }
 
 TEST(FootFirst, LeavesWhatHangsAboveTheGround)
 {
     auto const hanging = polyline({ { 0, 0, 300 }, { 5, 0, 200 } });
-    EXPECT_FALSE(runs_to_its_foot(hanging, 0));
-    EXPECT_TRUE(runs_to_its_foot(hanging, 190));
+    EXPECT_FALSE(is_drawn_to_foot(hanging, 0));
+    EXPECT_TRUE(is_drawn_to_foot(hanging, 190));
 }
 
 TEST(FootFirst, OfAStrokeAndItsReverseOneRunsToItsFootAtMost)
@@ -44,7 +44,7 @@ TEST(FootFirst, OfAStrokeAndItsReverseOneRunsToItsFootAtMost)
         for (int i = 0; i < 12; ++i)
             line.push_back(line.back()
                            + Vec3(random.normal(), random.normal(), random.normal() - 0.7));
-        EXPECT_FALSE(runs_to_its_foot(line, {}) && runs_to_its_foot(reversed(line), {}));
+        EXPECT_FALSE(is_drawn_to_foot(line, {}) && is_drawn_to_foot(reversed(line), {}));
     }
 }
 

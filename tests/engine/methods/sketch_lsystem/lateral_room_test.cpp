@@ -27,13 +27,13 @@ std::vector<Vec3> u_turn()
     return tips;
 }
 
-Rule wide_rule(double gives_way_mm)
+Rule wide_rule(double occupancy_radius_mm)
 {
     Rule rule { .first_length_mm = 20, .length_ratio = 1, .first_width_mm = 2, .laterals = 3 };
     rule.angle_deg = 60;
     rule.lateral_length = 0.75;
     rule.shortest_mm = 3;
-    rule.gives_way_mm = gives_way_mm;
+    rule.occupancy_radius_mm = occupancy_radius_mm;
     return rule;
 }
 
@@ -124,13 +124,13 @@ TEST(LateralRoom, OfLateralsThatGoOnByRulesOfTheirOwn)
     auto rule = wide_rule(2);
     rule.lateral_rules = { { .laterals = 2, .lateral_length = 0.5 } };
     EXPECT_LE(overlap_mm(along(u_turn(), rule)), 0.01);
-    rule.gives_way_mm = 0;
+    rule.occupancy_radius_mm = 0;
     EXPECT_GT(overlap_mm(along(u_turn(), rule)), 5);
 }
 
 TEST(LateralRoom, IsOffInOldDrawings)
 {
-    EXPECT_EQ(Rule().gives_way_mm, 0);
+    EXPECT_EQ(Rule().occupancy_radius_mm, 0);
     auto const model = model_of(along(u_turn(), wide_rule(0))).value();
     EXPECT_EQ(model.text.find("room"), std::string::npos);
     auto const tidy = model_of(along(u_turn(), wide_rule(3))).value();

@@ -46,7 +46,7 @@ Rule random_rule()
                                        .twist_deg = between(-180, 180),
                                        .shortest_mm = between(0.5, 8),
                                        .laterals_by = *rc::gen::inRange(0, 1 + lateral_rules) });
-    return as_written(rule);
+    return rounded_as_text(rule);
 }
 
 // Returns a random stroke in space.

@@ -68,7 +68,7 @@ protected:
 
 TEST_P(OurModel, KeepsTheContract)
 {
-    EXPECT_EQ(lacks_for_stroke(model_, {}), std::vector<std::string> {});
+    EXPECT_EQ(missing_for_stroke(model_, {}), std::vector<std::string> {});
 }
 
 // For any stroke, the axis must be within 1e-4 of a segment's length.

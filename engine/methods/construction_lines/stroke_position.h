@@ -37,7 +37,7 @@ private:
 };
 
 // Position of a stroke relative to the axis; lengths in stem lengths.
-struct StrokeLie {
+struct StrokePosition {
     // Positions of points that are evenly spaced along the stroke.
     std::vector<StemAxis::Place> places;
     double length = 0;
@@ -60,11 +60,11 @@ struct StrokeLie {
     StemAxis::Place const& last() const { return places.back(); }
     double reach() const { return std::max(reach_left, reach_right); }
 };
-StrokeLie lie_to_axis(DrawnLine const& stroke, StemAxis const& axis);
+StrokePosition position_along_axis(DrawnLine const& stroke, StemAxis const& axis);
 
 // Returns, from 0 to 1, how clearly the stroke is too short along the axis to be a boundary by
 // itself.
-double small_piece(StrokeLie const& lie);
+double small_piece(StrokePosition const& lie);
 
 // The part of a sketch that a stroke can represent.
 enum class Part { Stem, Left, Right, Inclination, Half, Outline, Piece, Nothing };
@@ -76,6 +76,6 @@ constexpr std::size_t kPartCount = 8;
 using PartCosts = std::array<double, kPartCount>;
 constexpr double kNothingCost = 1.6;
 constexpr double kImpossible = 50;
-PartCosts part_costs(StrokeLie const& lie, double stem_mm);
+PartCosts part_costs(StrokePosition const& lie, double stem_mm);
 
 } // namespace tractus::lines

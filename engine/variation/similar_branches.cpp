@@ -1,4 +1,4 @@
-#include "engine/variation/like_branches.h"
+#include "engine/variation/similar_branches.h"
 
 #include "engine/plant/branch_address.h"
 #include "engine/plant/join_axes.h"
@@ -48,7 +48,7 @@ double difference(Plant const& one, Axis const& a, Plant const& other, Axis cons
 
 } // namespace
 
-LikeBranches::LikeBranches(Plant const& from, Plant const& to)
+SimilarBranches::SimilarBranches(Plant const& from, Plant const& to)
     : from_(from)
     , to_(to)
     , borne_(to.axes.size() + 1)
@@ -58,7 +58,7 @@ LikeBranches::LikeBranches(Plant const& from, Plant const& to)
             .push_back(id);
 }
 
-std::optional<AxisId> LikeBranches::like_axis(AxisId axis)
+std::optional<AxisId> SimilarBranches::similar_axis(AxisId axis)
 {
     if (auto const known = found_.find(axis); known != found_.end())
         return known->second;
@@ -66,7 +66,7 @@ std::optional<AxisId> LikeBranches::like_axis(AxisId axis)
     auto& found = found_[axis];
     std::size_t bearer = to_.axes.size();
     if (wanted.parent_axis != kNone) {
-        auto const like_bearer = like_axis(wanted.parent_axis);
+        auto const like_bearer = similar_axis(wanted.parent_axis);
         if (!like_bearer)
             return std::nullopt;
         bearer = *like_bearer;
@@ -86,10 +86,10 @@ std::optional<AxisId> LikeBranches::like_axis(AxisId axis)
     return found;
 }
 
-std::optional<SegmentId> LikeBranches::like_segment(SegmentId segment)
+std::optional<SegmentId> SimilarBranches::similar_segment(SegmentId segment)
 {
     auto const axis = axis_of(from_, segment);
-    auto const found = like_axis(axis);
+    auto const found = similar_axis(axis);
     if (!found)
         return std::nullopt;
     auto const& wanted = from_.axes[axis];
@@ -101,10 +101,10 @@ std::optional<SegmentId> LikeBranches::like_segment(SegmentId segment)
     return like.first_segment + (is_first ? 0 : static_cast<SegmentId>(number - 1));
 }
 
-std::optional<std::vector<SegmentId>> LikeBranches::like(std::vector<SegmentId> const& path)
+std::optional<std::vector<SegmentId>> SimilarBranches::like(std::vector<SegmentId> const& path)
 {
-    auto const first = like_segment(path.front());
-    auto const last = like_segment(path.back());
+    auto const first = similar_segment(path.front());
+    auto const last = similar_segment(path.back());
     if (!first || !last)
         return std::nullopt;
     if (auto between = path_between(to_, *first, *last))

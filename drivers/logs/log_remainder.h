@@ -7,18 +7,18 @@
 namespace tractus::drivers {
 
 // The part of a log that is not in memory: its file, and the position where that part begins.
-struct LogRest {
-    explicit LogRest(int open_file)
+struct LogRemainder {
+    explicit LogRemainder(int open_file)
         : file(open_file)
     {
     }
-    ~LogRest()
+    ~LogRemainder()
     {
         if (file >= 0)
             ::close(file);
     }
-    LogRest(LogRest const&) = delete;
-    LogRest& operator=(LogRest const&) = delete;
+    LogRemainder(LogRemainder const&) = delete;
+    LogRemainder& operator=(LogRemainder const&) = delete;
 
     int file; // Descriptor of the log file, open for reading; owned.
     LogPlace place {};

@@ -13,10 +13,10 @@ namespace tractus::variation {
 // whose branches are other ones in number and place. Two branches are similar if they leave similar
 // branches at a similar height, in a similar direction, and are similarly long. Each branch of the
 // other plant is found for at most one branch.
-class LikeBranches {
+class SimilarBranches {
 public:
     // Both plants must outlive the object.
-    LikeBranches(Plant const& from, Plant const& to);
+    SimilarBranches(Plant const& from, Plant const& to);
 
     // Returns the path between the segments that lie at the same share of the length of the
     // similar branches. `path` as in Association: not empty, from the ground towards a tip. No
@@ -29,8 +29,8 @@ public:
     double greatest_difference() const { return greatest_difference_; }
 
 private:
-    std::optional<AxisId> like_axis(AxisId axis);
-    std::optional<SegmentId> like_segment(SegmentId segment);
+    std::optional<AxisId> similar_axis(AxisId axis);
+    std::optional<SegmentId> similar_segment(SegmentId segment);
 
     Plant const& from_;
     Plant const& to_;

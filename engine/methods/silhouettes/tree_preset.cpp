@@ -1,13 +1,13 @@
-#include "engine/methods/silhouettes/ready_form.h"
+#include "engine/methods/silhouettes/tree_preset.h"
 
 #include <array>
 
 namespace tractus::silhouette {
 
-std::span<ReadyForm const> ready_forms()
+std::span<TreePreset const> tree_presets()
 {
     using enum Pattern::Kind;
-    static constexpr std::array<ReadyForm, 7> kForms { {
+    static constexpr std::array<TreePreset, 7> kForms { {
         { "oak",
           { .patterns = { Even, Even, Even },
             .leaves = 36,

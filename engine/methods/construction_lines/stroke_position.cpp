@@ -1,4 +1,4 @@
-#include "engine/methods/construction_lines/stroke_lie.h"
+#include "engine/methods/construction_lines/stroke_position.h"
 
 #include "engine/methods/construction_lines/hand_line.h"
 
@@ -45,7 +45,7 @@ double side_margin(double stem_mm)
 
 // Cost of reading a stroke as an inclination line, which crosses the stem and ends on both sides of
 // it.
-double inclination_cost(StrokeLie const& lie, double stem_mm)
+double inclination_cost(StrokePosition const& lie, double stem_mm)
 {
     double const first = lie.first().beside;
     double const last = lie.last().beside;
@@ -59,7 +59,7 @@ double inclination_cost(StrokeLie const& lie, double stem_mm)
 }
 
 // Cost of reading a stroke as half an inclination line, from the stem outwards.
-double half_cost(StrokeLie const& lie, double stem_mm)
+double half_cost(StrokePosition const& lie, double stem_mm)
 {
     bool const starts = std::fabs(lie.first().beside) < std::fabs(lie.last().beside);
     auto const& near = starts ? lie.first() : lie.last();
@@ -80,7 +80,7 @@ double half_cost(StrokeLie const& lie, double stem_mm)
 }
 
 // Cost of reading a stroke as a boundary of one side, or as a piece of one.
-double side_cost(StrokeLie const& lie, double side, double stem_mm)
+double side_cost(StrokePosition const& lie, double side, double stem_mm)
 {
     double const over = side > 0 ? lie.reach_right : lie.reach_left;
     double const out = side > 0 ? lie.reach_left : lie.reach_right;
@@ -97,7 +97,7 @@ double side_cost(StrokeLie const& lie, double side, double stem_mm)
 }
 
 // Cost of reading a stroke as the stem drawn again, or as a part of it.
-double stem_cost(StrokeLie const& lie)
+double stem_cost(StrokePosition const& lie)
 {
     double const range = lie.highest - lie.lowest;
     double const near_end = std::min(std::fabs(lie.first().beside), std::fabs(lie.last().beside));
@@ -112,7 +112,7 @@ double stem_cost(StrokeLie const& lie)
 }
 
 // Cost of reading a stroke as an outline: both boundaries in one stroke, around the stem's top.
-double outline_cost(StrokeLie const& lie)
+double outline_cost(StrokePosition const& lie)
 {
     bool const around_top = std::any_of(lie.crossings.begin(), lie.crossings.end(),
                                         [](double at) { return at > 0.85; });
@@ -132,14 +132,14 @@ double outline_cost(StrokeLie const& lie)
 
 } // namespace
 
-double small_piece(StrokeLie const& lie)
+double small_piece(StrokePosition const& lie)
 {
     return ramp(lie.highest - lie.lowest, 0.15, 0.05);
 }
 
 // Share of the stroke's length that runs along the axis, counted where it is farther from the axis
 // than half its maximum distance.
-static double run_outside(StrokeLie const& lie)
+static double run_outside(StrokePosition const& lie)
 {
     double run = 0;
     double way = 0;
@@ -179,9 +179,9 @@ Vec2 StemAxis::point(double along) const
     return line_.point((along + kProlonged) * length_mm_);
 }
 
-StrokeLie lie_to_axis(DrawnLine const& stroke, StemAxis const& axis)
+StrokePosition position_along_axis(DrawnLine const& stroke, StemAxis const& axis)
 {
-    StrokeLie lie;
+    StrokePosition lie;
     for (auto const& point : stroke.points())
         lie.places.push_back(axis.place(point));
     lie.length = stroke.length_mm() / axis.length_mm();
@@ -218,7 +218,7 @@ StrokeLie lie_to_axis(DrawnLine const& stroke, StemAxis const& axis)
     return lie;
 }
 
-PartCosts part_costs(StrokeLie const& lie, double stem_mm)
+PartCosts part_costs(StrokePosition const& lie, double stem_mm)
 {
     PartCosts costs;
     costs.fill(kImpossible);

@@ -8,12 +8,12 @@
 namespace tractus::silhouette {
 
 // A preset: the branching pattern of a kind of tree and its twigs. Works with any outline.
-struct ReadyForm {
+struct TreePreset {
     std::string_view name; // Stable identifier, used in logs and on the command line.
     TreeForm form {};
 };
 
 // The presets: oak, pine, willow, eucalyptus, fir, poplar, fern.
-std::span<ReadyForm const> ready_forms();
+std::span<TreePreset const> tree_presets();
 
 } // namespace tractus::silhouette
