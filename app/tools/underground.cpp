@@ -12,7 +12,7 @@ namespace tractus::tools {
 namespace {
 
 // The base plant as bent by strokes. Only its nodes are moved, as the rest is not used.
-Plant bent_skeleton(scene::BuiltPlant const& plant)
+Plant bent_copy(scene::BuiltPlant const& plant)
 {
     Plant bent = *plant.base;
     bent.node_position_mm = BentPlant(plant).nodes_mm();
@@ -23,7 +23,7 @@ std::vector<std::vector<Vec3f>> underground_lines(scene::BuiltPlant const& plant
 {
     if (plant.associations.empty())
         return {};
-    auto const bent = bent_skeleton(plant);
+    auto const bent = bent_copy(plant);
     std::vector<std::vector<Vec3f>> lines;
     auto const world = [&](NodeId node) {
         return Vec3f(plant.placement.world_of_plant(bent.node_position_mm[node]).cast<float>());
@@ -41,7 +41,7 @@ std::vector<SegmentId> segments_bent_underground(scene::BuiltPlant const& plant)
 {
     if (plant.associations.empty())
         return {};
-    return variation::segments_underground(bent_skeleton(plant), *plant.base);
+    return variation::segments_underground(bent_copy(plant), *plant.base);
 }
 
 constexpr Layer kUndergroundLayer {

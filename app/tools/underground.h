@@ -20,7 +20,7 @@ extern Layer const kGrownUndergroundLayer;
 // The segments of the base plant, except roots, that strokes have bent below the ground, in order.
 std::vector<SegmentId> segments_bent_underground(scene::BuiltPlant const& plant);
 
-// ToolKind::said for tools that bend branches: the tool's own message and, if strokes have bent
+// ToolKind::describe for tools that bend branches: the tool's own message and, if strokes have bent
 // segments below the ground, their number. Empty if there are none.
 std::string underground_message(Tool const& tool, scene::Scene const& after);
 

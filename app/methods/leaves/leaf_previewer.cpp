@@ -35,7 +35,7 @@ private:
     // The leaf's sketch after the unfinished stroke was added.
     static Result<leaf::LeafSketch> sketch_with(tools::UnfinishedStroke const& stroke)
     {
-        auto const edits = stroke.tool.mean(
+        auto const edits = stroke.tool.edits_for(
             Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) }, *stroke.scene);
         if (!edits || edits->empty())
             return fail(Fault::User, "the stroke is no line of a leaf");

@@ -46,7 +46,7 @@ std::vector<scene::Edit> planted(std::vector<Vec2> const& places_m, Habit const&
     return edits;
 }
 
-scene::Scene folded(std::vector<scene::Edit> const& edits)
+scene::Scene scene_of(std::vector<scene::Edit> const& edits)
 {
     auto scene = scene::fold(edits);
     EXPECT_TRUE(scene) << (scene ? "" : scene.error().message);
@@ -57,14 +57,14 @@ scene::Scene grown(std::vector<Vec2> const& places_m, int years)
 {
     auto edits = planted(places_m);
     edits.emplace_back(GrowStand { years });
-    return folded(edits);
+    return scene_of(edits);
 }
 
 TEST(Stand, OfOneTreeGrowsAsTheTreeAlone)
 {
     auto edits = planted({ { 0, 0 } });
     edits.emplace_back(GrowOn { 1, { .years = 14 } });
-    auto const alone = folded(edits);
+    auto const alone = scene_of(edits);
     auto const stand = grown({ { 0, 0 } }, 14);
     EXPECT_EQ(stand.base->node_position_mm, alone.base->node_position_mm);
 }
@@ -121,13 +121,13 @@ TEST(Stand, IsShadedByPlantsOfOtherMethods)
     std::vector<scene::Edit> edits { load };
     for (auto const& edit : planted({ { 0.3, 0 } }, dark))
         edits.push_back(edit);
-    auto const before = folded(edits);
+    auto const before = scene_of(edits);
     edits.emplace_back(GrowStand { 6 });
-    auto const shaded = folded(edits);
+    auto const shaded = scene_of(edits);
     ASSERT_EQ(shaded.plants.size(), 2U);
     EXPECT_EQ(shaded.plants[1]->base->segment_count(), before.plants[1]->base->segment_count());
     edits.insert(edits.end() - 1, scene::HidePlant { before.plants[0]->drawn->id });
-    EXPECT_GT(folded(edits).plants[1]->base->segment_count(),
+    EXPECT_GT(scene_of(edits).plants[1]->base->segment_count(),
               before.plants[1]->base->segment_count());
 }
 
@@ -138,14 +138,14 @@ TEST(Stand, KeepsNeighboursWhenATreeIsAnother)
     auto edits = planted(places);
     edits.emplace_back(GrowStand { 10 });
     edits.emplace_back(ChangeHabit { 1, sapling(), 99 });
-    auto const after = folded(edits);
+    auto const after = scene_of(edits);
     EXPECT_EQ(after.plants[1]->base->node_position_mm, before.plants[1]->base->node_position_mm);
     // Nothing is left to chance in this habit, so that another seed is the same tree.
     EXPECT_EQ(after.plants[0]->base->node_position_mm, before.plants[0]->base->node_position_mm);
     auto other = sapling();
     other.apical_control = 0.6;
     edits.back() = ChangeHabit { 1, other, 4 };
-    EXPECT_NE(folded(edits).plants[0]->base->node_position_mm,
+    EXPECT_NE(scene_of(edits).plants[0]->base->node_position_mm,
               before.plants[0]->base->node_position_mm);
 }
 
@@ -156,14 +156,14 @@ TEST(Stand, GrowsOnInAnyOrderWithOtherYears)
     edits.emplace_back(GrowOn { 2, { .years = 3 } });
     edits.emplace_back(GrowStand { 2 });
     edits.emplace_back(GrowStand { 1 });
-    auto const scene = folded(edits);
+    auto const scene = scene_of(edits);
     std::array<int, 2> years {};
     for (std::size_t i = 0; i < 2; ++i)
         for (auto const& part : grown_tree_of(scene.plants[i]->drawn->source)->life)
             years[i] += part.years;
     EXPECT_EQ(years[0], 9);
     EXPECT_EQ(years[1], 12);
-    EXPECT_EQ(folded(edits).plants[1]->base->node_position_mm,
+    EXPECT_EQ(scene_of(edits).plants[1]->base->node_position_mm,
               scene.plants[1]->base->node_position_mm);
 }
 
