@@ -14,10 +14,16 @@ inline std::filesystem::path corpus()
     return folder ? std::filesystem::path(folder) : std::filesystem::path();
 }
 
-// Returns the path of a file or folder in tests/data, which is distributed with the tests.
+// Returns the path of a file or folder in tests/data, which is distributed with the tests. Tests
+// run in the folder of a build, below the sources; the compiler may know this file relative to
+// either.
 inline std::filesystem::path shipped(std::filesystem::path const& name)
 {
-    return std::filesystem::path(__FILE__).parent_path() / "data" / name;
+    std::filesystem::path const here = __FILE__;
+    auto folder = std::filesystem::current_path();
+    while (!std::filesystem::exists(folder / here) && folder.has_relative_path())
+        folder = folder.parent_path();
+    return (folder / here).parent_path() / "data" / name;
 }
 
 } // namespace tractus

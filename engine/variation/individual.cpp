@@ -4,10 +4,11 @@
 #include "engine/base/random.h"
 #include "engine/plant/join_plants.h"
 #include "engine/stroke/frames.h"
-#include "engine/variation/subtree.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <numeric>
+#include <span>
+#include <vector>
 
 namespace tractus::variation {
 
@@ -55,11 +56,47 @@ NodeId tip_of(Axis const& axis, SegmentId segment)
     return axis.first_node + (segment - axis.first_segment) + 1;
 }
 
-// Duplicates branches.
+// The indices of things, grouped by the axis or segment that each belongs to.
+class Groups {
+public:
+    template<typename Things, typename GroupOf>
+    Groups(std::size_t group_count, Things const& things, GroupOf const& group_of)
+        : begins_(group_count + 1)
+    {
+        for (auto const& thing : things)
+            if (group_of(thing) < group_count)
+                ++begins_[group_of(thing) + 1];
+        std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+        indices_.resize(begins_.back());
+        auto next = begins_;
+        for (std::size_t i = 0; i < things.size(); ++i)
+            if (group_of(things[i]) < group_count)
+                indices_[next[group_of(things[i])]++] = i;
+    }
+
+    std::span<std::size_t const> of(std::size_t group) const
+    {
+        return std::span(indices_).subspan(begins_[group], begins_[group + 1] - begins_[group]);
+    }
+
+private:
+    std::vector<std::size_t> begins_; // Index of each group's first element in `indices_`.
+    std::vector<std::size_t> indices_;
+};
+
+// Duplicates branches of a plant. Each is copied as it was before: add() must be called for axes in
+// ascending order, so that no copy is part of a later branch.
 class Doubler {
 public:
     explicit Doubler(Plant& plant)
         : plant_(plant)
+        , laterals_(plant.axes.size(), plant.axes,
+                    [](Axis const& axis) { return axis.parent_axis; })
+        , organs_(plant.segment_count(), plant.organs,
+                  [](auto const& organ) { return organ.segment; })
+        , polygons_(plant.segment_count(), plant.polygons,
+                    [](auto const& polygon) { return polygon.segment; })
+        , copy_of_segment_(plant.segment_count(), kNone)
     {
     }
 
@@ -76,21 +113,45 @@ public:
         Vec3 const along = direction_of(plant_, bearer, seat);
         turn_ = Quat(Eigen::AngleAxisd(fate.turned_rad, along))
             * least_rotation(direction_of(plant_, bearer, root.parent_segment), along);
-        segments_.clear();
-        for (auto const& [axis, first_segment] : subtree_of(plant_, root.first_segment))
+        find_branch(id);
+        for (auto const axis : branch_)
             copy_axis(plant_.axes[axis], axis == id ? seat : kNone, root.parent_axis);
-        copy_riders();
+        copy_organs();
+        copy_polygons();
     }
 
 private:
     Vec3 moved(Vec3 const& place_mm) const { return to_mm_ + turn_ * (place_mm - from_mm_); }
+
+    // Lists the axes of a branch in ascending order, so that parents come before their laterals.
+    void find_branch(AxisId id)
+    {
+        branch_.assign(1, id);
+        for (std::size_t i = 0; i < branch_.size(); ++i)
+            for (auto const lateral : laterals_.of(branch_[i]))
+                branch_.push_back(static_cast<AxisId>(lateral));
+        std::sort(branch_.begin(), branch_.end());
+    }
+
+    // Lists what belongs to the branch's segments, in ascending order.
+    std::vector<std::size_t> const& on_branch(Groups const& by_segment)
+    {
+        found_.clear();
+        for (auto const id : branch_)
+            for (std::uint32_t i = 0; i < plant_.axes[id].segment_count; ++i) {
+                auto const group = by_segment.of(plant_.axes[id].first_segment + i);
+                found_.insert(found_.end(), group.begin(), group.end());
+            }
+        std::sort(found_.begin(), found_.end());
+        return found_;
+    }
 
     void copy_axis(Axis axis, SegmentId seat, AxisId bearer)
     {
         auto const from = axis;
         axis.first_node = static_cast<NodeId>(plant_.node_position_mm.size());
         axis.first_segment = static_cast<SegmentId>(plant_.segment_count());
-        axis.parent_segment = seat != kNone ? seat : segments_.at(from.parent_segment);
+        axis.parent_segment = seat != kNone ? seat : copy_of_segment_[from.parent_segment];
         axis.parent_axis = seat != kNone ? bearer : axis_of(plant_, axis.parent_segment);
         for (NodeId i = 0; i <= from.segment_count; ++i) {
             auto const node = from.first_node + i;
@@ -103,47 +164,49 @@ private:
             }
         }
         for (std::uint32_t i = 0; i < from.segment_count; ++i) {
-            segments_.emplace(from.first_segment + i, axis.first_segment + i);
+            copy_of_segment_[from.first_segment + i] = axis.first_segment + i;
             plant_.segment_material.push_back(plant_.segment_material[from.first_segment + i]);
         }
         plant_.axes.push_back(axis);
     }
 
-    void copy_riders()
+    void copy_organs()
     {
-        auto const organs = plant_.organs.size();
-        for (std::size_t i = 0; i < organs; ++i)
-            if (auto const found = segments_.find(plant_.organs[i].segment);
-                found != segments_.end()) {
-                auto organ = plant_.organs[i];
-                organ.segment = found->second;
-                organ.position_mm = moved(organ.position_mm);
-                organ.orientation = (turn_ * organ.orientation).normalized();
-                plant_.organs.push_back(std::move(organ));
+        for (auto const i : on_branch(organs_)) {
+            auto organ = plant_.organs[i];
+            organ.segment = copy_of_segment_[organ.segment];
+            organ.position_mm = moved(organ.position_mm);
+            organ.orientation = (turn_ * organ.orientation).normalized();
+            plant_.organs.push_back(std::move(organ));
+        }
+    }
+
+    void copy_polygons()
+    {
+        for (auto const i : on_branch(polygons_)) {
+            auto polygon = plant_.polygons[i];
+            polygon.segment = copy_of_segment_[polygon.segment];
+            auto const first = polygon.first_vertex;
+            polygon.first_vertex = static_cast<std::uint32_t>(plant_.polygon_vertices_mm.size());
+            for (std::uint32_t n = 0; n < polygon.vertex_count; ++n) {
+                Vec3 const vertex_mm = moved(plant_.polygon_vertices_mm[first + n]);
+                plant_.polygon_vertices_mm.push_back(vertex_mm);
             }
-        auto const polygons = plant_.polygons.size();
-        for (std::size_t i = 0; i < polygons; ++i)
-            if (auto const found = segments_.find(plant_.polygons[i].segment);
-                found != segments_.end()) {
-                auto polygon = plant_.polygons[i];
-                polygon.segment = found->second;
-                auto const first = polygon.first_vertex;
-                polygon.first_vertex
-                    = static_cast<std::uint32_t>(plant_.polygon_vertices_mm.size());
-                for (std::uint32_t n = 0; n < polygon.vertex_count; ++n) {
-                    Vec3 const vertex_mm = moved(plant_.polygon_vertices_mm[first + n]);
-                    plant_.polygon_vertices_mm.push_back(vertex_mm);
-                }
-                plant_.polygons.push_back(polygon);
-            }
+            plant_.polygons.push_back(polygon);
+        }
     }
 
     Plant& plant_;
+    Groups laterals_; // By parent axis.
+    Groups organs_;   // By segment.
+    Groups polygons_; // By segment.
+    // The latest copy of each segment; kNone: it was not copied.
+    std::vector<SegmentId> copy_of_segment_;
     Vec3 from_mm_ = Vec3::Zero();
     Vec3 to_mm_ = Vec3::Zero();
     Quat turn_ = Quat::Identity();
-    // Maps copied segments to those of the latest copy.
-    std::unordered_map<SegmentId, SegmentId> segments_;
+    std::vector<AxisId> branch_ {};     // Axes of the present branch.
+    std::vector<std::size_t> found_ {}; // Result of on_branch().
 };
 
 void resize(Plant& plant, double scale)

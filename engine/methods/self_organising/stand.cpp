@@ -5,6 +5,7 @@
 #include "engine/methods/self_organising/life.h"
 
 #include <Eigen/Geometry>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -87,14 +88,22 @@ Result<std::vector<GrowingTree>> Stand::grow(std::size_t watched, scene::LoadOpt
             TRY(grow_tree(members[i].tree, options, i == watched ? on_year : YearCallback {})));
     // Points of the plants that do not grow, in the frame of each member.
     std::vector<std::vector<Vec3>> still(members.size());
-    for (auto const& other : place_.others)
+    for (auto const& other : place_.others) {
+        std::map<double, std::vector<Vec3>> wood_by_cell; // Points for each side of cells.
         for (std::size_t i = 0; i < members.size(); ++i) {
             double const cell_mm = members[i].tree.habit.cell_mm;
-            auto const wood = TRY(points_on_wood({ other, place_.scale }, cell_mm / 2, options));
+            auto wood = wood_by_cell.find(cell_mm);
+            if (wood == wood_by_cell.end())
+                wood = wood_by_cell
+                           .emplace(
+                               cell_mm,
+                               TRY(points_on_wood({ other, place_.scale }, cell_mm / 2, options)))
+                           .first;
             Vec3 const shift = (other->stands_at_mm - members[i].stands_at_mm) / place_.scale;
-            for (auto const& point : one_for_each_cell(wood, shift, cell_mm))
+            for (auto const& point : one_for_each_cell(wood->second, shift, cell_mm))
                 still[i].push_back(point);
         }
+    }
     for (int year = 0; year < place_.years; ++year) {
         std::vector<std::vector<Vec3>> buds;
         for (auto const& tree : trees)

@@ -243,6 +243,7 @@ RC_GTEST_PROP(LanguageProperty, LSystemsPrintAndParse, ())
     for (auto const& warning : model->warnings)
         RC_ASSERT(warning.find("%(x)") != std::string::npos
                   || warning.find("no effect") != std::string::npos
+                  || warning.find("there is no seed") != std::string::npos
                   || warning.find("names have one letter") != std::string::npos
                   || warning.find("names have several letters") != std::string::npos);
     RC_ASSERT(model->subsystems.size() + 1 == systems.size());

@@ -1,6 +1,7 @@
 #include "engine/methods/silhouettes/measured_style.h"
 
 #include "engine/scene/scene.h"
+#include "tests/corpus.h"
 #include "tests/engine/methods/silhouettes/outlines.h"
 #include "tests/file_bytes.h"
 
@@ -218,7 +219,7 @@ TEST(SilhouetteStyle, TheSameSeedGivesTheSameTree)
 // Grows a model that comes with the program.
 Plant grown(std::string const& name)
 {
-    auto const folder = std::filesystem::path(__FILE__).parent_path() / "../../../../app/models";
+    auto const folder = shipped("../../app/models");
     auto const text = [&](std::string const& file) { return file_bytes(folder / file); };
     lsystem::ModelSource const source { .name = name + ".l",
                                         .text = text(name + ".l"),
