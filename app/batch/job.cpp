@@ -163,11 +163,13 @@ Result<JobReport> Job::run()
     auto const drawing = TRY(read_drawing(std::move(scene)));
     auto pictures = TRY(PictureMaker::create());
     pictures_ = &pictures;
+    auto const path = options_.folder / "report.txt";
+    // By this, check_job_folder() knows the files of a run that is killed.
+    TRY(write_file(path, fmt::format("{}{}\nnot finished\n", kReportBegins, report_.log)));
     TRY(draw_base(drawing));
     TRY(make_collection(drawing.scene));
     progress_.finish();
     report_.times = progress_.times();
-    auto const path = options_.folder / "report.txt";
     report_.files.push_back(path);
     TRY(write_file(path, print_report(report_)));
     return report_;

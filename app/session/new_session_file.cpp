@@ -1,6 +1,7 @@
 #include "app/session/new_session_file.h"
 
 #include "engine/base/file.h"
+#include "engine/base/unfinished_file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -49,7 +50,7 @@ Result<void> make_session_file(fs::path const& path,
     TRY(check_writable(path));
     if (path.has_parent_path())
         TRY(make_folder(path.parent_path()));
-    auto const made = fs::path(fmt::format("{}.{}.part", path.string(), ::getpid()));
+    auto const made = unfinished_path(path);
     if (auto const written = write(made); !written) {
         for (auto const* const ending : { "", "-wal", "-shm" }) // Includes the files that SQLite
                                                                 // creates beside it.

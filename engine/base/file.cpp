@@ -1,10 +1,8 @@
 #include "engine/base/file.h"
 
-#include <algorithm>
-#include <array>
-#include <atomic>
+#include "engine/base/unfinished_file.h"
+
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -87,73 +85,6 @@ static bool is_stream(fs::path const& path)
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-// Registers a temporary file while it is unfinished, for the signal handler that removes it when
-// the program ends. The table has a fixed number of places, each taken and released atomically. If
-// more files are written at once than there are places, the excess ones remain on disk after a
-// signal.
-class Unfinished {
-public:
-    explicit Unfinished(fs::path const& written)
-    {
-        auto const& name = written.native();
-        if (name.size() >= Place().path.size())
-            return;
-        for (auto& place : places) {
-            auto free = Use::Free;
-            if (!place.use.compare_exchange_strong(free, Use::Taken))
-                continue;
-            std::copy_n(name.c_str(), name.size() + 1, place.path.begin());
-            place.use = Use::Named;
-            mine_ = &place;
-            return;
-        }
-    }
-    ~Unfinished()
-    {
-        if (mine_ != nullptr)
-            mine_->use = Use::Free;
-    }
-    Unfinished(Unfinished const&) = delete;
-    Unfinished& operator=(Unfinished const&) = delete;
-
-    // Calls only functions that are allowed in a signal handler.
-    static void remove_all()
-    {
-        for (auto const& place : places)
-            if (place.use == Use::Named)
-                ::unlink(place.path.data());
-    }
-
-private:
-    enum class Use { Free, Taken, Named };
-    struct Place {
-        std::atomic<Use> use = Use::Free;
-        std::array<char, 1024> path {};
-    };
-    static_assert(std::atomic<Use>::is_always_lock_free, "a signal's handler may use nothing else");
-
-    static std::array<Place, 32> places;
-    Place* mine_ = nullptr;
-};
-
-std::array<Unfinished::Place, 32> Unfinished::places {};
-
-static void remove_unfinished_and_die(int signal)
-{
-    Unfinished::remove_all();
-    std::signal(signal, SIG_DFL);
-    ::raise(signal);
-}
-
-void remove_unfinished_file_on_signals()
-{
-    for (int const signal : { SIGINT, SIGTERM, SIGHUP })
-        if (std::signal(signal, remove_unfinished_and_die) == SIG_IGN)
-            // The signal was ignored before the program started, for example by nohup: keep
-            // ignoring it.
-            std::signal(signal, SIG_IGN);
-}
-
 // Flushes a file's contents, or a folder's entries, to the disk. Returns 0 or the error number.
 static int flush_to_disk(fs::path const& path)
 {
@@ -223,7 +154,7 @@ static Result<void> write_and_rename(fs::path const& path, fs::path const& writt
                                 error ? std::strerror(error) : "the write failed"));
     };
 
-    std::optional<Unfinished> unfinished;
+    std::optional<UnfinishedFile> unfinished;
     if (written != path) {
         unfinished.emplace(written);
         begin_with_permissions_of(path, written);
@@ -309,13 +240,6 @@ Result<void> check_writable(fs::path const& path)
                     fmt::format("cannot write {}: in {}: {}", path.string(), folder.string(),
                                 std::strerror(refusal)));
     return {};
-}
-
-// A temporary name that no other writer uses, in this process or another.
-static fs::path unfinished_path(fs::path const& target)
-{
-    static std::atomic<unsigned> count = 0;
-    return fmt::format("{}.{}-{}.part", target.string(), ::getpid(), count++);
 }
 
 Result<void> write_file(fs::path const& path,

@@ -3,10 +3,12 @@
 #include "engine/base/check.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/core.h>
 #include <limits>
 #include <memory>
 #include <png.h>
+#include <zlib.h>
 
 namespace tractus {
 
@@ -22,6 +24,70 @@ Result<void> check_picture_size(std::int64_t width, std::int64_t height, std::in
                             width, height, most_pixels / kMillion));
 }
 
+// Bytes that a PNG's rows have at least, and at most where they are interlaced or end with some
+// bytes too many, as a few programs' do.
+struct RowBytes {
+    std::uint64_t least = 0;
+    std::uint64_t most = 0;
+};
+
+static RowBytes row_bytes(std::string_view png, std::uint64_t width, std::uint64_t height)
+{
+    constexpr std::array<std::uint64_t, 7> kChannels { 1, 1, 3, 1, 2, 1, 4 }; // By colour type.
+    auto const depth = static_cast<unsigned char>(png[24]);
+    auto const type = static_cast<unsigned char>(png[25]);
+    auto const bits = depth * (type < kChannels.size() ? kChannels[type] : 4);
+    auto const least = (width * height * bits + 7) / 8;
+    return { least, 2 * least + 16 * height + 65536 };
+}
+
+// Inflates the image data (the IDAT chunks), keeping nothing; returns the number of bytes, or one
+// that is larger than `most` as soon as that is passed.
+static std::uint64_t inflated_bytes(std::string_view png, std::uint64_t most)
+{
+    z_stream stream {};
+    if (inflateInit(&stream) != Z_OK)
+        return 0;
+    std::unique_ptr<z_stream, int (*)(z_stream*)> const ended(&stream, inflateEnd);
+    std::array<unsigned char, 65536> piece;
+    std::uint64_t count = 0;
+    int result = Z_OK;
+    constexpr std::size_t kAroundData = 12; // Length, type and checksum of a chunk.
+    for (std::size_t at = 8; result == Z_OK && count <= most && at + kAroundData <= png.size();) {
+        auto const size = std::min<std::size_t>(
+            png_get_uint_32(reinterpret_cast<png_const_bytep>(png.data()) + at),
+            png.size() - at - kAroundData);
+        if (png.substr(at + 4, 4) == "IDAT") {
+            // zlib does not change what it reads.
+            stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(png.data() + at + 8));
+            stream.avail_in = static_cast<uInt>(size);
+            do {
+                stream.next_out = piece.data();
+                stream.avail_out = static_cast<uInt>(piece.size());
+                result = inflate(&stream, Z_NO_FLUSH);
+                count += piece.size() - stream.avail_out;
+            } while (result == Z_OK && stream.avail_out == 0 && count <= most);
+            result = result == Z_BUF_ERROR ? Z_OK : result; // It needs the next chunk.
+        }
+        at += size + kAroundData;
+    }
+    return count;
+}
+
+// Fails if the file holds less than the pixels that it claims, for which memory would be allocated,
+// or far more, which libpng would inflate to its end.
+static Result<void> check_data(std::string_view png, std::uint64_t width, std::uint64_t height)
+{
+    auto const [least, most] = row_bytes(png, width, height);
+    auto const count = inflated_bytes(png, most);
+    if (count >= least && count <= most)
+        return {};
+    return fail(Fault::User,
+                fmt::format("the picture is damaged: it holds {} than its {} x {} pixels: save it "
+                            "again",
+                            count < least ? "less" : "far more", width, height));
+}
+
 using PngImage = std::unique_ptr<png_image, void (*)(png_image*)>;
 
 Result<void> read_png_pixels(std::string_view bytes, std::int64_t most_pixels,
@@ -33,6 +99,7 @@ Result<void> read_png_pixels(std::string_view bytes, std::int64_t most_pixels,
     if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
         return fail(Fault::User, fmt::format("the picture is damaged: {}", png.message));
     TRY(check_picture_size(png.width, png.height, most_pixels));
+    TRY(check_data(bytes, png.width, png.height));
     png.format = PNG_FORMAT_RGBA;
     auto* const pixels = room(static_cast<int>(png.width), static_cast<int>(png.height));
     if (png_image_finish_read(&png, nullptr, pixels, 0, nullptr) == 0)

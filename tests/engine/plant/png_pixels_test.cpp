@@ -1,6 +1,7 @@
 #include "engine/plant/png_pixels.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 namespace tractus {
 namespace {
@@ -62,6 +63,79 @@ TEST(PngPixels, RefuseWhatIsDamagedOrTooLarge)
     auto claims = png;
     claims.replace(16, 8, std::string("\0\1\0\0\0\1\0\0", 8));
     EXPECT_FALSE(read(claims));
+}
+
+// Appends a chunk: length, type, data, checksum.
+void add_chunk(std::string& png, std::string const& type, std::string const& data)
+{
+    auto const add_number = [&](std::uint64_t number) {
+        for (int const shift : { 24, 16, 8, 0 })
+            png += static_cast<char>(number >> shift & 0xff);
+    };
+    add_number(data.size());
+    auto const begin = png.size();
+    png += type + data;
+    add_number(crc32(0, reinterpret_cast<Bytef const*>(png.data()) + begin,
+                     static_cast<uInt>(png.size() - begin)));
+}
+
+struct Header {
+    int width = 0;
+    int height = 0;
+    char depth = 8;
+    char color_type = 6;
+    char interlaced = 0;
+};
+
+// Returns a PNG with these bytes as its rows, in chunks of `chunk_bytes`.
+std::string png_of(Header const& header, std::string const& rows, std::size_t chunk_bytes = 1 << 20)
+{
+    std::string text;
+    for (int const number : { header.width, header.height })
+        for (int const shift : { 24, 16, 8, 0 })
+            text += static_cast<char>(number >> shift & 0xff);
+    text += { header.depth, header.color_type, 0, 0, header.interlaced };
+    std::string png("\x89PNG\r\n\x1a\n");
+    add_chunk(png, "IHDR", text);
+    auto size = compressBound(rows.size());
+    std::string packed(size, '\0');
+    compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+              reinterpret_cast<Bytef const*>(rows.data()), rows.size(), 9);
+    packed.resize(size);
+    for (std::size_t at = 0; at < packed.size(); at += chunk_bytes)
+        add_chunk(png, "IDAT", packed.substr(at, chunk_bytes));
+    add_chunk(png, "IEND", "");
+    return png;
+}
+
+TEST(PngPixels, MayBeOfAnyDepthInterlacedAndInManyChunks)
+{
+    EXPECT_TRUE(read(png_of({ 9, 2, 1, 0, 0 }, std::string(6, '\0'))));
+    EXPECT_TRUE(read(png_of({ 3, 3, 8, 0, 1 }, std::string(15, '\0'))));
+    EXPECT_TRUE(read(png_of({ 5, 5, 16, 6, 0 }, std::string(205, '\0'), 1)));
+}
+
+// A file of 20 kB that inflates to 20 MB.
+TEST(PngPixels, RefuseToInflateFarMoreThanTheyAre)
+{
+    auto const bomb = png_of({ 10, 10 }, std::string(20'000'000, '\0'));
+    ASSERT_LT(bomb.size(), 30'000u);
+    auto const refused = read(bomb);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message,
+              "the picture is damaged: it holds far more than its 10 x 10 pixels: save it again");
+}
+
+TEST(PngPixels, GetNoMemoryForWhatIsClaimedAndNotThere)
+{
+    auto const refused
+        = read_png_pixels(png_of({ 10'000, 10'000 }, "few"), 100'000'000, [](int, int) {
+              ADD_FAILURE() << "it asks for 400 MB";
+              return static_cast<std::uint8_t*>(nullptr);
+          });
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message,
+              "the picture is damaged: it holds less than its 10000 x 10000 pixels: save it again");
 }
 
 } // namespace
