@@ -50,7 +50,7 @@ scene::Scene stepped(scene::Scene const& scene, scene::Edit const& edit)
 // Returns the form of newly begun trees.
 TreeForm begun_form()
 {
-    return { .has_whole_nodes = true };
+    return { .has_whole_nodes = true, .plane_branches = kUsualPlaneBranches };
 }
 
 TreeForm style_of(scene::Scene const& scene, scene::ItemId plant)

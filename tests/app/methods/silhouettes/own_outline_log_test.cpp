@@ -58,7 +58,7 @@ json points_of(Stroke const& stroke)
     return points;
 }
 
-// Returns what the command infers from a file of the strokes.
+// Returns what the command infers from a file of the strokes, with the branches of older logs.
 json reported(std::vector<document::DrawnStroke> const& strokes)
 {
     auto const file = std::filesystem::temp_directory_path()
@@ -66,7 +66,8 @@ json reported(std::vector<document::DrawnStroke> const& strokes)
     std::ofstream(file) << json { { "trunk", points_of(strokes[0].stroke) },
                                   { "outline", points_of(strokes[1].stroke) },
                                   { "parts", { points_of(strokes[2].stroke) } } };
-    auto const outcome = commands::run({ "silhouette", file.string(), "--report" });
+    auto const outcome
+        = commands::run({ "silhouette", file.string(), "--branches", "0", "--report" });
     std::filesystem::remove(file);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return json::parse(outcome.out);
@@ -127,7 +128,8 @@ TEST(OwnOutlineLog, GivesTheTreeOfItsTouches)
     auto const tool = [](What what, silhouette::StyleScope style = silhouette::StyleScope::None) {
         return OutlineTool { .what = what,
                              .branches = OutlineTool::Branches::OfTrunk,
-                             .style = style };
+                             .style = style,
+                             .fills = FillsOption::AsAtFirst };
     };
     auto const alone
         = drawn_alone(replay.strokes,

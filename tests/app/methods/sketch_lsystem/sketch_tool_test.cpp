@@ -79,7 +79,8 @@ TEST(SketchTool, GrowsAModelInARulesPlace)
         auto const words = tools::words_for(tool);
         EXPECT_EQ(tools::parse_tool(tools, words.name, words.arguments).value(), tool);
         auto const grown = drawn_with(static_cast<SketchTool::Card>(card));
-        EXPECT_EQ(grown.model.source.name, words.arguments + ".l");
+        auto const model = words.arguments.substr(0, words.arguments.find(' '));
+        EXPECT_EQ(grown.model.source.name, model + ".l");
         auto const scene = scene::apply_edit(scene::Scene {}, grown).value();
         auto const nodes_mm = sketch::drawn_nodes_mm(grown).value();
         auto const axis_mm = scene.base->positions(scene.base->axes.front());
