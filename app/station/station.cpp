@@ -417,8 +417,16 @@ tools::Tool Station::other_end_of(tools::Tool const& tool, ToolChanges::const_it
 std::vector<tools::Tool> Station::remembered() const
 {
     std::vector<tools::Tool> tools;
-    for (auto const* const kind : remembered_kinds_)
-        tools.push_back(chosen_before(*kind, tool_changes_.end()));
+    for (auto const* const kind : remembered_kinds_) {
+        // What was never selected must not lead a group of several methods to its own.
+        bool const was_selected
+            = std::any_of(tool_changes_.begin(), tool_changes_.end(),
+                          [&](ToolChange const& change) { return &change.tool.kind() == kind; })
+            || std::any_of(forgotten_.begin(), forgotten_.end(),
+                           [&](tools::Tool const& tool) { return &tool.kind() == kind; });
+        if (was_selected)
+            tools.push_back(chosen_before(*kind, tool_changes_.end()));
+    }
     return tools;
 }
 

@@ -85,9 +85,9 @@ TEST_F(LiveWindowWithFolder, RecordsHowThePensOtherEndErasesFromTheBeginning)
         view::ChooseTool { tools::EraseTool { .erasing = tools::EraseTool::EraseExtent::Part } });
     window.perform(view::ChooseTool { tools::DrawInOrderTool {} });
     window.perform(view::Restart {});
-    auto const& remembered = window.state().remembered;
-    tools::Tool const chosen = tools::EraseTool { tools::EraseTool::EraseExtent::Part };
-    EXPECT_EQ(std::count(remembered.begin(), remembered.end(), chosen), 1);
+    EXPECT_EQ(
+        window.state().remembered,
+        std::vector<tools::Tool> { tools::EraseTool { tools::EraseTool::EraseExtent::Part } });
     window.perform(view::SetRecording { true });
     window.perform(view::SetRecording { false });
     auto const log = drivers::read_log(files(".tractus-log").at(0)).value();

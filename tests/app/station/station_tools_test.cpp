@@ -241,8 +241,7 @@ TEST(StationTools, RemembersForHoursHowThePensOtherEndErases)
         station.set_tool(at_ms((i + 1) * kHour_ms),
                          i % 2 == 0 ? tools::Tool(tools::DrawInOrderTool {})
                                     : tools::Tool(indicators::IndicateTool {}));
-    auto const remembered = station.remembered();
-    EXPECT_EQ(std::count(remembered.begin(), remembered.end(), part), 1);
+    EXPECT_EQ(station.remembered(), std::vector<tools::Tool> { part });
     EXPECT_EQ(station.tools_for_continuation(),
               (std::vector<tools::Tool> { part, indicators::IndicateTool {} }));
     station.set_tool(at_ms(5 * kHour_ms), part);

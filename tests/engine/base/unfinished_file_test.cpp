@@ -52,7 +52,7 @@ TEST_F(UnfinishedFileTest, OfAKilledProcessGoesTheNextDay)
     using std::chrono::hours;
     auto const ended = ended_process();
     auto const of = [](pid_t process, char const* ending) {
-        return fmt::format("a.glb.{}-0.part{}", process, ending);
+        return fmt::format("a.glb.{}-7000.part{}", process, ending);
     };
     for (char const* const ending : { "", ".part", "-wal", "-shm", "-journal", ".part-journal" })
         leave(of(ended, ending), hours(25));

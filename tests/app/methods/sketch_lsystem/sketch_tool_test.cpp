@@ -246,7 +246,7 @@ TEST(SketchTool, KeepsNumbersThatArePutBackBesideACard)
 {
     SketchTool const tool { .card = SketchTool::Card::Whorls, .laterals = 2 };
     auto const words = tools::words_for(tool);
-    EXPECT_EQ(words.arguments, "whorls");
+    EXPECT_EQ(words.arguments, "whorls at_foot");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(tool));
 }
