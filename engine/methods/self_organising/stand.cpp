@@ -78,15 +78,12 @@ Result<GrowingTree> Stand::grow_member(std::size_t number, scene::LoadOptions co
     return std::move(grown[number]);
 }
 
-Result<std::vector<GrowingTree>> Stand::grow(std::size_t watched, scene::LoadOptions const& options,
-                                             YearCallback const& on_year) const
+// Points of the plants that do not grow, in the frame of each member: one for each cell of its grid
+// that holds their wood.
+Result<std::vector<std::vector<Vec3>>>
+Stand::points_of_others(scene::LoadOptions const& options) const
 {
     auto const& members = place_.members;
-    std::vector<GrowingTree> trees;
-    for (std::size_t i = 0; i < members.size(); ++i)
-        trees.push_back(
-            TRY(grow_tree(members[i].tree, options, i == watched ? on_year : YearCallback {})));
-    // Points of the plants that do not grow, in the frame of each member.
     std::vector<std::vector<Vec3>> still(members.size());
     for (auto const& other : place_.others) {
         std::map<double, std::vector<Vec3>> wood_by_cell; // Points for each side of cells.
@@ -104,6 +101,19 @@ Result<std::vector<GrowingTree>> Stand::grow(std::size_t watched, scene::LoadOpt
                 still[i].push_back(point);
         }
     }
+    return still;
+}
+
+Result<std::vector<GrowingTree>> Stand::grow(std::size_t watched, scene::LoadOptions const& options,
+                                             YearCallback const& on_year) const
+{
+    auto const& members = place_.members;
+    std::vector<GrowingTree> trees;
+    for (std::size_t i = 0; i < members.size(); ++i)
+        trees.push_back(
+            TRY(grow_tree(members[i].tree, options, i == watched ? on_year : YearCallback {})));
+    if (!still_)
+        still_ = TRY(points_of_others(options));
     for (int year = 0; year < place_.years; ++year) {
         std::vector<std::vector<Vec3>> buds;
         for (auto const& tree : trees)
@@ -111,7 +121,7 @@ Result<std::vector<GrowingTree>> Stand::grow(std::size_t watched, scene::LoadOpt
         for (std::size_t i = 0; i < members.size(); ++i) {
             auto const box = reach_of_shade(trees[i], members[i].tree.habit);
             std::vector<Vec3> shading;
-            add_within(box, still[i], Vec3::Zero(), shading);
+            add_within(box, (*still_)[i], Vec3::Zero(), shading);
             for (std::size_t k = 0; k < members.size(); ++k)
                 if (k != i)
                     add_within(box, buds[k],

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace tractus::self_organising {
@@ -43,11 +44,16 @@ private:
     Result<std::vector<GrowingTree>> grow(std::size_t watched, scene::LoadOptions const& options,
                                           YearCallback const& on_year) const;
 
+    Result<std::vector<std::vector<Vec3>>>
+    points_of_others(scene::LoadOptions const& options) const;
+
     Place place_;
     // Members that were grown for another one and have not been asked for yet: a document builds
     // all of its trees, and so grows them only once.
     mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<GrowingTree>> waiting_;
+    // points_of_others() once it is known; it takes a derivation of each of those plants.
+    mutable std::optional<std::vector<std::vector<Vec3>>> still_;
 };
 
 } // namespace tractus::self_organising
