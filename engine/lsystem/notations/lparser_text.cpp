@@ -217,7 +217,7 @@ std::string LParserReader::text_of(LParserString const& string) const
 std::string LParserReader::rule_text(LParserRule const& rule) const
 {
     char const letter = letters_.at(rule.letter);
-    auto const empty = [](std::string text) { return text.empty() ? "*" : text; };
+    auto const empty = [](std::string const& text) { return text.empty() ? "*" : text; };
     auto with_number = rule.successor;
     if (!with_number.empty() && with_number.back().number.empty())
         with_number.back().number = "x";

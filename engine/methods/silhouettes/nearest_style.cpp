@@ -2,6 +2,7 @@
 
 #include "engine/methods/silhouettes/measured_style.h"
 #include "engine/methods/silhouettes/tree_edits.h"
+#include "engine/scene/scene_builder.h"
 
 #include <algorithm>
 #include <limits>
@@ -88,23 +89,33 @@ std::vector<scene::Edit> dependent_style_edits(scene::Scene const& scene,
     std::vector<scene::Edit> edits;
     if (!has_taker(scene.state))
         return edits;
-    auto const after = scene::apply_edits(scene, step);
-    if (!after)
+    scene::SceneBuilder builder(scene, {});
+    auto const state = scene::apply_edits(scene.state, step, builder);
+    if (!state)
         return edits; // The error is reported by the code that applies the step.
-    for (auto const& plant : after->state.plants) {
+    // Trees that must take the style of another plant; mostly none, so that no plant is built here.
+    std::vector<std::pair<std::shared_ptr<scene::PlantState const>, scene::ItemId>> takers;
+    for (auto const& plant : state->plants) {
         auto const* const tree = outlined_tree(*plant);
         if (!tree || !takes_style(*tree))
             continue;
-        auto const source = nearest_with_style(after->state, plant->stands_at_mm, plant->id);
-        if (source == 0 || !is_other(scene.state, after->state, *plant, source))
-            continue;
+        auto const source = nearest_with_style(*state, plant->stands_at_mm, plant->id);
+        if (source != 0 && is_other(scene.state, *state, *plant, source))
+            takers.emplace_back(plant, source);
+    }
+    if (takers.empty())
+        return edits;
+    auto const after = builder.build(*state);
+    if (!after)
+        return edits;
+    for (auto const& [plant, source] : takers) {
         auto const built
             = std::find_if(after->plants.begin(), after->plants.end(),
                            [&](auto const& each) { return each->drawn->id == source; });
+        auto const& form = outlined_tree(*plant)->form;
         // A plant without branches has no style to take.
-        if (auto const form = with_style_of(tree->form, *(*built)->base);
-            form && *form != tree->form)
-            edits.emplace_back(FormTree { plant->id, *form, true });
+        if (auto const taken = with_style_of(form, *(*built)->base); taken && *taken != form)
+            edits.emplace_back(FormTree { plant->id, *taken, true });
     }
     return edits;
 }
