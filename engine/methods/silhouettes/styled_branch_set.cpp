@@ -1,7 +1,6 @@
 #include "engine/methods/silhouettes/styled_branch_set.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -11,6 +10,27 @@ namespace tractus::silhouette {
 static double angle_between_deg(Vec2 const& a, Vec2 const& b)
 {
     return degrees(std::fabs(std::atan2(cross(a, b), a.dot(b))));
+}
+
+// Returns a branch's rank when a style has room for some of the branches only; the least is kept
+// first.
+static int rank_of(Branch const& branch)
+{
+    if (branch.is_user_drawn())
+        return 0;
+    switch (branch.origin) {
+    case Branch::Origin::Bump:
+    case Branch::Origin::Spaced:
+        return 1; // Their ends make the outline.
+    case Branch::Origin::Copy:
+        return 2;
+    case Branch::Origin::Gap:
+        return 3;
+    case Branch::Origin::Drawn:
+    case Branch::Origin::Apex:
+        break;
+    }
+    return 4;
 }
 
 StyledBranchSetMaker::StyledBranchSetMaker(BranchSetMaker const& branch_sets,
@@ -65,19 +85,15 @@ std::optional<BranchSet> StyledBranchSetMaker::next(Parent const& parent)
     return branch_set;
 }
 
-// Selects as many visible branches as there are positions, evenly by position. Priority: drawn
-// branches, then those of bumps, then copies; the largest first within each group.
+// Selects as many visible branches as there are positions, in the order of their positions. Those
+// of the least rank are preferred, and within a rank those of the largest crowns.
 std::vector<std::size_t> StyledBranchSetMaker::kept_branches(BranchingSystem const& system,
                                                              std::vector<DrawnPlace> const& drawn,
                                                              std::size_t most)
 {
-    // Priority by origin, in the order of Branch::Origin.
-    constexpr std::array kRanks { 1, 2, 3, 0, 4 };
     std::vector<std::tuple<int, double, std::size_t>> ranks;
     for (std::size_t i = 0; i < drawn.size(); ++i)
-        ranks.emplace_back(system.branches[i].is_user_drawn()
-                               ? 0
-                               : kRanks[static_cast<std::size_t>(system.branches[i].origin)],
+        ranks.emplace_back(rank_of(system.branches[i]),
                            -std::fabs(signed_area(system.branches[i].crown)), i);
     std::sort(ranks.begin(), ranks.end());
     std::vector<std::size_t> kept;
