@@ -14,8 +14,9 @@
 
 namespace tractus::calib {
 
-// Functions that apply the result of a fit to a rig and record it there. Numbers are rounded for
-// readers of the rig file, far below their errors. `date` is today's, "2026-11-21".
+// Functions that apply the result of a fit to a rig and record it there. Numbers are rounded so
+// that the rig file is easy to read, but far more finely than their errors. `date` is today's,
+// "2026-11-21".
 
 SensorIdentity identity_of(drivers::DeviceInfo const& info);
 
@@ -33,8 +34,8 @@ Rig with_latency(Rig rig, LatencyFit const& fit, std::string const& date);
 Rig with_tilt(Rig rig, TiltFit const& fit, std::string const& date);
 Rig with_check(Rig rig, HeightCheck const& check, std::string const& date);
 
-// Repeats the height fit from the rig's record, for plots. Fails if the rig has no record, and like
-// fit_height().
+// Repeats the height fit from the rig's record, for plots. Fails if the rig has no height record,
+// or as fit_height() does.
 Result<HeightFit> refit_height(Rig const& rig);
 
 } // namespace tractus::calib

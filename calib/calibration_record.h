@@ -12,7 +12,8 @@
 namespace tractus::calib {
 
 // The origin of a rig's numbers, kept with the rig so that their accuracy can be judged and the fit
-// repeated. Dates are "2026-11-21"; standard errors are named errors.
+// repeated. Dates are "2026-11-21"; `error` or `errors` in a name means standard error, unless
+// described otherwise.
 
 // Identity of a height sensor. Another sensor of the same model has another potentiometer.
 struct SensorIdentity {
@@ -30,8 +31,8 @@ struct HeightRecord {
     // Input of the fit, sufficient to repeat it.
     std::vector<HeightCapture> captures {};
     double ruler_error_mm = 0.3;
-    // Linearity of the potentiometer's track from its data sheet; 0: the track is taken to be
-    // straight.
+    // Linearity of the potentiometer's track in percent, from its data sheet; 0: the track is taken
+    // to be straight.
     double linearity_percent = 0;
     std::optional<HeightModelKind> requested_kind {};
 
@@ -40,10 +41,10 @@ struct HeightRecord {
     std::vector<double> errors {}; // Standard errors of the model's parameters, in their order.
     std::vector<std::size_t> slipped {}; // Indices of captures that were left out as slipped.
     double rms_mm = 0;              // Root mean square of the residuals, without slipped captures.
-    double max_mm = 0;              // Greatest residual, without slipped captures.
+    double max_mm = 0;              // Greatest absolute residual, without slipped captures.
     Vec2 heights_mm = Vec2::Zero(); // Lowest and highest height of the calibrated range.
     Vec2 mm_per_count = Vec2::Zero(); // Height per count at the lowest and at the highest height.
-    double noise_counts = 0;          // Noise of a resting sensor.
+    double noise_counts = 0;          // Standard deviation of a resting sensor's readings.
     // Height measured from below minus height measured from above, and its standard error.
     std::optional<Vec2> hysteresis_mm {};
 
@@ -82,8 +83,8 @@ struct LatencyRecord {
 // Results of a TiltFit, rounded for the file.
 struct TiltRecord {
     std::string date {};
-    Vec2 coil_height_mm
-        = Vec2::Zero(); // Fitted values; the rig's own coil height is zero if these are negligible.
+    // Fitted values; the rig's own coil height is zero if these are negligible.
+    Vec2 coil_height_mm = Vec2::Zero();
     Vec2 coil_height_error_mm = Vec2::Zero();
     Vec2 min_tilt_deg = Vec2::Zero();
     Vec2 most_tilt_deg = Vec2::Zero();

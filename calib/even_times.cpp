@@ -14,14 +14,14 @@ constexpr std::int64_t kMemory_ns = 8'000'000'000;
 constexpr std::int64_t kLongestLearning_ns = 4'000'000'000;
 constexpr std::size_t kFewestSamples = 32;
 constexpr std::size_t kFewestBursts = 8;
-constexpr std::size_t kOneInBurst
-    = 150; // At least one sample in this many must arrive in a burst for bursts to be assumed.
+// At least one sample in this many must arrive in a burst for bursts to be assumed.
+constexpr std::size_t kOneInBurst = 150;
 constexpr std::size_t kOneCountedAnew = 32;
-// Tenths of the learning time that are kept after a failure, since the samples that disturbed it
-// may soon be too old to count.
+// Tenths of the learning time for which samples are kept after a failed attempt. The samples that
+// disturbed it may soon be too old to count.
 constexpr std::int64_t kKeptTenths = 9;
-constexpr double kSurely
-    = 1.1; // A burst's last sample that is late by this many periods shows that one was lost.
+// A burst's last sample that is late by this many periods shows that one was lost.
+constexpr double kSurely = 1.1;
 
 // A point in the plane of sample index and arrival time.
 struct HullPoint {
@@ -71,7 +71,7 @@ Duration EvenTimes::burst_interval() const
         / static_cast<std::int64_t>(bursts_);
 }
 
-// Restarts with the first sample, or the first one after a silence.
+// Restarts with the first sample, or with the first one after a silence.
 void EvenTimes::begin(Timestamp arrival)
 {
     samples_.clear();
@@ -144,9 +144,9 @@ void EvenTimes::end_burst()
     judge();
 }
 
-// Returns how many bursts the line does not explain without another step. If there are any, the
-// period was slightly wrong: bursts whose rhythm is close to that of the samples reveal it only
-// occasionally.
+// Fits the line again and returns how many bursts it does not explain without another step. If it
+// explains all of them, only the period was slightly wrong: bursts whose rhythm is close to that of
+// the samples reveal it only occasionally.
 std::size_t EvenTimes::unexplained_bursts()
 {
     fit();
@@ -190,7 +190,7 @@ void EvenTimes::judge()
     }
 }
 
-// Fits the line below the last samples of bursts by the method of Moon, Skelly and Towsley, as
+// Fits the line below the last samples of bursts by the method of Moon, Skelly and Towsley, as in
 // ClockMap::fit(): the edge of their lower convex hull that spans their mean index. If too little
 // time has passed, the period stays unchanged.
 void EvenTimes::fit()

@@ -42,18 +42,18 @@ public:
     // while times are corrected, later than the previous result.
     Timestamp add(Timestamp arrival);
 
-    // True if the last time was taken from the line instead of the arrival.
+    // True if the last time was estimated from the fitted line and is not just the arrival.
     bool is_evened() const { return is_evened_; }
 
-    // Usual time from one burst to the next; zero while times are not corrected.
+    // Mean time from one burst to the next; zero while times are not corrected.
     Duration burst_interval() const;
 
 private:
     struct Sample {
         std::int64_t index = 0;   // Index of the sample; lost samples are counted too.
-        std::int64_t arrival = 0; // Nanoseconds since origin_.
-        bool joins_burst
-            = false; // True if it came too soon after its predecessor to be a separate delivery.
+        std::int64_t arrival = 0; // Arrival in nanoseconds since origin_.
+        // True if the sample came too soon after its predecessor to be a separate delivery.
+        bool joins_burst = false;
         bool is_last_of_burst = false;
         // True if the line through the arrivals steps by whole periods at this sample.
         bool is_counted_anew = false;
@@ -72,19 +72,24 @@ private:
 
     Timestamp origin_ {};
     std::int64_t next_index_ = 0;
-    std::deque<Sample> samples_;   // Samples of the last eight seconds, and since the last silence.
-    std::size_t bursts_ = 0;       // Number of these samples that are the last of a burst.
-    std::size_t joined_ = 0;       // Number of these samples that join a burst.
-    std::size_t counted_anew_ = 0; // Number of these samples at which a step was found.
+    // Samples of the last eight seconds, none older than the last silence.
+    std::deque<Sample> samples_;
+    std::size_t bursts_ = 0;       // Number of samples_ that are the last of a burst.
+    std::size_t joined_ = 0;       // Number of samples_ that join a burst.
+    std::size_t counted_anew_ = 0; // Number of samples_ at which a step was found.
     Timestamp last_time_ {};       // Time returned by the last add().
     bool is_evened_ = false;
 
+    // Least time over which a period is fitted.
     static constexpr std::int64_t kShortestFit_ns = 500'000'000;
-    // Learning time in nanoseconds; doubles whenever counting has failed.
+    // Least time in nanoseconds before correction is attempted; doubles whenever counting has
+    // failed.
     std::int64_t learning_time_ns_ = kShortestFit_ns;
-    bool is_line_known_ = false; // True if the period is known, from now or from before a silence.
+    // True if the period is known, from samples_ or from before a silence.
+    bool is_line_known_ = false;
     double period_ns_ = 0;
-    double offset_ns_ = 0; // Height of the line at index 0.
+    // Arrival that the line predicts for sample 0, in nanoseconds since origin_.
+    double offset_ns_ = 0;
 };
 
 } // namespace tractus::calib

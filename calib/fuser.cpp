@@ -93,7 +93,7 @@ bool Fuser::is_calibrated(double height_mm) const
             && height_mm <= calibrated_->high_mm + kCalibrationMargin_mm);
 }
 
-// True if later readings, arriving in order, can no longer change the height at this instant.
+// True if readings that arrive in order can no longer change the height at this instant.
 bool Fuser::has_all_readings(Timestamp instant) const
 {
     return scripted_
@@ -152,8 +152,9 @@ void Fuser::doubt(Timestamp instant)
 // Makes tips while the pen is silent.
 void Fuser::follow_surface(Timestamp arrival)
 {
+    // The stroke must first be ended by a tip that is made from a pen sample.
     if (gap_before_live_ || gap_before_settled_)
-        return; // The stroke must first be ended by a tip of the pen's own.
+        return;
     for (auto const at : touch_.take_instants(arrival, heights_, rig_.max_height_age)) {
         Moment const moment { touch_.pen(), at, true, !is_silence_sure_ };
         auto const height = live_height_at(moment);
@@ -167,7 +168,7 @@ void Fuser::follow_surface(Timestamp arrival)
         keep_silence();
 }
 
-// Accepts the silence as rest: its tips are drawn.
+// Treats the silence as rest: its tips are drawn.
 void Fuser::keep_silence()
 {
     is_silence_sure_ = true;
@@ -196,8 +197,8 @@ void Fuser::drop_silence()
     doubtful_.clear();
 }
 
-// Keeps tips in order: the corrected time of a sample may lie before the last tip of the silence
-// that it ends.
+// Keeps tips in order: the corrected time of the sample that ends a silence may lie before the last
+// tip made in the silence.
 static void put_after(TipSample& tip, Timestamp last_in_silence)
 {
     if (tip.time <= last_in_silence)

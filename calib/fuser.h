@@ -28,24 +28,25 @@ struct ScriptedHeight {
 
 // Statistics of a fuser, for reports and for explaining why there are no strokes.
 struct FuserCounts {
-    // Pen samples pushed; those of them settled to a tip; those given up because no reading lay
-    // within Rig::max_height_age.
+    // Number of pen samples pushed; of those settled to a tip; of those given up because no reading
+    // lay within Rig::max_height_age.
     std::size_t pens = 0;
     std::size_t settled = 0;
     std::size_t pens_without_height = 0;
 
-    // Height samples pushed; those refused because they belong to another converter or are outside
-    // the model; those doubted on arrival (height_judge.h), whatever the later decision; those used
-    // although outside the calibrated range.
+    // Number of height samples pushed; of those refused because they belong to another converter or
+    // are outside the model; of those doubted on arrival (height_judge.h), regardless of the later
+    // decision; of those used although outside the calibrated range.
     std::size_t heights = 0;
     std::size_t heights_refused = 0;
     std::size_t heights_doubted = 0;
     std::size_t heights_uncalibrated = 0;
 
-    // Tips settled from readings while a touching pen was silent. Not included in `settled`.
+    // Number of tips settled from readings while a touching pen was silent. Not included in
+    // `settled`.
     std::size_t settled_in_silence = 0;
 
-    // Settled tips of both kinds that are outside the calibrated range.
+    // Number of settled tips, with or without a silence, that are outside the calibrated range.
     std::size_t settled_uncalibrated = 0;
 };
 
@@ -159,15 +160,17 @@ private:
     std::optional<HeightRange> calibrated_;
     std::optional<ScriptedHeight> scripted_;
     HeightJudge judge_;
-    std::vector<HeightJudge::Reading> believed_; // A member only to reuse its memory.
+    // Readings that the judge has just accepted. A member only to reuse its memory.
+    std::vector<HeightJudge::Reading> believed_;
     HeightTrack heights_;
-    LeanTrack leans_; // Empty if the rig has no coil height.
+    LeanTrack leans_; // Recent leans of the pen; empty if the rig has no coil height.
     EvenTimes pen_times_;
     EvenTimes height_times_;
     SilentTouch touch_;
     std::deque<Moment> pending_; // Moments that are not settled yet, in time order.
     std::vector<TipSample> settled_;
-    std::vector<TipSample> doubtful_; // Settled tips of moments in doubt.
+    // Settled tips that are dropped if the silence turns out to be a loss of reports.
+    std::vector<TipSample> doubtful_;
     std::vector<TipSample> live_in_silence_;
     Timestamp last_live_in_silence_ = Timestamp::min();
     Timestamp last_settled_in_silence_ = Timestamp::min();

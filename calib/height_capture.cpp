@@ -30,13 +30,14 @@ namespace {
 constexpr std::size_t kMinReadings = 20;
 constexpr Duration kLongestCaptureGap = std::chrono::milliseconds(250);
 constexpr std::size_t kBlocks = 8;
-constexpr int kScatterReach = 12; // Number of bins on either side of the middle one.
+constexpr int kScatterReach = 12; // Number of histogram bins on either side of the middle one.
 
 // Statistics of readings from a resting carriage.
 struct Statistics {
     double mean = 0;
-    double deviation = 0; // Standard deviation.
-    // Noise estimated from differences of neighbours, so that slow movement does not count.
+    double deviation = 0; // Standard deviation of the readings.
+    // Noise estimated from differences of neighbouring readings, so that slow movement does not
+    // count.
     double noise = 0;
     std::array<double, kBlocks> block_means {};
     std::size_t on_low_rail = 0;
@@ -95,7 +96,8 @@ double allowed_noise(std::int32_t full_scale)
     return std::max(8.0, full_scale / 200.0);
 }
 
-// True if more than 1 % of the readings are at the converter's limit; fewer can be noise near it.
+// True if more than 1 % of the readings are at the converter's limit. Fewer may be noise near the
+// limit.
 bool is_on_rail(std::size_t readings_there, std::size_t readings)
 {
     return readings_there * 100 > readings;
@@ -173,7 +175,7 @@ std::vector<int> scatter_about(double mean, std::span<drivers::HeightSample cons
     return { scatter.begin() + spare, scatter.end() - spare };
 }
 
-// Rounds for readers of the file, far below the accuracy of a mean.
+// Rounds to thousandths to keep files readable; a mean is far less accurate than that.
 double to_thousandths(double counts)
 {
     return std::round(counts * 1000) / 1000;

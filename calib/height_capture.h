@@ -37,7 +37,7 @@ struct HeightCapture {
     From from = From::Nowhere;
 };
 
-// Returns the captures without those at the given indices.
+// Returns all captures except those at the given indices.
 std::vector<HeightCapture> captures_without(std::span<HeightCapture const> captures,
                                             std::span<std::size_t const> left_out);
 
@@ -56,7 +56,7 @@ ReadingRange reading_range(std::span<HeightCapture const> captures);
 // equivalent for a finer one.
 double noise_bin_counts(std::int32_t full_scale_counts);
 
-// Accuracy of reading a ruler: closer captures count as one height.
+// Accuracy of setting a height with a ruler: captures closer than this count as one height.
 constexpr double kSameHeight_mm = 2;
 
 // Time over which readings are averaged for a capture.
@@ -70,16 +70,16 @@ struct HeightReading {
     std::int32_t full_scale_counts = 0;
     // True if the reading is at an end of the converter's range, where nothing is measured.
     bool is_on_rail = false;
-    bool is_at_rest = false; // True if it may be captured.
+    bool is_at_rest = false; // True if the readings are steady enough for a capture.
 };
 
 // Summarises the readings of about kCaptureTime. No value for no readings.
 std::optional<HeightReading> summarize(std::span<drivers::HeightSample const> samples);
 
-// Makes a capture from readings at rest; the caller fills in `from`. Fails with one sentence that
+// Makes a capture from readings at rest; the caller fills in `from`. Fails with a sentence that
 // says what to do:
 // - with a device error: fewer than 20 readings, or a gap longer than a quarter of a second;
-// - as the user's: readings at either end of the converter's range, erratic readings (a loose
+// - with a user error: readings at either end of the converter's range, erratic readings (a loose
 //   wire), rising or falling readings (the carriage moves or swings).
 //
 // "At rest" means that the means over each eighth of the time agree within their noise, or within

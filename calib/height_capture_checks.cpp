@@ -15,8 +15,8 @@ using Captures = std::span<HeightCapture const>;
 
 constexpr double kMinSpan_mm = 20;
 constexpr double kMinCounts = 5;
-constexpr double kMinStep_mm
-    = 5; // Heights that differ by at least this much must have different readings.
+// Heights that differ by at least this much must have different readings.
+constexpr double kMinStep_mm = 5;
 // The string is slack where readings change by less than this share of the usual counts per
 // millimetre.
 constexpr double kSlackPart = 0.05;

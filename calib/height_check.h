@@ -14,12 +14,12 @@ namespace tractus::calib {
 struct HeightCheck {
     std::vector<double> heights_mm {}; // Heights by the ruler, in the captures' order.
     std::vector<double> errors_mm {};  // Height by the rig minus height by the ruler.
-    double within_mm = 0;              // Greatest error, rounded up to a tenth.
-    double low_mm = 0;                 // Lowest and highest height by the ruler.
+    double within_mm = 0; // Greatest absolute error, rounded up to a tenth of a millimetre.
+    double low_mm = 0;    // Lowest and highest height by the ruler.
     double high_mm = 0;
 
-    // Checked heights that the rig's fit itself used, and heights outside its range: they prove
-    // less.
+    // Checked heights that the rig's fit itself used, and checked heights outside its calibrated
+    // range: they prove less.
     std::vector<double> known_mm {};
     std::vector<double> outside_mm {};
 };
@@ -35,8 +35,8 @@ std::string quote(HeightCheck const& check);
 // Fails with a user error if a height sensor has another full scale than the rig's.
 Result<void> check_converter(std::int32_t full_scale_counts, Rig const& rig);
 
-// Returns the height of a reading by the rig's model. Fails with a user error if the model has
-// none there.
+// Returns the height of a capture's reading by the rig's model. Fails with a user error if the
+// model has no height at that reading.
 Result<double> height_of(HeightCapture const& capture, Rig const& rig);
 
 } // namespace tractus::calib

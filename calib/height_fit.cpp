@@ -23,19 +23,19 @@ constexpr double kGreatestChance = 0.01; // Significance level for preferring a 
 // would do costs a tenth of a millimetre, and a line where the string runs at an angle costs many.
 constexpr double kChanceOfAslant = 0.05;
 constexpr double kSlipDeviations = 4;
-constexpr double kRarityOfSlips
-    = 9.2; // Penalty for a slip, -2 ln(0.01): one capture in a hundred slips.
-constexpr std::size_t kFreedomThatTells
-    = 3; // Least number of surplus captures from which a variance can be estimated.
+// Penalty for a slip, -2 ln(0.01): one capture in a hundred slips.
+constexpr double kRarityOfSlips = 9.2;
+// Least number of surplus captures from which a variance can be estimated.
+constexpr std::size_t kFreedomThatTells = 3;
 constexpr std::size_t kMaxKnots = 12;
 // Factor on a variance estimated from one to three surplus captures, which is as often too small:
 // the square of Student's quantile for one standard error at three degrees of freedom over the
 // normal one.
 constexpr double kSmallSampleFactor = 1.43;
-constexpr double kUsualLinearity_percent
-    = 0.25; // Linearity of a spool's potentiometer in usual data sheets.
-constexpr std::size_t kFewestForBend
-    = 5; // Least number of captures from which a bend can be estimated.
+// Linearity of a spool's potentiometer in usual data sheets.
+constexpr double kUsualLinearity_percent = 0.25;
+// Least number of captures from which a bend can be estimated.
+constexpr std::size_t kFewestForBend = 5;
 constexpr std::array<std::string_view, 3> kNames { "linear", "string", "monotone" };
 
 // A model's fit and the captures that it leaves out.
@@ -60,7 +60,7 @@ struct RobustFit {
 
 using Fitter = std::function<std::optional<ModelFit>(Captures)>;
 
-// Returns the best fit without one more capture.
+// Returns the best of the fits that leave out one more capture than `present`.
 std::optional<RobustFit> leave_one_out(Captures captures, RobustFit const& present,
                                        Fitter const& fitter)
 {
@@ -165,8 +165,8 @@ std::optional<RobustFit> fit_kind(HeightModelKind kind, Captures captures,
     return std::nullopt;
 }
 
-// Returns the probability that a model without merit would improve on the simpler one as much.
-// Residuals far below the ruler's accuracy are chance, and do not count.
+// Returns the probability that a richer model without merit would improve on the simpler one as
+// much. Residuals far below the ruler's accuracy are due to chance and do not count.
 double chance_of_gain(RobustFit const& simple, RobustFit const& rich, double ruler_error_mm)
 {
     double const min_variance = ruler_error_mm * ruler_error_mm / 9;
@@ -182,7 +182,7 @@ double chance_of_gain(RobustFit const& simple, RobustFit const& rich, double rul
 }
 
 // Returns how badly a line or a string fits captures of known error, as a chi-squared value. A slip
-// counts as a parameter, and as a rare event besides.
+// counts as a parameter, and is penalised as a rare event.
 double misfit(RobustFit const& fit, double variance_mm2)
 {
     return fit.fit.sum_of_squares_mm2 / variance_mm2
@@ -312,7 +312,7 @@ std::vector<FitParameter> parameters_with_errors(HeightModel const& model,
 
 struct Mean {
     double value = 0;
-    double variance = 0; // Variance of the mean.
+    double variance = 0; // Variance of the mean value.
     std::size_t count = 0;
 };
 
@@ -376,8 +376,8 @@ void tell_range(Captures captures, HeightFit& fit)
     fit.high_mm = std::max(one.value_or(0), other.value_or(0));
 }
 
-// Returns the linearity to assume: the given one, else that of usual potentiometers, if there are
-// enough captures and no particular law was requested.
+// Returns the linearity to assume: the given one or, without one, that of usual potentiometers if
+// there are enough captures and no particular law was requested.
 double linearity_to_fit_percent(HeightFitOptions const& options, std::size_t captures)
 {
     bool const may_assume = !options.kind && captures >= kFewestForBend;

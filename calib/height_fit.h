@@ -44,7 +44,7 @@ struct FitParameter {
 struct HeightCandidate {
     HeightModelKind kind = HeightModelKind::Linear;
     std::size_t parameters = 0;
-    std::size_t slipped = 0; // Number of captures that it would leave out.
+    std::size_t slipped = 0; // Number of captures that this model would leave out.
     double rms_mm = 0;
 
     // Probability that an improvement over the simpler choice as great as this one arises by
@@ -52,7 +52,7 @@ struct HeightCandidate {
     std::optional<double> p_value {};
 };
 
-// Height of the carriage by the model when it comes from below minus that when it comes from above,
+// Height by the model when the carriage comes from below minus that when it comes from above,
 // caused by slack, friction or play.
 struct Hysteresis {
     double mm = 0;
@@ -65,7 +65,7 @@ struct HeightFit {
     std::vector<HeightCandidate> candidates;
 
     std::vector<FitParameter> parameters;
-    // Covariance of parameters_of(model), followed by the shifts of its track's bend.
+    // Covariance of parameters_of(model), followed by the shifts of the knots of its track's bend.
     Eigen::MatrixXd covariance;
 
     // Standard deviation of the bend that the captures make likely, in percent of their range; 0 if
@@ -75,25 +75,26 @@ struct HeightFit {
     // Height by the ruler minus height by the model, for each capture, including slipped ones.
     std::vector<double> residuals_mm;
     std::vector<std::size_t> slipped; // Indices of captures that were left out, in rising order.
-    // Root mean square over the captures that were used; the next member covers the same ones.
+    // Root mean square and greatest absolute residual over the captures that were used.
     double rms_mm = 0;
     double max_mm = 0;
     double capture_error_mm = 0; // Standard deviation of a capture, on which the errors are based.
-    // Distance of the captures from the law with as little bend as the data sheet allows.
+    // Standard deviation of the captures about the law, at least the ruler's error. Only a bend
+    // within HeightFitOptions::linearity_percent is allowed for, not one that was added later.
     double apart_mm = 0;
 
     std::optional<Hysteresis>
-        hysteresis;          // No value unless at least two captures came from each side.
-    double noise_counts = 0; // Noise at rest over all captures.
+        hysteresis;          // Known only if at least two captures came from each side.
+    double noise_counts = 0; // Standard deviation of the readings at rest, over all captures.
     double low_counts = 0;   // Range of the readings, without slipped captures.
     double high_counts = 0;
-    // Heights by the model at the ends of that range; low_mm < high_mm, whichever way the sensor
-    // counts.
+    // Heights by the model at the ends of the readings' range; low_mm < high_mm, also if readings
+    // fall as the carriage rises.
     double low_mm = 0;
     double high_mm = 0;
 };
 
-// Returns the standard error of a fit's height at a reading, as far as it comes from the
+// Returns the standard error of the fitted height at a reading, as far as it comes from the
 // parameters.
 double height_error_mm(HeightFit const& fit, double counts);
 
@@ -127,9 +128,9 @@ double height_error_mm(HeightFit const& fit, double counts);
 // or two surplus captures count twice, as in Student's quantiles. A ruler read worse than stated is
 // detected only as far as seven captures can show it, which is not far.
 //
-// Fails with a user error with a sentence that says what to do: fewer than two captures, or
-// fewer than parameters; equal heights; heights that do not follow one direction; readings that
-// stay the same while the ruler rises (a slack string).
+// Fails with a user error that says what to do: fewer than two captures, or fewer than parameters;
+// equal heights; heights that do not follow one direction; readings that stay the same while the
+// ruler rises (a slack string).
 Result<HeightFit> fit_height(std::span<HeightCapture const> captures,
                              HeightFitOptions const& options = {});
 

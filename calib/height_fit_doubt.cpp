@@ -18,14 +18,14 @@ namespace {
 using Captures = std::span<HeightCapture const>;
 
 constexpr double kMinTravel_mm = 100;
-constexpr double kMaxErrors = 3;       // Greatest acceptable deviation, in ruler errors.
+constexpr double kMaxErrors = 3; // Greatest acceptable deviation from the law, in ruler errors.
 constexpr std::size_t kMinFreedom = 2; // Surplus captures needed to confirm a law.
-constexpr std::size_t kFreedomAfterSlips
-    = 3; // Surplus captures needed to confirm a law after some were left out.
-constexpr std::size_t kMaxForPairs
-    = 20; // With more captures, trying all pairs would take too long.
+// Surplus captures needed to confirm a law after some were left out.
+constexpr std::size_t kFreedomAfterSlips = 3;
+// With more captures, trying all pairs would take too long.
+constexpr std::size_t kMaxForPairs = 20;
 
-// Returns the variance of a capture, from the simplest law that fits.
+// Returns the variance of a capture about the line or string, whichever fits better.
 std::optional<double> variance_mm2(Captures captures)
 {
     std::optional<double> least;
@@ -138,7 +138,8 @@ std::optional<double> linearity_that_explains_percent(Captures captures,
     return std::nullopt;
 }
 
-// Returns the second half of a sentence about another possible cause than wrong captures.
+// Returns the end of a sentence that offers a cause other than wrong captures; empty if there is
+// none.
 std::string advice_on_track(Captures captures, HeightFitOptions const& options)
 {
     auto const percent = linearity_that_explains_percent(captures, options);

@@ -11,7 +11,7 @@
 
 namespace tractus::calib {
 
-// Reason why the rig from a fit should not be kept.
+// Reason why a rig made from a fit should not be kept.
 struct HeightFitDoubt {
     // One sentence: what is wrong with the captures and, if one of the usual data sheet values
     // does, which linearity of the potentiometer would explain all of them.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRangeSteps = 100;
 constexpr double kMinKnown_mm = 3;   // Greatest acceptable standard error of a height.
-constexpr double kKnownInRulers = 5; // The limit is this many ruler errors if that is more.
+constexpr double kKnownInRulers = 5; // Greatest acceptable error in ruler errors, if that is more.
 
 // The first reading in a range at which a model has no height, or reverses its direction.
 struct BrokenAt {

@@ -12,7 +12,7 @@ namespace tractus::calib {
 // Checks that a fit is usable for drawing: between the captures that were used, its law gives a
 // height for each reading and rises or falls throughout; it extends beyond either end by a tenth of
 // their span; and its standard error is at most 3 mm (more if the ruler's error exceeds 0.6 mm).
-// Fails with a user error with what to do.
+// Fails with a user error that says what to do.
 Result<void> check_range(HeightFit const& fit, std::span<HeightCapture const> captures,
                          HeightFitOptions const& options);
 

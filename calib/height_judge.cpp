@@ -8,12 +8,15 @@ namespace tractus::calib {
 
 namespace {
 
-constexpr double kMinDoubted_mm = 0.5; // Smaller deviations are noise, which the fit smooths.
-constexpr double kNoiseCounts = 4;     // Steps of up to this many counts are noise.
-constexpr double kNoises = 4;          // Deviations up to this multiple of the usual one are noise.
+// Smaller deviations from the line are noise, which the fit smooths.
+constexpr double kMinDoubted_mm = 0.5;
+constexpr double kNoiseCounts = 4; // Height steps of up to this many counts are noise.
+// Deviations up to this multiple of the usual second difference are noise.
+constexpr double kNoises = 4;
 constexpr std::size_t kRemembered = 64;
-constexpr std::size_t kFewRemembered = 15; // Fewer readings determine neither rate nor noise.
-constexpr double kPause_s = 0.1;  // Longer intervals are pauses, and do not count for the rate.
+constexpr std::size_t kFewRemembered = 15; // With fewer readings, neither rate nor noise is known.
+// Longer intervals between readings are pauses, and do not count for the rate.
+constexpr double kPause_s = 0.1;
 constexpr double kTrack_s = 0.02; // Time over which the speed is measured; see kTrackReadings.
 // The speed is measured over this number of readings if they take longer.
 constexpr std::size_t kTrackReadings = 4;
@@ -30,9 +33,9 @@ template<typename Values> void keep_last(Values& values, std::size_t count)
 
 } // namespace
 
-// Learns the rate and, from second differences, which are zero in a steady movement, the noise.
-// Each wrong reading spoils three second differences, so their lower quartile is used in place of
-// the median of the others.
+// Learns the rate, and the noise from second differences, which are zero in a steady movement. Each
+// wrong reading spoils three second differences, so the median of the others is estimated from the
+// lower quartile.
 void HeightJudge::learn(Reading const& reading)
 {
     bool const is_first = last_arrival_ == Timestamp::min();
@@ -98,8 +101,8 @@ bool HeightJudge::is_new() const
     return bends_mm_.size() < kFewRemembered;
 }
 
-// Returns the time between two readings in which the surface may have changed its movement: bundled
-// deliveries do not show when readings were taken.
+// Returns the length of time between two readings in which the surface may have changed its
+// movement unobserved. Bundled deliveries do not show when readings were taken.
 double HeightJudge::unseen_s() const
 {
     return std::max({ interval_s_, longest_interval_s_, is_new() ? kUnseenOfNew_s : 0 });
@@ -122,9 +125,9 @@ double HeightJudge::jitter_mm(double mm_per_s) const
     return mm;
 }
 
-// True if the reading continues the line. Only time without readings makes the prediction less
-// certain, not doubted readings in between. The change of speed by an acceleration since the middle
-// of the line's readings is not visible.
+// True if the reading continues the line. The prediction becomes less certain only with time
+// without readings, not with doubted readings. An acceleration since the middle of the line's
+// readings does not show in its speed.
 bool HeightJudge::goes_on(Reading const& reading) const
 {
     auto const line = line_through(track_);
@@ -154,14 +157,14 @@ bool HeightJudge::continues_run(Reading const& reading) const
         + kMaxAcceleration_mm_per_ss * unseen_s * unseen_s;
 }
 
-// True if the doubted run leads back to the track: with a steady acceleration in between, both
-// lines meet halfway; a corner may lie anywhere between two readings.
+// True if the doubted run leads back to the track. Under a steady acceleration in between, the
+// lines through both meet halfway; an abrupt turn may lie anywhere between two readings.
 bool HeightJudge::run_leads_back() const
 {
     constexpr double kUnsteady_mm_per_ss = 1000;
     auto const before = line_through(track_);
     if (!before.is_known)
-        return true; // Among so few readings, any may be the wrong one.
+        return true; // With so few readings, any may be the wrong one.
     auto const after = line_through(run_);
     double const since_s = to_seconds(run_.back().arrival - track_.back().arrival);
     double const gap_s = to_seconds(run_.front().arrival - track_.back().arrival);

@@ -49,7 +49,7 @@ public:
         Step,
     };
 
-    // Judges the next reading of a converter whose count is `count_mm` there. Appends to
+    // Judges the next reading, at which one count of the converter is worth `count_mm`. Appends to
     // `believed`, in order, everything that is believed from now on: the reading, and readings
     // doubted before.
     Verdict judge(Reading const& reading, double count_mm, std::vector<Reading>& believed);
@@ -63,13 +63,14 @@ public:
 
 private:
     using Readings = std::deque<Reading>;
-    static constexpr double kInitialBend_mm = 0.5; // Assumed until enough readings have come.
+    // Second difference of heights that is assumed until enough readings have come.
+    static constexpr double kInitialBend_mm = 0.5;
 
     // A line through the last readings of a track, evaluated at the last one.
     struct Line {
         double height_mm = 0;
         double mm_per_s = 0;
-        double span_s = 0;     // Time from the first of these readings to the last.
+        double span_s = 0;     // Time from the first of the line's readings to the last.
         bool is_known = false; // True if there are enough readings to determine the speed.
     };
 
@@ -94,11 +95,11 @@ private:
     std::deque<double> intervals_s_;
     std::deque<double> heights_mm_; // The last two heights.
     std::deque<double> bends_mm_;   // Second differences of the heights.
-    double usual_interval_s_ = 0;   // Mean of the last intervals.
-    double longest_interval_s_ = 0; // Longest of the last intervals but one.
+    double usual_interval_s_ = 0;   // Mean of the last intervals between readings.
+    double longest_interval_s_ = 0; // Second longest of the last intervals between readings.
     double interval_s_ = 0;         // Interval before the newest reading.
-    double usual_bend_mm_
-        = kInitialBend_mm; // Median of the second differences of correct readings.
+    // Median of the second differences of correct readings.
+    double usual_bend_mm_ = kInitialBend_mm;
     double count_mm_ = 0;
 };
 

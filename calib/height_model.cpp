@@ -176,7 +176,7 @@ std::optional<double> to_counts(MonotoneHeight const& model, double height_mm)
     bool const rises = knots.front().height_mm < knots.back().height_mm;
     auto const is_before = [&](double a, double b) {
         return rises ? a < b : a > b;
-    }; // True if the heights are in the order of the knots.
+    }; // True if height `a` comes before `b` in the order of the knots.
     if (is_before(height_mm, knots.front().height_mm))
         return if_finite(knots.front().counts
                          + (height_mm - knots.front().height_mm) / slope(knots, 0));

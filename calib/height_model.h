@@ -27,7 +27,7 @@ struct TrackKnot {
 // that each height has one reading. Empty: a straight track.
 using TrackBend = std::vector<TrackKnot>;
 
-// Returns what a straight track would read.
+// Returns the count that a straight track would read where the bent one reads `counts`.
 double straightened(TrackBend const& bend, double counts);
 
 // A sensor along the carriage's path: a vertical string, a slide potentiometer, a rangefinder.
@@ -60,18 +60,18 @@ struct LinearHeight {
 //
 // The converter measures the wiper's voltage relative to the potentiometer's supply, so
 // mm_per_count times the converter's full scale is the string length of the whole potentiometer,
-// whatever the supply is.
+// regardless of the supply.
 struct StringHeight {
     enum class Spool {
         Below, // The string gets longer as the carriage rises.
         Above,
     };
 
-    double mm_per_count
-        = 0.1; // String length per count; not 0, negative if readings fall with the length.
+    // String length per count; not 0, negative if readings fall with the length.
+    double mm_per_count = 0.1;
     double zero_length_mm = 0; // String length L at reading 0.
     double offset_mm = 0;      // Horizontal distance of the spool; 0 or more.
-    // Height r of the string's end at height zero; its negative if the spool is above.
+    // Height r of the string's end when the carriage is at height zero; -r if the spool is above.
     double base_mm = 0;
     Spool spool = Spool::Below;
     TrackBend bend {};

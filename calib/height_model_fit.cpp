@@ -48,11 +48,12 @@ Columns columns_of(Captures captures)
     return columns;
 }
 
-// Returns model minus ruler, and the doubt about the law's ends; no value outside the model.
+// Returns heights by the model minus those by the ruler, followed by the weighted doubt_at_ends();
+// no value outside the model.
 std::optional<Eigen::VectorXd> differences(HeightModel const& model, Captures captures)
 {
-    constexpr double kWorthOfDoubt_mm
-        = 0.3; // Usual error of a ruler, by which a doubt is weighted.
+    // Usual error of a ruler, by which a doubt is weighted.
+    constexpr double kWorthOfDoubt_mm = 0.3;
     if (!is_valid(model))
         return std::nullopt;
     auto const doubt = doubt_at_ends(model, span_to_hold(captures));
@@ -217,7 +218,7 @@ HeightSpan span_to_hold(Captures captures)
 
 std::optional<double> doubt_at_ends(HeightModel const& model, HeightSpan const& span)
 {
-    // Least distance from a right angle at the end of the string, as a share of the span.
+    // Height of the string's end above the spool, as a share of the span, below which doubt begins.
     constexpr double kClear = 0.06;
     auto const* string = std::get_if<StringHeight>(&model);
     if (!string)

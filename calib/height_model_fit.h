@@ -19,7 +19,8 @@ enum class HeightModelKind {
     Monotone,
 };
 
-// Returns the number of parameters of a kind of model; for a monotone one, the least number.
+// Returns the number of parameters of a kind of model; for a monotone one, the least possible
+// number.
 std::size_t parameter_count(HeightModelKind kind);
 
 // A least-squares fit of one model. It minimises the squared differences between ruler and model in
@@ -39,8 +40,8 @@ struct MonotoneKnots {
     std::size_t count = 5;
 };
 
-// Fit one model each. There must be at least as many captures as parameters. No value if nothing
-// fits, such as a monotone model for captures that do not rise.
+// Each of these fits one kind of model. There must be at least as many captures as parameters. No
+// value if nothing fits, such as a monotone model for captures that do not rise.
 std::optional<ModelFit> fit_linear(std::span<HeightCapture const> captures);
 std::optional<ModelFit> fit_string(std::span<HeightCapture const> captures);
 std::optional<ModelFit> fit_monotone(std::span<HeightCapture const> captures,
@@ -56,10 +57,11 @@ struct HeightSpan {
 // Returns the span for at least one capture.
 HeightSpan span_to_hold(std::span<HeightCapture const> captures);
 
-// Returns the doubt about a string's law that ends close to the span, in standard deviations: 0 if
-// string and carriage path are far from a right angle over the whole span, 1 if the string's end
-// comes within a fiftieth of the span's height of it, and so on, since spools stand clear of the
-// path. No value if the law ends within the span; 0 for other laws.
+// Returns how implausible it is, in standard deviations, that a string's law ends so close to
+// `span`, since spools stand clear of the carriage's path. At one end of the span the string is
+// closest to a right angle with the path. The result is 0 if its end is then at least 6 % of the
+// span from the spool's level, 1 at 3 %, and so on. No value if the law ends within the span; 0 for
+// other laws.
 std::optional<double> doubt_at_ends(HeightModel const& model, HeightSpan const& span);
 
 // Returns the derivative of a model's height at a reading with respect to its parameters, then to

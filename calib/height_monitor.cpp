@@ -9,10 +9,10 @@ namespace tractus::calib {
 
 namespace {
 
-// Jumps within this time of each other count as one: away and back.
+// Jumps within this time of each other count as one, such as a jump and its return.
 constexpr Duration kJumpLasts = std::chrono::milliseconds(500);
-constexpr Duration kStopIsTold
-    = std::chrono::seconds(10); // Long enough for the message to be read.
+// Time for which a moved stop is reported, long enough for the message to be read.
+constexpr Duration kStopIsTold = std::chrono::seconds(10);
 
 // A change and the opposite change within this time are noise; a sensor with this many of them is
 // noisy.
@@ -196,9 +196,9 @@ namespace {
 // A line fitted through heights on one side of a step.
 struct Side {
     double seconds = 0; // Mean time of the heights, relative to the newest reading.
-    double mm = 0;      // Height of the line at that time.
+    double mm = 0;      // Height of the line at its mean time.
     double mm_per_s = 0;
-    double scatter_mm = 0; // Standard deviation about the line.
+    double scatter_mm = 0; // Standard deviation of the heights about the line.
     std::size_t count = 0;
 };
 
@@ -320,7 +320,8 @@ void HeightMonitor::watch_stuck(drivers::HeightSample const& sample)
 void HeightMonitor::watch_rate(Timestamp time)
 {
     constexpr Duration kSpan = std::chrono::seconds(1);
-    constexpr std::size_t kMaxPerSecond = 20'000; // More than USB's 8 kHz allow.
+    // Most readings remembered; USB allows 8,000 a second.
+    constexpr std::size_t kMaxPerSecond = 20'000;
     if (!recent_.empty() && time < recent_.back())
         recent_.clear(); // Times go back in concatenated logs.
     recent_.push_back(time);

@@ -35,26 +35,26 @@ constexpr std::size_t kHeightFaultKinds = 5;
 struct HeightFault {
     HeightFaultKind kind = HeightFaultKind::Silence;
     Timestamp begin {};
-    Timestamp end {}; // Time at which it was last observed.
-    std::int32_t counts
-        = 0; // Reading during the fault; for a jump the reading after it, for silence 0.
+    Timestamp end {}; // Time at which the fault was last observed.
+    // Reading during the fault; for a jump the reading after it, for silence 0.
+    std::int32_t counts = 0;
     double speed_mm_per_s = 0; // Greatest speed of a jump.
     // Change of the height in a jump, up or down; 0: not known yet. For a stop, how much higher it
-    // lies now.
+    // is now than before.
     double step_mm = 0;
 };
 
-// All faults of one kind.
+// Total of all faults of one kind.
 struct HeightFaultTotal {
     std::size_t count = 0;
-    Duration duration {}; // Sum of the durations.
+    Duration duration {}; // Sum of the faults' durations.
     HeightFault worst {}; // The longest fault; for jumps, the fastest.
 };
 
 // Limits between normal use and faults.
 struct HeightMonitorLimits {
     // Rail: readings within this share of full scale of an end of the range, for this long.
-    double rail_margin = 0.001; // Includes at least the end itself.
+    double rail_margin = 0.001; // Share of full scale; the end itself always counts.
     Duration rail_after = std::chrono::milliseconds(20);
 
     // Slow step: a step that takes about 30 ms is too slow to be doubted at once. It leaves the
@@ -82,6 +82,7 @@ public:
     // The rig's model converts counts to millimetres; outside the model no jumps are reported.
     explicit HeightMonitor(Rig const& rig, HeightMonitorLimits const& limits = {});
 
+    // Adds the sensor's next reading.
     void push(drivers::HeightSample const& sample);
 
     // True if a reading lies at an end of its range, where it gives no height.
@@ -104,7 +105,7 @@ public:
     // Returns the total of all faults of a kind so far, including a present one.
     HeightFaultTotal total(HeightFaultKind kind) const;
 
-    // Readings per second, over the last second of readings; 0 until there are two.
+    // Mean number of readings per second over the last second of readings; 0 until there are two.
     double rate_hz() const;
 
 private:
@@ -137,16 +138,17 @@ private:
     std::array<Watch, kHeightFaultKinds> watches_ {};
 
     HeightJudge judge_ {};
-    std::vector<HeightJudge::Reading> believed_ {}; // A member only to reuse its memory.
+    // Readings that the judge has just accepted. A member only to reuse its memory.
+    std::vector<HeightJudge::Reading> believed_ {};
     bool doubts_last_ = false;
     std::size_t doubts_ = 0; // Number of readings since the last believed one.
     std::optional<HeightFault>
-        doubted_ {}; // The fault to report if these readings turn out to be wrong.
+        doubted_ {}; // Fault to report if the doubted readings turn out to be wrong.
 
     std::optional<Timestamp>
         alive_ {}; // Time of the last reading, or of the start of the monitoring.
     std::optional<drivers::HeightSample> last_ {}; // The last reading.
-    std::optional<Timestamp> rail_since_ {};       // Set while readings are at a rail.
+    std::optional<Timestamp> rail_since_ {};       // Time since which readings are at a rail.
     Timestamp same_since_ {}; // Time since which all readings equal the last one.
 
     // Heights of the last 0.1 s, in which steps are searched.

@@ -68,8 +68,8 @@ Timestamp HeightTrack::newest() const
 double HeightTrack::without_spike_mm(Place const& reading) const
 {
     constexpr double kMinSpike_mm = 1; // Smaller deviations are noise, which the fit smooths.
-    constexpr double kMaxAcceleration_mm_per_ss
-        = 20000; // Acceleration of a hand that reverses its movement.
+    // Acceleration of a hand that reverses its movement.
+    constexpr double kMaxAcceleration_mm_per_ss = 20000;
     if (reading == readings_.begin() || std::next(reading) == readings_.end())
         return reading->height_mm;
     auto const& before = *std::prev(reading);
@@ -169,8 +169,9 @@ std::optional<HeightTrack::Estimate> HeightTrack::at(Timestamp time, Duration ma
 
 std::optional<HeightTrack::Estimate> HeightTrack::at_corner(Timestamp time, Duration max_age) const
 {
-    constexpr double kNoise_mm = 0.25;          // Noise of a narrow fit.
-    constexpr double kNoiseOfReadings_mm = 0.4; // Noise of the readings on both sides.
+    constexpr double kNoise_mm = 0.25; // Greatest difference from a narrow fit that noise explains.
+    // Greatest difference from the two neighbouring readings that noise explains.
+    constexpr double kNoiseOfReadings_mm = 0.4;
     auto estimate = at(time, max_age);
     if (!estimate || estimate->kind != TipSample::HeightSource::Interpolated)
         return estimate;

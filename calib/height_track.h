@@ -28,10 +28,10 @@ namespace tractus::calib {
 // sides with their slopes.
 class HeightTrack {
 public:
-    // Half the width of the fit.
+    // Half the width of the time window of a fit.
     static constexpr Duration kHalfWidth = std::chrono::milliseconds(18);
 
-    // `memory` is how much of the past is kept.
+    // `memory` is the time for which past readings are kept.
     explicit HeightTrack(Duration memory)
         : memory_(memory)
     {
@@ -106,7 +106,8 @@ private:
     bool is_bridged(Timestamp from, Timestamp to, Duration max_age) const;
     double without_spike_mm(Place const& reading) const;
     double between_mm(Place const& after, Timestamp time) const;
-    static constexpr int kWidestInGap = 5; // Greatest widening, as a multiple of kHalfWidth.
+    // Greatest half width of a fit beside a gap, as a multiple of kHalfWidth.
+    static constexpr int kWidestInGap = 5;
     std::optional<LineAt> slope_at(Timestamp side, Timestamp gap_begin, Timestamp gap_end) const;
     double across_mm(Place const& before, Timestamp time) const;
     Duration usual_spacing() const;

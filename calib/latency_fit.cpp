@@ -21,10 +21,10 @@ constexpr int kMinTurns = 2;
 constexpr double kMinCorrelation = 0.9;
 constexpr int kFarthest_ms = 150;
 constexpr int kStep_ms = 2;
-constexpr Duration kSpeedOver
-    = std::chrono::milliseconds(10); // Speeds are measured over this time on either side.
-constexpr double kSlow_mm_per_s
-    = 30; // At lower speeds, drag and slack have not adapted to a change of direction yet.
+// Speeds are measured over this time on either side.
+constexpr Duration kSpeedOver = std::chrono::milliseconds(10);
+// At lower speeds, drag and slack have not adapted to a change of direction yet.
+constexpr double kSlow_mm_per_s = 30;
 
 // Heights at whole milliseconds, because each is needed hundreds of times. Linear interpolation
 // between them is sufficient: the heights are smoothed over 36 times that interval.

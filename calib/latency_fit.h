@@ -17,18 +17,18 @@ struct LatencyFit {
     // Tablet's latency minus height sensor's; only their difference is observable. Negative if the
     // height lags.
     double delay_ms = 0;
-    double error_ms = 0; // Standard error.
+    double error_ms = 0; // Standard error of delay_ms.
 
-    // Distance along the tablet between the pen's positions on the way up and down, after
-    // correcting the delay, with its standard error: the pen is dragged, or the string follows the
-    // surface with slack.
+    // Distance along the tablet between the pen's positions on the way up and on the way down,
+    // after correcting the delay, and its standard error. It means that the pen is dragged, or that
+    // the string follows the surface with slack.
     double direction_mm = 0;
     double direction_error_mm = 0;
 
     // Correlation of position and height at that delay: 1 for a perfect edge and hand.
     double correlation = 0;
     double rms_mm = 0; // Root mean square distance of the pen from the edge.
-    double run_mm = 0; // Distance covered along the tablet.
+    double run_mm = 0; // Distance that the pen covered along the tablet.
     std::size_t touches = 0;
 };
 
@@ -40,7 +40,7 @@ struct LatencyFit {
 // hands vary their speed. The rig's own latencies are ignored, and times are always evened
 // (EvenTimes).
 //
-// Fails with a user error with what to do: fewer than 200 touches with a height, less than 50
+// Fails with a user error that says what to do: fewer than 200 touches with a height, less than 50
 // mm of rise or 20 mm along the tablet, fewer than two turns between up and down, position and
 // height that do not correlate (below 0.9), a delay at the limit of the search.
 Result<LatencyFit> fit_latency(std::span<drivers::PenSample const> pens,

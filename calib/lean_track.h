@@ -25,10 +25,10 @@ Vec2 lean_of(Vec2 const& tilt_rad);
 // more slowly than it moves a carriage.
 class LeanTrack {
 public:
-    // Half the width of the fit.
+    // Half the width of the time window of a fit.
     static constexpr Duration kHalfWidth = std::chrono::milliseconds(40);
 
-    // `memory` is how much of the past is kept.
+    // `memory` is the time for which past leans are kept.
     explicit LeanTrack(Duration memory)
         : memory_(memory)
     {

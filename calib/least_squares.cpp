@@ -19,8 +19,8 @@ namespace {
 
 constexpr int kMaxSteps = 200;
 constexpr double kSmallestStep = 1e-10; // Relative change of a parameter at which the search stops.
-constexpr double kSmallestGain
-    = 1e-12; // Relative change of the sum of squares at which the search stops.
+// Relative change of the sum of squares at which the search stops.
+constexpr double kSmallestGain = 1e-12;
 constexpr double kGreatestDamping = 1e12;
 
 // Computes the Jacobian by central differences, or one-sided ones at the border of the model.

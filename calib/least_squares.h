@@ -31,8 +31,8 @@ struct LeastSquares {
 // Finds the parameters with the least sum of squared residuals near `start`: the
 // Levenberg-Marquardt method with Marquardt's scaling and finite differences (D. Marquardt, "An
 // algorithm for least-squares estimation of nonlinear parameters", SIAM J. Appl. Math. 11, 1963).
-// `steps` is the change of each parameter for its derivative; empty: a millionth of its value. No
-// value if the model does not hold at `start`.
+// `steps` is the change of each parameter that estimates its derivative; if empty, a millionth of
+// the parameter's value. No value if the model does not hold at `start`.
 std::optional<LeastSquares> fit_least_squares(ResidualFunction const& residuals,
                                               Eigen::VectorXd const& start,
                                               Eigen::VectorXd const& steps = {});

@@ -10,18 +10,18 @@ namespace {
 
 constexpr Duration kRests = std::chrono::milliseconds(300);
 constexpr double kRestTolerance_mm = 0.5;
-constexpr double kComesFrom_mm
-    = 10; // The surface must come from at least this height above the rest.
+// The surface must come from at least this height above the rest.
+constexpr double kComesFrom_mm = 10;
 constexpr double kSamePositionTolerance_mm = 0.3;
 constexpr double kBelow_mm = 1;   // A reading lower than a place by this much was below it.
 constexpr double kMinMove_mm = 2; // Least movement of the stop that is reported.
-constexpr double kMaxMove_mm
-    = 30; // If the rest is higher than this, the surface was held, not let down.
+// Greatest rise of the stop that is reported; a surface resting higher was held, not let down.
+constexpr double kMaxMove_mm = 30;
 constexpr std::size_t kTimesOfStop = 4;
-constexpr std::size_t kTimesHigher
-    = 4; // Rests needed at a higher place, since a hand can rest above a stop, too.
-constexpr std::size_t kTimesLower
-    = 2; // Rests needed at a lower place; fewer suffice, since nothing goes below a stop.
+// Rests needed at a higher place, since a hand can rest above a stop, too.
+constexpr std::size_t kTimesHigher = 4;
+// Rests needed at a lower place; fewer suffice, since nothing goes below a stop.
+constexpr std::size_t kTimesLower = 2;
 
 } // namespace
 

@@ -21,7 +21,7 @@ namespace tractus::calib {
 class LowestStop {
 public:
     struct Moved {
-        Timestamp time {}; // Time at which it was detected.
+        Timestamp time {}; // Time at which the move was detected.
         double from_mm = 0;
         double to_mm = 0;
     };
@@ -32,7 +32,7 @@ public:
 private:
     // A place at which the surface came to rest after it was lowered.
     struct Place {
-        double mm = 0; // Mean height.
+        double mm = 0; // Mean height of the surface at rest here.
         std::size_t times = 0;
 
         bool is_at(double height_mm) const;

@@ -32,8 +32,8 @@ HeightTrack height_track(std::span<drivers::HeightSample const> heights, Rig con
 // Returns the height at an instant between two readings; no value elsewhere.
 std::optional<double> height_between(HeightTrack const& track, Timestamp time);
 
-// Returns the number of the half-second stretch that a time lies in: longer than the correlation
-// time of a hand's tremor, see least_squares.h.
+// Returns the index of the half-second stretch of time that contains `time`. A stretch is longer
+// than the correlation time of a hand's tremor, see least_squares.h.
 int stretch_of(Timestamp time);
 
 } // namespace tractus::calib

@@ -11,13 +11,13 @@ namespace tractus::calib {
 
 namespace {
 
-constexpr double kHuberDeviations
-    = 1.345; // Huber's constant, for 95 % efficiency without outliers.
+// Huber's constant, for 95 % efficiency without outliers.
+constexpr double kHuberDeviations = 1.345;
 constexpr int kRounds = 10;
 
 using Sightings = std::span<PlaneSighting const>;
 
-// Weighted least squares for x (axis 0) or y (axis 1).
+// Fits x (axis 0) or y (axis 1) by weighted least squares.
 LeastSquares fit_axis(Sightings sightings, std::vector<double> const& weights, int axis,
                       Vec2 const& mean)
 {

@@ -30,18 +30,18 @@ struct Rig {
     std::int32_t full_scale_counts = 4095;
     double calibrated_min_counts = 0;
     double calibrated_max_counts = 4095;
-    Duration
-        height_latency {}; // Delay from the surface being at a height to the arrival of the report.
+    // Delay from the surface being at a height to the arrival of the report.
+    Duration height_latency {};
 
     // Tablet. Its rotation on the carriage is counterclockwise, seen from above. (In degrees,
     // because the file uses degrees, so that writing and reading a file is exact.)
-    Vec2 tablet_size_mm = Vec2(254, 159); // Active area.
+    Vec2 tablet_size_mm = Vec2(254, 159); // Sides of the tablet's active area.
 
     // Active area measured by the user, for a tablet that does not report its size: pen positions
     // are scaled to it. tablet_size_mm is then equal to it.
     std::optional<Vec2> surface_mm {};
-    Duration
-        tablet_latency {}; // Delay from the pen being at a position to the arrival of the report.
+    // Delay from the pen being at a position to the arrival of the report.
+    Duration tablet_latency {};
     double rotation_deg = 0;
 
     // Horizontal drift of the carriage towards +x and +y per millimetre of rise.

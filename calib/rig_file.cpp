@@ -12,8 +12,8 @@
 
 namespace tractus::calib {
 
-static constexpr std::int64_t kVersion
-    = 2; // Version 1 had no [calibration] table and no monotone models.
+// Version 1 had no [calibration] table and no monotone models.
+static constexpr std::int64_t kVersion = 2;
 static constexpr std::string_view kSampleTimes = "sample_times";
 static constexpr std::size_t kMaxBytes = std::size_t { 1 } << 20;
 
@@ -38,12 +38,12 @@ static Result<Duration> duration_ms(TomlTable& table, std::string_view key, Numb
     return from_milliseconds(milliseconds);
 }
 
-// Limits beyond any rig that can be built: a greater value is a typing error.
-static constexpr double kFarthestMark_mm = 10'000; // Limit of any height.
+// Limits of plausible values: a greater value in a file is a typing error.
+static constexpr double kFarthestMark_mm = 10'000; // Greatest absolute height.
 static constexpr double kMinSide_mm = 1;           // Least side of a tablet.
 static constexpr double kMaxSide_mm = 5'000;       // Greatest side of a tablet.
 static constexpr double kMaxRotation_deg = 360;
-static constexpr double kMaxShear = 1; // A carriage that rises at 45 degrees.
+static constexpr double kMaxShear = 1; // Shear of a carriage that rises at 45 degrees.
 static constexpr double kMaxExponent = 10;
 static constexpr double kFarthestCoil_mm = 100;
 
@@ -246,7 +246,7 @@ Result<Rig> load_rig(std::filesystem::path const& path)
     return parse_rig(TRY(read_text_file(path, kMaxBytes)), path.string());
 }
 
-// Copies the existing file to its backup name. Without a file there is no copy.
+// Copies the existing file, if there is one, to its backup name.
 static Result<void> keep_previous(std::filesystem::path const& path)
 {
     std::error_code error;

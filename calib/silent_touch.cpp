@@ -8,13 +8,13 @@ namespace tractus::calib {
 
 namespace {
 
-constexpr std::size_t kIntervals
-    = 64; // Enough to include the longest interval of irregular deliveries.
+// Number of remembered intervals, enough to include the longest one of irregular deliveries.
+constexpr std::size_t kIntervals = 64;
 constexpr std::size_t kFewIntervals = 4;
-// No tablet that reports continuously has longer intervals, so they are ignored.
+// Longer intervals are ignored, since no tablet that reports continuously has them.
 constexpr Duration kLongestInterval = std::chrono::milliseconds(100);
-constexpr Duration kBundled
-    = std::chrono::milliseconds(1); // Reports closer than this arrived in one bundle.
+// Reports closer than this arrived in one bundle.
+constexpr Duration kBundled = std::chrono::milliseconds(1);
 constexpr Duration kShortestSilence = std::chrono::milliseconds(10);
 
 } // namespace

@@ -30,9 +30,9 @@ namespace tractus::calib {
 // No clock is read: equal samples and readings give equal tips.
 class SilentTouch {
 public:
-    static constexpr double kMoved_mm = 0.5;
-    static constexpr double kRested_mm
-        = 2; // A pen that rested moves no farther than this until its next report.
+    static constexpr double kMoved_mm = 0.5; // The surface counts as moving beyond this.
+    // A pen that rested moves no farther than this until its next report.
+    static constexpr double kRested_mm = 2;
     static constexpr Duration kMinSpacing = std::chrono::milliseconds(3);
     static constexpr Duration kMaxSpacing = std::chrono::milliseconds(10);
     static constexpr Duration kLookBack = std::chrono::milliseconds(120);
@@ -54,7 +54,7 @@ public:
     // do not touch end the touch.
     Silence hear(drivers::PenSample const& pen, Timestamp arrival);
 
-    // Ends the touch at the beginning of the silence.
+    // Ends the touch as of the beginning of the silence.
     void forget() { pen_.reset(); }
 
     // Adds the instant of a reading, with the latency subtracted.

@@ -17,8 +17,9 @@ namespace {
 constexpr std::size_t kMinTiltTouches = 200;
 constexpr double kMinSpan_deg = 40;
 constexpr double kMaxMoved_mm = 1;
-constexpr double kPlay_mm = 0.06; // Standard deviation of a shift of up to 0.1 mm to either side.
-constexpr std::size_t kFewInStretch = 5; // A mean needs at least five touches.
+// Standard deviation of the nib's position if it shifts up to 0.1 mm to either side.
+constexpr double kPlay_mm = 0.06;
+constexpr std::size_t kFewInStretch = 5; // Least number of touches for a mean.
 
 struct Leant {
     std::vector<PlaneSighting> sightings {};

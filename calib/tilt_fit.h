@@ -16,11 +16,12 @@ struct TiltFit {
     Vec2 coil_height_mm = Vec2::Zero();       // See Rig::coil_height_mm.
     Vec2 coil_height_error_mm = Vec2::Zero(); // Standard errors; see fit_tilt().
 
-    // Least and greatest tilt towards +x and +y, ignoring a fortieth of the samples at either end.
+    // Least and greatest tilt towards +x and +y, ignoring a fortieth of the samples at either
+    // extreme.
     Vec2 min_tilt_rad = Vec2::Zero();
     Vec2 most_tilt_rad = Vec2::Zero();
 
-    double rms_mm = 0; // Root mean square displacement of the nib.
+    double rms_mm = 0; // Root mean square distance of the nib from its fitted position.
     std::size_t touches = 0;
 
     // True if the tablet corrects the lean itself: both coil heights are within two standard errors
@@ -37,9 +38,9 @@ struct TiltFit {
 // direction. Noise of the tilt reduces the heights by its variance over that of the leans, 1 % at
 // worst.
 //
-// Fails with a user error with what to do: a tablet without tilt, fewer than 200 touches, tilts
-// that span less than 40 degrees along an axis, a nib that moved (by more than 1 mm on average over
-// half a second).
+// Fails with a user error that says what to do: a tablet without tilt, fewer than 200 touches,
+// tilts that span less than 40 degrees along an axis, a nib that moved (by more than 1 mm on
+// average over half a second).
 Result<TiltFit> fit_tilt(std::span<drivers::PenSample const> pens);
 
 // Returns the rig with the fitted coil height; zero if the tablet corrects for it.

@@ -21,8 +21,8 @@ enum class NumberRange {
     NotNegative, // 0 or more.
 };
 
-// One table of a hand-written TOML file, read key by key. All errors are the user's fault and name
-// the file, the line, the key, what was found and what was expected:
+// One table of a hand-written TOML file, read key by key. All errors are user errors and name the
+// file, the line, the key, what was found and what was expected:
 //
 //   my.rig.toml:7: height.mm_per_count is -0.1, expected a number greater than 0
 //
@@ -43,7 +43,7 @@ public:
     Result<std::int64_t> integer(std::string_view key, NumberRange range = NumberRange::Any);
     Result<std::string> text(std::string_view key);
 
-    // Returns the index of the text in `words`.
+    // Returns the index in `words` of the key's text.
     Result<std::size_t> word(std::string_view key, std::vector<std::string_view> const& words);
 
     // Returns an array of exactly two or three numbers.

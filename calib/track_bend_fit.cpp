@@ -17,10 +17,12 @@ namespace {
 using Captures = std::span<HeightCapture const>;
 
 constexpr Eigen::Index kBendKnots = 9;
-constexpr double kBendMargin = 0.1; // Share of the range by which the knots extend beyond it.
-constexpr double kBendLength = 0.3; // Correlation length of the bend, as a share of the range.
-constexpr double kShortPart
-    = 0.3; // Share of the bend that varies too quickly for captures to follow.
+// Share of the captures' range by which the knots extend beyond it.
+constexpr double kBendMargin = 0.1;
+// Correlation length of the bend, as a share of the captures' range.
+constexpr double kBendLength = 0.3;
+// Share of the bend that varies too quickly for captures to follow.
+constexpr double kShortPart = 0.3;
 constexpr double kStraightBefore = 0.2; // Prior probability of a straight track.
 constexpr double kSpoolNear_mm = 500;   // Prior scale of a spool's distance from the table.
 constexpr double kSpoolBelow_mm = 1250;
@@ -192,7 +194,7 @@ Eigen::MatrixXd covariance_of(FittedBend const& fitted)
     return small_product(small_product(to_shifts, unit), to_shifts.transpose());
 }
 
-// Likely standard deviations of the effects besides the law.
+// Likely standard deviations of the effects in addition to the law.
 struct LikelyBesides {
     double bend = 0; // Standard deviation of the bend, as a share of the range.
     double play_mm = 0;

@@ -14,9 +14,9 @@ namespace tractus::calib {
 // The carriage's actual travel, fitted with a pen held against a vertical straight edge that stands
 // on the desk: the pen's apparent drift over the tablet is the tablet's drift under the pen.
 struct TravelFit {
-    Vec2 shear
-        = Vec2::Zero(); // See Rig::travel_shear: drift towards +x and +y per millimetre of rise.
-    Vec2 shear_error = Vec2::Zero(); // Standard errors.
+    // See Rig::travel_shear: drift towards +x and +y per millimetre of rise.
+    Vec2 shear = Vec2::Zero();
+    Vec2 shear_error = Vec2::Zero(); // Standard errors of `shear`.
 
     // Angle between the carriage's path and the tablet's normal.
     double tilt_rad = 0;
@@ -34,7 +34,7 @@ struct TravelFit {
 // A pen that slips off for a moment has little effect, and the standard errors allow for the time
 // correlation of a hand's tremor (fit_plane_lines()).
 //
-// Fails with a user error with what to do: fewer than 100 touches with a height, less than 100
+// Fails with a user error that says what to do: fewer than 100 touches with a height, less than 100
 // mm of rise, a pen that strayed by more than 3 mm on average.
 Result<TravelFit> fit_travel(std::span<drivers::PenSample const> pens,
                              std::span<drivers::HeightSample const> heights, Rig const& rig);

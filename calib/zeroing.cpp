@@ -53,8 +53,8 @@ Result<Trial> after_move(Rig rig, Captures captures)
     return Trial { std::move(rig), sum };
 }
 
-// Captures are weighted by the height of a count: where it is greater, they determine the shift in
-// counts better.
+// Returns the shift of the readings in counts. Captures are weighted by the squared height of a
+// count: where it is greater, they determine the shift better.
 Result<double> shift_of(Rig const& rig, Captures captures)
 {
     double sum = 0;

@@ -30,8 +30,8 @@ struct Zeroing {
     Rig rig {};
     ZeroCause cause = ZeroCause::Slipped;
 
-    // Greatest difference of heights in the calibrated range if it had been the other cause; 0 if
-    // both have the same effect.
+    // Greatest difference, within the calibrated range, from the heights that the other cause would
+    // give; 0 if both have the same effect.
     double difference_if_other_cause_mm = 0;
 
     // True if the cause was requested or determined from the captures; otherwise it is the usual
@@ -39,7 +39,7 @@ struct Zeroing {
     bool is_told = false;
 };
 
-// Zeroes the rig anew by captures at known heights; its scale and shape stay. Without a given
+// Zeroes the rig again with captures at known heights; its scale and shape stay. Without a given
 // cause, the captures determine it if they lie far enough apart: one cause must fit better than the
 // other by at least 4 ruler errors. Otherwise the string is assumed to have slipped, which is the
 // usual cause.

@@ -35,8 +35,8 @@ std::vector<DeviceInfo> list_device_addresses();
 Result<DeviceInfo> find_device(std::string_view address);
 
 // Opens a device with the driver for its location and ids. Thread-safe: devices are opened one at a
-// time, because the underlying libraries are not thread-safe there. Fails with a user error for
-// a malformed location or for settings of a device that has none, and as the driver does.
+// time, because the underlying libraries cannot open several at once. Fails with a user error for a
+// malformed location or for settings of a device that has none, and as the driver does.
 Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info);
 
 } // namespace tractus::drivers

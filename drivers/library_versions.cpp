@@ -14,10 +14,10 @@ std::vector<LibraryVersion> library_versions()
 {
     auto const& usb = *libusb_get_version();
     return {
-        // First version with hid_get_input_report().
+        // 0.10.0 is the first version with hid_get_input_report().
         { "hidapi", hid_version_str(), "0.10.0" },
         { "libusb", fmt::format("{}.{}.{}", usb.major, usb.minor, usb.micro), "1.0.22" },
-        // First version with drive and bias settings for each line.
+        // 1.6 is the first version with drive and bias settings for each line.
         { "libgpiod", gpio_library_version(), "1.6" },
     };
 }

@@ -7,7 +7,7 @@ namespace tractus::drivers {
 
 // A system library that a driver uses.
 struct LibraryVersion {
-    std::string name {}; // "hidapi"
+    std::string name {}; // Name, such as "hidapi".
     // Version at run time; where the library does not report it, the version at build time.
     std::string version {};
     std::string needed {}; // The oldest version with every function that the drivers call.

@@ -76,12 +76,13 @@ public:
                                                             Reconnection reconnection);
     ~ReconnectingSource() override;
 
-    // The description from the first opening, even if the device returns under another name.
+    // Returns the description from the first opening, even if the device returns under another
+    // name.
     DeviceInfo const& info() const override { return info_; }
 
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
-    // Includes reports from before the device was lost.
+    // Includes reports dropped before the device was lost.
     std::uint64_t oversized_count() const override;
 
     bool is_connected() const { return is_connected_.load(std::memory_order_relaxed); }

@@ -8,23 +8,24 @@ namespace tractus::sim {
 namespace {
 
 // Report ids (AN495, section 4).
-constexpr int kReadRequest = 0x10;      // Address, length.
-constexpr int kWriteReadRequest = 0x11; // Address, length, number of bytes to write, the bytes.
-constexpr int kForceRead = 0x12;        // Length.
-constexpr int kReadResponse = 0x13;     // Status, length, the bytes.
-constexpr int kWriteRequest = 0x14;     // Address, length, the bytes.
+constexpr int kReadRequest = 0x10; // Contains address, length.
+// Contains address, length, number of bytes to write, and these bytes.
+constexpr int kWriteReadRequest = 0x11;
+constexpr int kForceRead = 0x12;    // Contains a length.
+constexpr int kReadResponse = 0x13; // Contains status, length, and the bytes read.
+constexpr int kWriteRequest = 0x14; // Contains address, length, and the bytes to write.
 constexpr int kStatusRequest = 0x15;
-constexpr int kStatusResponse = 0x16; // Two bytes of status, retries, length.
+constexpr int kStatusResponse = 0x16; // Contains two bytes of status, retries, length.
 constexpr int kCancel = 0x17;
 
 constexpr std::size_t kReportBytes = 64;
-constexpr std::size_t kDataBytes = 61; // Bytes of data in one report.
+constexpr std::size_t kDataBytes = 61; // Maximum number of data bytes in one report.
 
-// Values of the status.
+// Values of the status byte.
 constexpr int kIdle = 0;
 constexpr int kComplete = 2;
 constexpr int kFailed = 3;
-constexpr int kNotAcknowledged = 0; // Reason of a failure.
+constexpr int kNotAcknowledged = 0; // Reason of a failure: no chip acknowledged the address.
 constexpr int kSucceeded = 5;
 
 int byte_at(std::span<std::byte const> bytes, std::size_t at)

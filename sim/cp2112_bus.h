@@ -10,9 +10,9 @@ namespace tractus::sim {
 
 // A chip on an I²C bus.
 struct I2cChip {
-    std::uint8_t address = 0; // Its address of seven bits.
+    std::uint8_t address = 0; // Seven-bit address of the chip on its bus.
     std::function<void(std::span<std::byte const> bytes)> write {};
-    // Returns `size` bytes.
+    // Reads `size` bytes from the chip.
     std::function<std::vector<std::byte>(std::size_t size)> read {};
 };
 
@@ -23,8 +23,8 @@ class Cp2112Bus {
 public:
     explicit Cp2112Bus(I2cChip chip);
 
-    // Processes an output report, which begins with its id. Returns the input report that answers
-    // it; empty if there is none. Unknown and incomplete reports are ignored.
+    // Processes an output report, which begins with its id, and returns the input report that
+    // replies; empty if none does. Unknown and incomplete reports are ignored.
     std::vector<std::byte> output(std::span<std::byte const> report);
 
     // Appends the reports to a report descriptor whose vendor-defined collection is open.
@@ -37,7 +37,7 @@ private:
     std::vector<std::byte> next_data();
 
     I2cChip chip_;
-    bool has_started_ = false; // There has been a transfer.
+    bool has_started_ = false; // True after the first transfer.
     bool is_acknowledged_ = false;
     std::size_t transferred_ = 0;
     std::vector<std::byte> unread_ {}; // Bytes of the last read that the host has not fetched.

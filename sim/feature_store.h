@@ -4,9 +4,9 @@
 
 namespace tractus::sim {
 
-// Returns answers as most devices give them: a feature report is what it was last set to, and only
-// its id before that. The kernel's drivers read back a mode that they have set, to check that it
-// was accepted.
+// Returns functions that answer like most devices: a feature report is as it was last set; before
+// that it consists only of its id. The kernel's drivers read back a mode that they have set, to
+// check that it was accepted.
 UhidAnswers remember_features();
 
 } // namespace tractus::sim

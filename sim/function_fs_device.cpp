@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Wrappers for system calls that the C library has no functions for.
+// Wrappers for system calls that the C library does not provide.
 long io_setup(unsigned count, aio_context_t* context)
 {
     return ::syscall(SYS_io_setup, count, context);
@@ -69,7 +69,7 @@ std::vector<std::byte> block_of(UsbFunctionDescriptors const& descriptors)
     std::vector<std::byte> block;
     append_u32(block, FUNCTIONFS_DESCRIPTORS_MAGIC_V2);
     append_u32(block, 0);
-    // Requests to the device itself are delivered, too.
+    // With FUNCTIONFS_ALL_CTRL_RECIP, requests to the device itself are delivered, too.
     append_u32(block, FUNCTIONFS_HAS_FS_DESC | FUNCTIONFS_HAS_HS_DESC | FUNCTIONFS_ALL_CTRL_RECIP);
     append_u32(block, count_descriptors(descriptors.full_speed));
     append_u32(block, count_descriptors(descriptors.high_speed));
@@ -127,8 +127,9 @@ FunctionFsDevice::FunctionFsDevice(FileDescriptor control, UsbControlAnswers ans
 
 FunctionFsDevice::~FunctionFsDevice()
 {
+    // Cancels pending transfers, and waits for them to end.
     if (context_)
-        ::syscall(SYS_io_destroy, context_); // Cancels pending transfers, and waits for them.
+        ::syscall(SYS_io_destroy, context_);
 }
 
 Result<std::unique_ptr<FunctionFsDevice>>

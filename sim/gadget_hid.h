@@ -53,13 +53,13 @@ private:
     void leave();
 
     std::filesystem::path folder_; // Folder of the function in configfs.
-    FileDescriptor file_;          // Empty while the gadget is unplugged.
+    FileDescriptor file_;          // Node of the function; empty while the gadget is unplugged.
     std::deque<std::vector<std::byte>> waiting_;
     // True while the kernel has a report that the host has not requested yet.
     bool in_flight_ = false;
-    std::uint64_t taken_count_ = 0; // Reports taken since the gadget was plugged in.
+    std::uint64_t taken_count_ = 0; // Number of reports taken since the gadget was plugged in.
     bool is_read_ = false;
-    bool was_read_ = false; // True once reports have been read; earlier ones do not count as lost.
+    bool was_read_ = false; // True once a report has been read; earlier ones do not count as lost.
     std::uint64_t lost_count_ = 0;
 };
 

@@ -29,8 +29,8 @@ namespace tractus::sim {
 //     lean_deg = [30, -20]        # Tilt of the pen to +x and +y; default: see HandOptions.
 //     leaned_around_deg = [25, 20]  # Variation of that tilt; default: 0.
 //
-//     [unkind]                    # Faults of hand, devices and computer (unkindness_table.h); a
-//     dab_share = 0.3             # kind simulation if left out.
+//     [unkind]                    # Faults of hand, devices and computer (unkindness_table.h);
+//     dab_share = 0.3             # without this table there are none.
 //
 //     [[gesture]]
 //     tool = "select"
@@ -79,7 +79,7 @@ struct AxisTrace {
     double height_mm = 50;
 };
 
-// For tools that act at once, without a path.
+// Path of a tool that acts at once.
 struct AtOnce { };
 
 struct Gesture {
@@ -94,7 +94,7 @@ struct Gesture {
 
 struct GestureScript {
     std::uint64_t seed = 1;
-    // Meaning of the tools' words. Older: they are written to the recording as they are, with the
+    // Meaning of the tools' words. Older: they are written to the recording unchanged, with the
     // meaning that they have in old logs. Newest: the words that select the current tools are
     // added.
     enum class Tools { Newest, Older } tools = Tools::Newest;
@@ -108,13 +108,13 @@ struct GestureScript {
 // Parses a script. Fails with a user error naming `file`, the line and the key.
 Result<GestureScript> parse_gesture_script(std::string_view text, std::string const& file);
 
-// Returns the branch with a rank as the user sees it: points in the tablet frame, in millimetres.
+// Returns the branch that the user sees at a rank, as points in the tablet frame, in millimetres.
 using AxisTracer = std::function<Result<std::vector<Vec2>>(std::size_t rank)>;
 
 // Converts a script into strokes for a Hand and simulate_rig(): one for each gesture with a path,
-// in order, with dabs and hooks as the script's unkindness has them. `tracer` provides the
-// branches. Fails with a user error if a gesture is outside the rig's reach, and with the
-// tracer's error; both name the gesture's position.
+// in order, with the dabs and hooks of the script's `unkindness`. `tracer` provides the branches.
+// Fails with a user error if a gesture is outside the rig's reach, and with the tracer's error;
+// both name the gesture's position.
 Result<std::vector<HandStroke>> strokes_of(GestureScript const& script, RigGeometry const& geometry,
                                            AxisTracer const& tracer);
 

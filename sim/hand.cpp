@@ -11,11 +11,11 @@
 namespace tractus::sim {
 
 static constexpr double kMoveSpeed_mm_s = 250;
-// Pause out of range at the beginning and at the end.
+// Pause out of range before the first stroke and after the last one.
 static constexpr Duration kAbsence = std::chrono::milliseconds(200);
 
-// For longer moves to the next stroke, the pen is lifted high except for the first and last
-// moments.
+// In moves to the next stroke that take longer than kLongMove_s, the pen is lifted high, except for
+// kLowMoment_s at either end.
 static constexpr double kLongMove_s = 0.4;
 static constexpr double kLowMoment_s = 0.1;
 

@@ -92,7 +92,7 @@ public:
     // Requires at least one stroke.
     Hand(std::vector<HandStroke> strokes, HandOptions const& options);
 
-    // Time at which everything is finished.
+    // Returns the time at which everything is finished.
     Timestamp end() const { return end_; }
 
     // Returns the state at `time`, clamped to the start and the end.
@@ -105,7 +105,7 @@ public:
         Timestamp up {};
     };
 
-    // Times of the strokes, in order.
+    // Returns the times of the strokes, in order.
     std::span<StrokeTimes const> strokes() const { return stroke_times_; }
 
     bool is_dab(std::size_t stroke) const { return strokes_[stroke].is_dab; }
@@ -125,7 +125,7 @@ private:
         Vec3 rest_mm = Vec3::Zero(); // Position of the hand while it rests.
         std::optional<Path> path {};
         SpeedProfile profile {};
-        std::size_t stroke = 0; // Index of the stroke that it draws or moves to.
+        std::size_t stroke = 0; // Index of the stroke that this part draws or moves to.
     };
 
     // One sine component of an axis's tremor.

@@ -9,12 +9,12 @@
 
 namespace tractus::sim {
 
-// The heights of a recording as a function of time, to compute what another converter would have
-// read. Heights are interpolated linearly between readings, and constant before the first and after
-// the last.
+// The heights of a recording as a function of time, from which the readings of another converter
+// are computed. Heights are interpolated linearly between readings, and constant before the first
+// and after the last.
 class HeightCurve {
 public:
-    // Reads the first height sensor of the log; times count from the log's first report. Fails, with
+    // Reads the first height sensor of the log; times count from the log's first report. Fails with
     // a user error if there is none or it has sent nothing.
     static Result<HeightCurve> read(drivers::Log const& log);
 

@@ -14,7 +14,7 @@ namespace {
 using Bytes = std::vector<std::byte>;
 
 constexpr std::uint16_t kVendorId = 0x1209;
-// A product id of pid.codes for tests; see the protocol.
+// Product id of pid.codes for tests; see the protocol.
 constexpr std::uint16_t kProductId = 0x0002;
 constexpr std::uint8_t kInterfaceString = 4;
 constexpr std::uint8_t kMicrosoftRequest = 0x20;
@@ -50,7 +50,7 @@ void put_wide(Bytes& bytes, std::string_view text, std::size_t zeros)
         put_u16(bytes, 0);
 }
 
-// Windows 8.1, the first version that reads these descriptors.
+// Appends the version number of Windows 8.1, the first version that reads these descriptors.
 void put_windows_version(Bytes& bytes)
 {
     put_u32(bytes, 0x0603'0000);
@@ -214,7 +214,7 @@ std::optional<std::vector<std::byte>> HeightSensorModel::answer(UsbSetup const& 
         put(bytes, { 12, 1 }); // Bits of the converter; conversions per reading.
         put_u16(bytes, kShortestPeriodUs);
         put_u16(bytes, kLongestPeriodUs);
-        // Supported references; maximum readings per frame.
+        // Supported references, and the maximum number of readings per frame.
         put(bytes, { 0x03, drivers::kMaxHeightFrameSamples });
         put_u16(bytes, 0);
         put_u32(bytes, now_us);

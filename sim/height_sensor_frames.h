@@ -41,7 +41,7 @@ public:
     std::vector<std::byte> microsoft_os_descriptors() const;
     std::vector<std::string> strings() const; // Strings, beginning with index 1.
 
-    // Returns the descriptors behind the configuration's header, which FunctionFS needs: the
+    // Returns the descriptors after the configuration's header, which FunctionFS needs: the
     // interface and its endpoint. `string` is the index of the interface's string.
     std::vector<std::byte> interface_descriptors(UsbSpeed, std::uint8_t string) const;
     std::string interface_string() const;

@@ -15,7 +15,7 @@ namespace tractus::sim {
 class LabJackU3Model {
 public:
     struct Options {
-        // U3-HV: FIO0 to FIO3 are always analogue, from -10 V to 20 V.
+        // True: a U3-HV, whose FIO0 to FIO3 are always analogue, from about -10 V to 10 V.
         bool is_high_voltage = false;
         std::uint32_t serial_number = 320012345;
         double volts_per_count = 3.7231e-05; // Calibration of the low-voltage inputs, single-ended.

@@ -22,7 +22,7 @@ std::byte high_byte(std::int16_t value)
     return static_cast<std::byte>(static_cast<std::uint16_t>(value) >> 8);
 }
 
-// True if all four targets are 0x8001.
+// True if all four target positions are 0x8001, which means "stay".
 bool is_stop(std::span<std::byte const> report)
 {
     if (report.size() < 9)

@@ -47,7 +47,7 @@ private:
     Initialisation initialisation_ = Initialisation::None;
     bool has_place_ = true;
     std::int16_t height_ = 0;
-    std::int16_t requested_height_ = 0; // Height at the last request.
+    std::int16_t requested_height_ = 0; // Height when the host last requested it.
     std::size_t movement_count_ = 0;
 };
 

@@ -83,9 +83,10 @@ Mcp2221aModel::Packet Mcp2221aModel::answer_status() const
 Mcp2221aModel::Packet Mcp2221aModel::answer_settings() const
 {
     Packet reply {};
-    reply[2] = std::byte { 18 }; // Number of bytes of settings, and of the password.
+    // Length of the settings in bytes; reply[3] is that of the password.
+    reply[2] = std::byte { 18 };
     reply[3] = std::byte { 4 };
-    // Bits 4 and 3 select the voltage; bit 2 selects it instead of the supply.
+    // Bits 4 and 3 select the internal voltage; bit 2 selects it instead of the supply.
     reply[7] = static_cast<std::byte>((configured_reference_ & 6) << 2
                                       | (configured_reference_ & 1) << 2);
     put_u16(reply, 8, 0x04D8);

@@ -45,9 +45,10 @@ private:
     double supply_volts_;
     std::array<double, 4> volts_ {};
     std::array<std::uint8_t, 4> pins_;
-    // Bits 2 and 1 select the voltage; bit 0 selects it instead of the supply.
+    // Encoded reference voltage: bits 2 and 1 select an internal voltage; bit 0 selects it instead
+    // of the supply.
     std::uint8_t reference_ = 0;
-    std::uint8_t configured_reference_ = 0; // Reference that the settings report.
+    std::uint8_t configured_reference_ = 0; // Reference in the settings that the host reads.
 };
 
 } // namespace tractus::sim

@@ -9,7 +9,8 @@ namespace tractus::sim {
 
 namespace {
 
-constexpr unsigned kCommandEnd = 5; // Clock on which the last bit of the channel is read.
+// Number of the clock pulse on which the last bit of the channel is read.
+constexpr unsigned kCommandEnd = 5;
 constexpr unsigned kNullClock = 6;
 constexpr unsigned kSingleEnded = 8;
 
@@ -84,14 +85,16 @@ void Mcp3208Model::fall()
         dout_ = false;
         return;
     }
-    unsigned const place = clock_ - kNullClock; // 1 for the most significant bit.
+    // Position of the bit; 1 is the most significant one.
+    unsigned const place = clock_ - kNullClock;
     if (place <= options_.bits) {
         decide_next_bit();
         dout_ = code_ >> (options_.bits - place) & 1;
         conversions_ += place == options_.bits;
         return;
     }
-    unsigned const repeated = place - options_.bits; // 1 for the second lowest bit.
+    // Position of the repeated bit; 1 is the second lowest one.
+    unsigned const repeated = place - options_.bits;
     dout_ = repeated < options_.bits && (code_ >> repeated & 1);
 }
 

@@ -55,8 +55,8 @@ public:
     // wire.
     std::optional<bool> dout() const;
 
-    // A broken wire. A broken CLK or DIN reads low; a broken CS reads high, thanks to the pull-up
-    // in firmware-notes/wiring.md; a broken DOUT is high impedance.
+    // Wires that can be broken. A broken CLK or DIN reads low; a broken CS reads high, thanks to
+    // the pull-up in firmware-notes/wiring.md; a broken DOUT is high impedance.
     enum class Wire { Clk, Din, Dout, Cs };
     void break_wire(Wire wire);
     void mend_wire(Wire wire);

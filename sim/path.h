@@ -45,7 +45,7 @@ struct HelixShape {
     double radius_mm = 0;
     double end_radius_mm = 0;
     double start_rad = 0;
-    double turns = 1; // Negative for clockwise.
+    double turns = 1; // Number of turns; negative for clockwise.
     double rise_mm = 0;
 };
 

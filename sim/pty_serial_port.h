@@ -14,9 +14,9 @@
 
 namespace tractus::sim {
 
-// A serial port emulated by a pseudo-terminal: whoever opens its node reads what is sent, through
-// the same system calls as from a board on a real port. It needs no privileges, and disappears with
-// this object.
+// A serial port emulated by a pseudo-terminal: a program that opens its node reads what is sent,
+// through the same system calls as from a board on a real port. It needs no privileges, and
+// disappears with this object.
 class PtySerialPort final : public KernelDevice {
 public:
     // Creates the port. `link`, unless empty, is a symbolic link to the node, as udev makes them
@@ -29,7 +29,7 @@ public:
     PtySerialPort(PtySerialPort const&) = delete;
     PtySerialPort& operator=(PtySerialPort const&) = delete;
 
-    // The address to open, such as /dev/pts/3: the link, if there is one.
+    // Returns the address to open, such as /dev/pts/3: the link, if there is one.
     std::string address() const { return link_.empty() ? node_ : link_.string(); }
 
     // Adds no file: a pseudo-terminal does not announce its readers, so that serve() has to be
@@ -54,11 +54,11 @@ private:
     {
     }
 
-    FileDescriptor file_; // The board's end.
-    std::string node_;    // The station's end.
+    FileDescriptor file_; // The board's end of the pseudo-terminal.
+    std::string node_;    // Path of the station's end, such as /dev/pts/3.
     std::filesystem::path link_ {};
     bool is_read_ = false;
-    bool was_read_ = false; // There has been a reader.
+    bool was_read_ = false; // True once a program has opened the station's end.
     std::uint64_t lost_ = 0;
 };
 

@@ -4,8 +4,8 @@
 
 namespace tractus::sim {
 
-// Streams of the simulation's random numbers (RandomKey::stream), so that one seed serves all and
-// none depends on another.
+// Streams of the simulation's random numbers (RandomKey::stream): one seed serves all of them, and
+// no stream depends on another.
 constexpr std::uint32_t kTremorStream = 0x73'69'6d'01;
 constexpr std::uint32_t kTabletTimingStream = 0x73'69'6d'02;
 constexpr std::uint32_t kHeightTimingStream = 0x73'69'6d'03;

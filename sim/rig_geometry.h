@@ -43,7 +43,7 @@ calib::Rig true_rig(RigGeometry const& geometry);
 // frame, and the height of the carriage. The inverse of calib's T_world_tablet().
 Eigen::Affine3d T_tablet_world(RigGeometry const& geometry);
 
-// Fails with a user error with the first position outside the rig's reach: off the tablet or
+// Fails with a user error that names the first position outside the rig's reach: off the tablet or
 // beyond the travel, with a margin of 1 mm for the hand's tremor.
 Result<void> check_reach(RigGeometry const& geometry, Path const& path);
 

@@ -17,8 +17,8 @@ class SerialBoard {
 public:
     struct Options {
         double rate_hz = 400;
-        // Number that is printed at the full scale of the recorded sensor; no value: as that one
-        // read there.
+        // Number that is printed at the full scale of the recorded sensor; no value: that full
+        // scale itself.
         std::optional<std::int32_t> full_scale {};
     };
 
@@ -27,7 +27,7 @@ public:
 
     std::int32_t full_scale() const { return full_scale_; }
 
-    // Starts the recording, or starts it over. Until then its first height is printed.
+    // Starts or restarts the recording. Before that, the board prints the recording's first height.
     void begin(Timestamp now) { begin_ = now; }
 
     // Time of the next line.
@@ -48,7 +48,8 @@ private:
     Duration period_;
     std::int32_t full_scale_;
     std::optional<Timestamp> begin_ {};
-    Timestamp next_line_ = Timestamp::min(); // The minimum before the first line.
+    // Time of the next line; the minimum before the first line.
+    Timestamp next_line_ = Timestamp::min();
 };
 
 } // namespace tractus::sim

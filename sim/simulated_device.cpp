@@ -22,7 +22,8 @@ Timestamp DeviceClock::next_instant()
 
 Timestamp DeviceClock::arrival(Timestamp instant)
 {
-    constexpr double kFarthest = 3; // Limit in standard deviations.
+    // Limit of the latency's deviation from its mean, in standard deviations.
+    constexpr double kFarthest = 3;
     constexpr Duration kTransferTime = std::chrono::microseconds(50);
     double const deviations = std::clamp(random_.normal(), -kFarthest, kFarthest);
     auto const arrival

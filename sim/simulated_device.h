@@ -51,9 +51,9 @@ private:
 using Pacer = std::function<bool(Timestamp due, Duration timeout)>;
 
 // Opens the device as a source. Without a pacer, each read returns the next report at once,
-// whatever its time; with one, each report is returned when the pacer says that it is due. After
-// the last report, read() returns no value: without a pacer at once, with one after its timeout,
-// since the pacer is given a time that never comes. Reports keep their simulated times.
+// regardless of its time; with one, each report is returned when the pacer says that it is due.
+// After the last report, read() returns no value: without a pacer at once, with one after its
+// timeout, since the pacer is given a time that never comes. Reports keep their simulated times.
 std::unique_ptr<drivers::ReportSource> open_simulated(SimulatedDevice device, Pacer pacer = {});
 
 // A report of one of several devices.

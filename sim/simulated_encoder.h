@@ -21,7 +21,7 @@ class SimulatedEncoder final : public drivers::GpioEdges {
 public:
     static constexpr Duration kStep = std::chrono::microseconds(20);
 
-    // Returns the position at a time, in counts, four to a period.
+    // Returns the encoder's position at a time, in counts, of which four make a period.
     using Position = std::function<double(Timestamp)>;
 
     struct Options {

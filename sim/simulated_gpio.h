@@ -17,7 +17,7 @@ namespace tractus::sim {
 class SimulatedGpio final : public drivers::GpioLines {
 public:
     struct Options {
-        // Time of a request on a Raspberry Pi.
+        // Time that a request takes, by default as on a Raspberry Pi.
         Duration request_time = std::chrono::microseconds(2);
         bool dout_pull = false; // Level of DOUT while nothing drives it.
 

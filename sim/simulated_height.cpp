@@ -84,14 +84,14 @@ drivers::RawReport simulated_slider_report(std::int32_t counts, Timestamp receiv
 
 namespace {
 
-// Encodes readings as reports.
+// Encodes the sensor's readings as its reports.
 class Encoder {
 public:
     virtual ~Encoder() = default;
     virtual drivers::DeviceInfo info() const = 0;
 
-    // Adds a reading and returns the report that it completes, if any. No reading: the sensor
-    // fails.
+    // Adds a reading and returns the report that it completes, if any. Without `counts`, the sensor
+    // fails at this time.
     virtual std::optional<std::vector<std::byte>> encode(Timestamp instant,
                                                          std::optional<std::int32_t> counts)
         = 0;
@@ -142,7 +142,7 @@ public:
     std::optional<std::vector<std::byte>> encode(Timestamp instant,
                                                  std::optional<std::int32_t> counts) override
     {
-        // Near the end of the range, so that the clock wraps soon.
+        // The clock starts near the end of its range, so that it wraps soon.
         constexpr std::uint32_t kFirstUs = 0xFFFF'FFFF - 2'000'000;
         auto const since_us = std::llround(to_seconds(instant) * 1e6 * clock_rate_);
         if (counts)
@@ -190,7 +190,7 @@ SimulatedHeight simulate_height(Hand const& hand, RigGeometry const& geometry,
     DeviceClock clock(options.timing, { .seed = options.seed, .stream = kHeightTimingStream });
     HeightFaults faults(options.faults);
     Random noise({ .seed = options.seed, .stream = kHeightNoiseStream });
-    // Times of readings in complete reports, followed by those for the next report.
+    // Times of the readings in complete reports, followed by those for the next report.
     std::vector<Timestamp> instants;
     std::size_t sent = 0;
     for (auto now = clock.next_instant(); now < hand.end(); now = clock.next_instant()) {

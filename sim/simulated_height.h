@@ -27,15 +27,15 @@ struct HeightOptions {
     };
     HeightWire wire = HeightWire::HidSlider;
     int samples_per_frame = 5; // Number of readings per frame; unused for HidSlider.
-    // Slowness of the clock in frames, parts per million.
+    // Parts per million by which the sensor's clock is slow; unused for HidSlider.
     double clock_drift_ppm = 0;
-    double noise_counts = 1;                     // Standard deviation, before rounding.
-    std::vector<SimulatedHeightFault> faults {}; // Faults by the time of measurement.
+    double noise_counts = 1; // Standard deviation of the readings' noise, before rounding.
+    std::vector<SimulatedHeightFault> faults {}; // Faults; their times are times of measurement.
 };
 
 struct SimulatedHeight {
     SimulatedDevice device;
-    // Mean latency of its decoded samples, as a calibration would measure it.
+    // Mean latency of the sensor's decoded samples, as a calibration would measure it.
     Duration latency {};
 };
 
@@ -44,7 +44,7 @@ struct SimulatedHeight {
 SimulatedHeight simulate_height(Hand const& hand, RigGeometry const& geometry,
                                 HeightOptions const& options);
 
-// Description of the HID slider, and its report for a reading, for uses without a Hand.
+// The HID slider's description, and its report for a reading, for uses without a Hand.
 drivers::DeviceInfo simulated_slider_info(std::int32_t full_scale_counts);
 drivers::RawReport simulated_slider_report(std::int32_t counts, Timestamp received);
 

@@ -40,7 +40,7 @@ std::vector<calib::HeightCapture> simulate_captures(RigGeometry const& geometry,
                                 .full_scale = geometry.full_scale_counts });
         }
         auto const capture = calib::capture_at_rest(samples, height.stated_mm);
-        // A simulated person who holds still, with a working sensor, always gets a capture.
+        // A simulated person holds still and has a working sensor, so the capture always succeeds.
         CHECK(capture);
         captures.push_back(*capture);
     }

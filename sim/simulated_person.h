@@ -10,20 +10,20 @@
 
 namespace tractus::sim {
 
-// A mistake of a person who calibrates: sets the carriage to heights with a ruler, with limited
-// accuracy, and states what the ruler shows.
-
+// A mistake of a person who calibrates: a height that is stated wrongly.
 struct Slip {
     std::size_t capture = 0;
     double wrong_by_mm = 20; // Error of the stated height, upwards.
 };
 
+// A person who calibrates: sets the carriage to heights with a ruler, with limited accuracy, and
+// states what the ruler shows.
 struct PersonOptions {
     std::uint64_t seed = 1;
-    double ruler_error_mm = 0.3; // Standard deviation.
+    double ruler_error_mm = 0.3; // Standard deviation of a set height from the stated one.
     std::optional<Slip> slip {};
     double noise_counts = 1;    // Noise of the sensor in counts, before rounding.
-    std::size_t readings = 500; // Readings per capture.
+    std::size_t readings = 500; // Number of readings per capture.
 };
 
 // A height that a person sets: the true one and the stated one.

@@ -31,10 +31,11 @@ struct TabletOptions {
         .latency = std::chrono::milliseconds(8),
         .jitter = std::chrono::microseconds(400),
     };
-    double tilt_noise_deg = 0; // Standard deviation in degrees, before rounding.
+    // Standard deviation of the tilt's noise in degrees, before rounding.
+    double tilt_noise_deg = 0;
 };
 
-// The true tip at the time of measurement.
+// The pen's true tip at the time of a measurement.
 struct TrueTip {
     Timestamp time {};
     Vec3 position_mm = Vec3::Zero(); // Position of the tip, world frame.

@@ -55,7 +55,7 @@ bool bit(unsigned levels, unsigned line)
     return levels >> line & 1;
 }
 
-// Emulates a CP2112, with or without something on its bus. The models must outlive the device.
+// Emulates a CP2112, with or without a chip on its bus. The models must outlive the device.
 Result<std::unique_ptr<UhidDevice>> play_bridge(Cp2112Model& bridge, Cp2112Bus* bus = nullptr)
 {
     UhidAnswers answers;
@@ -83,7 +83,8 @@ Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input)
 Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
                                                     std::function<void()> on_move_command)
 {
-    auto const desk = std::make_shared<LinakDeskModel>(); // The model is shared by both functions.
+    // The model is shared by both functions below.
+    auto const desk = std::make_shared<LinakDeskModel>();
     UhidAnswers answers;
     answers.get_feature = [desk, input = std::move(input)](std::uint8_t id) {
         auto const tenths_mm

@@ -64,8 +64,8 @@ private:
     Cp2112Model bridge_;
 };
 
-// An emulated MCP3421 on the I²C bus of a CP2112. The kernel's hid-cp2112 makes a bus of it, and
-// its driver mcp3422, once told of the chip, a device of industrial I/O.
+// An emulated MCP3421 on the I²C bus of a CP2112. The kernel's hid-cp2112 provides the bus. When
+// told of the chip, its driver mcp3422 makes it an industrial I/O device.
 class Cp2112WithMcp3421 {
 public:
     // `input` is read anew for each reading.

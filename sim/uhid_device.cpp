@@ -102,7 +102,8 @@ void UhidDevice::add_files_to(std::vector<pollfd>& files) const
 
 Result<void> UhidDevice::serve()
 {
-    // Limit, since a program that asks quickly enough would keep this loop running for ever.
+    // Maximum number of events handled at once, since a program that sends requests quickly enough
+    // would keep this loop running for ever.
     constexpr int kAtOnce = 16;
     uhid_event event {};
     for (int i = 0; i < kAtOnce; ++i) {

@@ -17,8 +17,8 @@ struct uhid_event; // Declared in linux/uhid.h.
 
 namespace tractus::sim {
 
-// Answers of an emulated device. Reports begin with their id if the device uses ids. Each member
-// may be empty: then feature requests are input/output errors, and output reports are ignored.
+// Replies of an emulated device. Reports begin with their id if the device uses ids. Without a
+// function for them, feature requests are input/output errors, and output reports are ignored.
 struct UhidAnswers {
     // Handles an output report; a non-empty result is sent as an input report. If the device uses
     // no ids, reports from programs begin with a 0, those from drivers do not.

@@ -45,7 +45,7 @@ void skip_some(Reports& reports, double share, Random& random)
     reports = std::move(sent);
 }
 
-// Returns the end of the period in which a time lies.
+// Returns the end of the period that contains `time`.
 Timestamp end_of_period(Timestamp time, Duration length)
 {
     auto const since = time.time_since_epoch();
@@ -85,7 +85,7 @@ void stall(Reports& reports, Unkindness const& unkindness)
 {
     constexpr std::size_t kKeptByKernel = 64; // Size of hidraw's buffer; later reports are lost.
     Reports read;
-    std::size_t kept = 0; // Reports kept during the present stall.
+    std::size_t kept = 0; // Number of reports kept during the present stall.
     std::optional<Timestamp> last_end;
     for (auto report : reports) {
         auto const end = end_of_period(report.received, unkindness.stall_period);
@@ -156,7 +156,7 @@ void add_dabs(std::vector<HandStroke>& strokes, RigGeometry const& geometry,
               Unkindness const& unkindness)
 {
     constexpr double kShareOfShort = 0.85;
-    constexpr double kFarthest_mm = 2; // From the start of the stroke.
+    constexpr double kFarthest_mm = 2; // Greatest distance of a dab from the start of the stroke.
     Random random({ .seed = unkindness.seed, .stream = kDabStream });
     std::vector<HandStroke> all;
     for (auto const& stroke : strokes) {

@@ -9,8 +9,8 @@
 
 namespace tractus::sim {
 
-// Faults of hands, devices and computers, which a simulation omits by default. Each field enables
-// one. Equal input and options give equal results.
+// Faults of hands, devices and computers, which a simulation omits by default. Each fault has its
+// own fields. Equal input and options give equal results.
 struct Unkindness {
     std::uint64_t seed = 1;
 
@@ -25,10 +25,10 @@ struct Unkindness {
     double dab_share = 0;
 
     // The hand trembles at 8 to 12 Hz with this standard deviation along x and along y, in place of
-    // HandOptions' tremor; 0: as there. Measured in the 3D strokes that come with Tilt Brush (which
-    // are drawn in the air at 300 to 700 mm/s), as the mean of the three axes in windows of 0.5 s,
-    // cubic trend removed: medians 0.17 mm (toolkit_sketch1) and 0.31 mm (Wire); half as much from
-    // 12 to 20 Hz.
+    // HandOptions' tremor; 0: HandOptions' tremor is used. Measured in the 3D strokes that come
+    // with Tilt Brush (which are drawn in the air at 300 to 700 mm/s), as the mean of the three
+    // axes in windows of 0.5 s, cubic trend removed: medians 0.17 mm (toolkit_sketch1) and 0.31 mm
+    // (Wire); half as much from 12 to 20 Hz.
     double tremor_mm = 0;
 
     // True: the tablet sends no report that equals the previous one, so a resting pen is silent.
@@ -38,7 +38,8 @@ struct Unkindness {
     // Reports in which the pen arrives, leaves, touches or lifts are always sent.
     double skipped_share = 0;
 
-    // Period at whose ends the tablet's reports are delivered in batches; 0: delivered at once.
+    // Interval at which the tablet's waiting reports are delivered in a batch; 0: each is delivered
+    // at once.
     Duration batch_period {};
 
     // Period of wrong height readings, which are off by 100 counts up to half of full scale: a run
@@ -47,15 +48,15 @@ struct Unkindness {
     Duration wrong_period {};
     int most_wrong_in_a_row = 10;
 
-    // Time at the end of each `stall_period` in which the computer reads nothing; then it gives all
-    // waiting reports the same time. The kernel keeps the first 64 reports of each device. 0: no
-    // stalls.
+    // Time at the end of each `stall_period` in which the computer reads nothing. Afterwards all
+    // waiting reports get the same time. The kernel keeps the first 64 reports of each device. 0:
+    // no stalls.
     Duration stall {};
     Duration stall_period {};
 
     bool operator==(Unkindness const&) const = default;
 
-    // Whether reports come late, in bursts or not at all.
+    // True if reports come late, in bursts or not at all.
     bool delays_reports() const
     {
         return skipped_share > 0 || batch_period > Duration(0) || stall > Duration(0);
@@ -71,13 +72,15 @@ Unkindness all_unkindness(std::uint64_t seed);
 void add_hooks(std::vector<HandStroke>& strokes, RigGeometry const& geometry,
                Unkindness const& unkindness);
 
-// Puts dabs before some strokes. One that would leave the rig's reach is left out.
+// Puts dabs, short touches by mistake, before some strokes. A dab that would leave the rig's reach
+// is omitted.
 void add_dabs(std::vector<HandStroke>& strokes, RigGeometry const& geometry,
               Unkindness const& unkindness);
 
 void set_tremor(HandOptions& options, Unkindness const& unkindness);
 
-// Changes the arriving reports; the truth stays, so it no longer has one entry for each report.
+// Changes the reports as they arrive. The truth stays, so it no longer has one entry for each
+// report.
 void make_unkind(SimulatedRun& run, Unkindness const& unkindness);
 
 } // namespace tractus::sim

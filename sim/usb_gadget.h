@@ -24,7 +24,7 @@ struct UsbGadgetIdentity {
     std::string serial_number {};
 };
 
-// Folders of the kernel's gadget interface; only tests use others.
+// Folders of the kernel's gadget interface; only tests change them.
 struct UsbGadgetPlace {
     std::filesystem::path configfs = "/sys/kernel/config";
     std::filesystem::path ports = "/sys/class/udc"; // USB device controllers.
@@ -40,7 +40,7 @@ struct UsbGadgetPlace {
 // has left behind is removed first. Needs root.
 class UsbGadget {
 public:
-    // Creates a gadget. Fails, with a user error and with the remedy, if the kernel does not
+    // Creates a gadget. Fails with a user error that names the remedy if the kernel does not
     // support gadgets, if the user lacks permission, or if another program has a gadget of that
     // name.
     static Result<std::unique_ptr<UsbGadget>> create(UsbGadgetIdentity const& identity,

@@ -81,7 +81,8 @@ private:
     Result<exports::GlbSummary> write_plants(std::ostream& out,
                                              std::span<exports::PlacedMesh const> plants);
 
-    // Valid until the next call. `place` belongs to a plant of this collection.
+    // Returns the plant at its age, valid until the next call. `place` belongs to a plant of this
+    // collection.
     Plant const& grow(CollectionGrower& grower, PlantPlace const& place);
 
     std::optional<mesh::WindKey> wind(PlantPlace const& place) const
@@ -187,7 +188,7 @@ Result<void> Collection::compare(CollectionGrower& grower)
     return {};
 }
 
-// Returns the same spacing in all shards.
+// Distance between neighbouring plants, the same in all shards.
 double Collection::spacing_mm(CollectionGrower& grower)
 {
     double width_mm = 1;
@@ -240,10 +241,10 @@ void Collection::add_details(exports::PlacedMesh& mesh, std::function<Plant()> c
         { std::function<exports::Billboard()>([this, plant] { return billboard(plant()); }), 0 });
 }
 
-// Stores the first error, as it cannot be returned to the caller.
+// Draws a billboard. The first error is stored, as it cannot be returned to the caller.
 exports::Billboard Collection::billboard(Plant const& plant)
 {
-    // Share of the triangles; more would not be visible in so few pixels.
+    // Share of the triangles to keep; more would not be visible in so few pixels.
     constexpr double kShare = 0.25;
     auto const coarse = mesh::coarser_plant(plant, options_.mesh, kShare);
     auto const mesh = mesh::make_mesh(coarse, mesh::coarser_options(options_.mesh, kShare));

@@ -92,7 +92,8 @@ struct CollectionReport {
     std::uint64_t triangles = 0; // Triangles of all plants.
     std::uint64_t bytes = 0;     // Total size of all .glb files.
 
-    // Distances between at most 64 fully grown plants of the whole collection.
+    // Distances between at most 64 plants of the whole collection, and from them to the drawn
+    // plant.
     variation::DistanceSpread between_plants;
     variation::DistanceSpread from_drawn;
     double height_mm = 0; // Height of the plant as drawn.

@@ -60,7 +60,8 @@ CollectionGrower::planned_for(variation::PlantKey const& key) const
     return planned(std::move(scene));
 }
 
-// A plant needed at several ages or levels of detail is built only once.
+// Returns the scene and growth plan for a key. A plant needed at several ages or levels of detail
+// is built only once.
 CollectionGrower::Planned& CollectionGrower::planned_of(variation::PlantKey const& key)
 {
     if (!is_varied(key))

@@ -38,11 +38,11 @@ public:
     // True if all plants have the same sketched parts, so that their nodes can be compared.
     bool has_one_topology() const { return construction_ == 0; }
 
-    // The plant as drawn; grow() returns the plant of a key. Valid until the next call.
+    // The plant as drawn; and the plant of a key, valid until the next call.
     Result<Plant> drawn() const;
     Plant const& grow(variation::PlantKey const& key, double age = 1);
 
-    // The plant of a key as comparable_individual().
+    // The plant of a key in a form that can be compared node by node (comparable_individual()).
     Plant comparable(variation::PlantKey const& key, double age);
 
     // Number of plants whose construction could not be varied; they are as drawn except for their
@@ -60,7 +60,7 @@ private:
         scene::Scene scene;
         std::unique_ptr<variation::GrowthPlan const> plan {};
         std::unique_ptr<variation::Grower> grower {};
-        std::vector<bool> kept {}; // True for axes that were drawn and the axes that bear them.
+        std::vector<bool> kept {}; // True for axes that were drawn and the axes that carry them.
     };
     static Result<std::unique_ptr<Planned>> planned(scene::Scene scene);
     Planned& planned_of(variation::PlantKey const& key);
@@ -78,8 +78,8 @@ private:
     bool is_above_ground_ = false;
     std::size_t underground_ = 0;
     variation::Individuality individuality_ {};
-    Plant bent_ {};       // The last plant bent above the ground.
-    Plant individual_ {}; // The last plant as an individual.
+    Plant bent_ {};       // The last plant bent along the ground.
+    Plant individual_ {}; // The last plant with individual differences.
 };
 
 } // namespace tractus::batch

@@ -11,7 +11,7 @@ namespace tractus::batch {
 
 static constexpr PictureSize kSheetTile { 240, 240 };
 
-// Good enough for a tile, in which the thickest trunk is a few pixels wide.
+// Mesh options good enough for a tile, in which the thickest trunk is a few pixels wide.
 static constexpr mesh::MeshOptions kSheetMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
 
 static std::size_t sheet_plant_count(std::size_t count)

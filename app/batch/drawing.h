@@ -31,12 +31,12 @@ struct GrowthOptions {
     std::optional<scene::Season> season {};
 };
 
-// Name of the growth of the plants of `model`.
+// Name of the growth preset of the plants of `model`, for reports and manifests.
 std::string growth_name(std::filesystem::path const& model, GrowthOptions const& growth);
 
 // A plant to draw on: its file and, if that is a session, the kinds of edits it may contain.
 struct PlantChoice {
-    // Empty: start with an empty sheet, on which the drawing makes plants.
+    // File of the plant; empty: an empty sheet, on which the drawing makes plants.
     std::filesystem::path model;
     scene::EditKinds kinds;
 };

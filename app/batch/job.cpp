@@ -28,7 +28,7 @@ namespace {
 constexpr PictureSize kPicture { 1280, 960 };
 constexpr PictureSize kTile { 420, 420 };
 
-// Good enough for a tile, in which the thickest trunk is a few pixels wide.
+// Mesh options good enough for a tile, in which the thickest trunk is a few pixels wide.
 constexpr mesh::MeshOptions kTileMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
 
 // Number of columns for a sheet or field of `count` plants: slightly wider than high, but one fewer
@@ -66,7 +66,7 @@ public:
         return index < options_->variations ? fmt::format("{}", index + 1) : season(index).name;
     }
 
-    // Valid until the next call.
+    // Returns the plant of an index, valid until the next call.
     Plant const& grow(std::size_t index)
     {
         return index < options_->variations ? variation(static_cast<std::uint32_t>(index))
@@ -123,7 +123,7 @@ private:
     scene::Scene const* scene_;
     scene::SeedAssignment own_seeds_;
     PlantGroup group_;
-    std::optional<PlantGroup> own_; // The group of the last plant with a seed of its own.
+    std::optional<PlantGroup> own_; // The group of the last plant that had its own seed.
     std::size_t underground_ = 0;
     std::vector<InSeason> seasons_;
 };
@@ -164,7 +164,7 @@ Result<JobReport> Job::run()
     auto pictures = TRY(PictureMaker::create());
     pictures_ = &pictures;
     auto const path = options_.folder / "report.txt";
-    // By this, check_job_folder() knows the files of a run that is killed.
+    // Lets check_job_folder() recognise the files of a run that was killed.
     TRY(write_file(path, fmt::format("{}{}\nnot finished\n", kReportBegins, report_.log)));
     TRY(draw_base(drawing));
     TRY(make_collection(drawing.scene));

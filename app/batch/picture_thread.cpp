@@ -18,7 +18,8 @@ struct PictureThread::Shared {
     std::mutex mutex;
     std::condition_variable changed;
     std::optional<Result<void>> begun; // Set once the thread is ready to draw or has failed.
-    std::function<void(PictureMaker&)> const* wanted = nullptr; // Set until the request is done.
+    // Request in progress; null if there is none.
+    std::function<void(PictureMaker&)> const* wanted = nullptr;
     bool stop = false;
     std::thread thread;
 };

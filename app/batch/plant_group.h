@@ -32,8 +32,8 @@ public:
     // Number of segments of the last returned plant that are below the ground, except roots.
     std::size_t underground() const { return underground_; }
 
-    // The plants for one key of a collection, without parts not grown at that age. Owned by the
-    // group and valid until the next call.
+    // The plants for one key of a collection, without parts that have not grown at that age. Owned
+    // by the group and valid until the next call.
     Plant const& grow(variation::PlantKey const& key, double age);
 
 private:
@@ -43,7 +43,7 @@ private:
         variation::Grower grower;
         scene::SetGrowth growth;
         Vec3 moved_mm = Vec3::Zero(); // Translation from its own frame to that of the first plant.
-        std::vector<bool> kept {};    // True for axes that were drawn and the axes that bear them.
+        std::vector<bool> kept {};    // True for axes that were drawn and the axes that carry them.
     };
 
     Plant const& grown(Member& member, variation::PlantKey const& key, double age, Plant& bent);

@@ -139,7 +139,7 @@ fs::path inner_folder(std::string const& name, scene::ItemId id)
     return fmt::format("{}-{}", file_name(name, "").string(), scene::name_of(id));
 }
 
-// Describes what stands where, for the user.
+// Describes where a plant stands, or to which plant a part is attached, for the user.
 std::string describe_place(scene::PlantState const& plant, scene::DocumentState const& state)
 {
     auto const& at_mm = plant.stands_at_mm;

@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 6> kNames { "height", "travel", "latency"
 constexpr Duration kPenRest = std::chrono::milliseconds(500);
 constexpr double kPenStill_mm = 4;
 constexpr double kFarthest_mm = 10'000;
-// A longer time without readings, at the end of a capture, means that the sensor failed.
+// If there were no readings for longer than this at the end of a capture, the sensor has failed.
 constexpr Duration kSilence = std::chrono::milliseconds(250);
 
 Result<double> parse_height(std::string_view text)
@@ -146,7 +146,7 @@ void CalibrationController::refuse_capture(std::string_view reason)
     pending_.reset();
 }
 
-// `now` is the time of the first reading after the capture.
+// Ends a capture. `now` is the time of the first reading after it.
 void CalibrationController::close_capture(Timestamp now)
 {
     auto const last = pending_->samples.empty() ? pending_->begin : pending_->samples.back().time;

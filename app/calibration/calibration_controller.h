@@ -97,7 +97,7 @@ public:
     // yet, and after procedures other than Height.
     std::optional<calib::HeightFitDoubt> doubt() const;
 
-    // The result of Zero if it depends on why heights are off and nothing tells the cause yet;
+    // The result of Zero if it depends on why heights are off and the cause is not yet known;
     // otherwise no value.
     std::optional<calib::Zeroing> open_question() const;
 
@@ -173,7 +173,7 @@ private:
     std::optional<drivers::PenSample> pen_;
     std::optional<drivers::PenSample> touch_; // First sample of the current touch.
     bool is_rest_reported_ = false;
-    bool is_pressing_ = false; // The current touch does not belong to the calibration.
+    bool is_pressing_ = false; // True if the current touch does not belong to the calibration.
 
     bool is_moving_ = true; // True during a movement; always true in a log without begin and end.
     std::size_t touches_ = 0;

@@ -17,7 +17,7 @@ std::string describe(calib::LatencyFit const& fit, calib::Rig const& rig);
 std::string describe(calib::TiltFit const& fit);
 std::string describe(calib::HeightCheck const& check);
 
-// `before` is the rig before zeroing.
+// Describes the result of zeroing; `before` is the rig before it.
 std::string describe(calib::Zeroing const& zeroing, calib::Rig const& before,
                      std::span<calib::HeightCapture const> captures);
 

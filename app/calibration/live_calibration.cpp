@@ -39,7 +39,7 @@ public:
             is_moving_ = false;
     }
 
-    // Returns false if the user quit.
+    // Runs the calibration to its end. Returns false if the user quit.
     Result<bool> run(std::atomic<bool> const& stop)
     {
         ask();
@@ -344,8 +344,9 @@ private:
     LiveCalibrationOptions const& options_;
     std::vector<devices::LiveReport> reports_;
     std::string entry_;
-    std::string typed_;            // Keys typed during a capture.
-    std::vector<double> again_mm_; // Heights whose captures disagreed.
+    std::string typed_; // Keys typed during a capture.
+    // Heights to capture again, because their captures disagreed with the others.
+    std::vector<double> again_mm_;
     bool was_capturing_ = false;
     Timestamp capture_began_ {};
     bool is_moving_ = false;

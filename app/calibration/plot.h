@@ -43,7 +43,7 @@ struct Plot {
     std::string y_label {};
     Vec2 low = Vec2::Zero();           // Lower left corner of the visible range.
     Vec2 high = Vec2::Ones();          // Upper right corner of the visible range.
-    std::vector<PlotSeries> series {}; // In drawing order, the bottom one first.
+    std::vector<PlotSeries> series {}; // The series in drawing order, the bottom one first.
 };
 
 // Sets low and high so that everything is visible, with a margin.

@@ -24,7 +24,7 @@ struct Performance {
     std::vector<std::string> words; // Commands of the user; for captures there is one per stroke.
 };
 
-// A pen held still for two seconds: a line too short and slow to count as one.
+// A pen held still for two seconds, as a line that is too short and slow to count as a movement.
 sim::HandStroke hold_still(double height_mm)
 {
     return { .path

@@ -57,7 +57,7 @@ public:
         return plant_;
     }
 
-    // Also the branches that die later.
+    // Includes the branches that die at a later age, which grow() leaves out.
     Plant parts(double age) override { return film_.plant_at(age * film_.years()); }
 
 private:

@@ -27,8 +27,9 @@ public:
 // scene::plan_growth().
 Result<std::unique_ptr<AgeingPlant>> varied_plant(scene::Scene const& scene, bool along_ground);
 
-// The same; but if it is a self-organising tree as it has grown, its ages are the years that it has
-// lived. Also fails if the tree cannot be grown.
+// The active plant of a scene at successive ages. For a self-organising tree as it has grown, these
+// are the years that it has lived; any other plant is as for varied_plant(). Fails like
+// varied_plant(), or if the tree cannot be grown.
 Result<std::unique_ptr<AgeingPlant>> plant_of_ages(scene::Scene const& scene,
                                                    scene::MakeLoadOptions const& options);
 

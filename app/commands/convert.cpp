@@ -35,7 +35,7 @@ constexpr char const* kTopView = "top";
 struct ConvertArguments {
     fs::path input;
     fs::path output;
-    std::string format; // Empty: given by the output's name.
+    std::string format; // Output format; empty: determined by the output's name.
     std::string ids;
     std::string rig;
     std::string height;

@@ -19,7 +19,8 @@ Result<devices::LiveDevices> open_devices(std::vector<std::string> const& names,
 // opened, fails with the error of the first one.
 Result<devices::LiveDevices> open_found(std::vector<drivers::DeviceInfo> const& found);
 
-// Flag that SIGINT and SIGTERM set from now on, instead of ending the program.
+// Flag that SIGINT, SIGTERM and SIGHUP (unless ignored) set from now on, instead of ending the
+// program.
 std::atomic<bool> const& stop_on_signals();
 
 } // namespace tractus::commands

@@ -46,13 +46,13 @@ struct GrowArguments {
     std::size_t ages = 0;   // Number of ages of an animation in one file; 0: no animation.
     std::size_t frames = 0; // Number of frames of an animation in separate files; 0: no animation.
     double seconds = 10;
-    // Habit of a tree that grows by itself, from a seed or, with a model, from that; empty: only
-    // the model.
+    // Habit of a self-organising tree, which grows from a seed or, if there is a model, from the
+    // model's plant. Empty: no such tree.
     std::string habit;
-    int years = 20;       // Number of years that it grows.
+    int years = 20;       // Number of years that the self-organising tree grows.
     int stand = 1;        // Number of trees that grow beside each other.
     double spacing_m = 4; // Distance between neighbouring trees.
-    bool fills = false;   // True: it fills the crown of the model, which was drawn by its outline.
+    bool fills = false;   // True: the tree fills the crown of the model, whose outline was drawn.
     bool report = false;
 
     bool is_varied() const
@@ -95,7 +95,7 @@ std::string describe_result(Plant const& plant, std::uint64_t triangles,
     return output.extension() == ".mtg" ? text : fmt::format("{}, {} triangles", text, triangles);
 }
 
-// Age of a frame: evenly spaced, the last one is fully grown.
+// Age of the plant in a frame: ages are evenly spaced, and the last one is fully grown.
 double age_of(std::size_t frame, std::size_t frames)
 {
     return static_cast<double>(frame) / static_cast<double>(frames);
@@ -178,7 +178,7 @@ Result<void> write_varied(GrowArguments const& arguments, scene::Scene const& sc
     return write_one(arguments, plant, name);
 }
 
-// Prints what is measured of each plant of a scene, as a list, and writes them if a file is named.
+// Prints a list of measurements of each plant of a scene, and writes the plants if a file is named.
 Result<void> report_all(GrowArguments const& arguments, scene::Scene const& scene,
                         std::string const& name)
 {
@@ -302,7 +302,7 @@ Result<scene::Scene> add_drawing(batch::DrawingOptions const& options, scene::Sc
     return std::move(drawing.scene);
 }
 
-// The plant that the arguments name, and whether it comes from a session.
+// The plant that the arguments name.
 struct NamedPlant {
     scene::Scene scene;
     std::string name;

@@ -41,7 +41,8 @@ std::string features_text(lsystem::Model const& model)
     return text;
 }
 
-// Draws the string, as warnings about skipped symbols become known only then.
+// Describes the drawn plant and lists all warnings. Those about skipped symbols arise only when the
+// string is drawn.
 Result<std::string> drawing_text(lsystem::Model const& model, lsystem::ModuleString const& string,
                                  lsystem::DeriveOptions const& options)
 {
@@ -113,7 +114,8 @@ initial color: 1
 organ: l leaf kind=blade material=2 length=4 width=2.2 petiole=0.6
 )";
 
-// Fails if the name is not one for rules, or if the rules or the view are there already.
+// Fails if the name is that of a view, or if a file of the rules' or the view's name exists
+// already.
 Result<void> check_new_model(std::filesystem::path const& path, std::filesystem::path const& view)
 {
     if (view == path)
@@ -146,7 +148,7 @@ struct ImportArguments {
     std::string notation;
 };
 
-// Reads a model in another notation: as the option says, or else as it looks.
+// Reads a model in another notation: the one that the options name, otherwise the recognised one.
 Result<lsystem::ImportedModel> read_imported(ImportArguments const& arguments)
 {
     constexpr std::size_t kMaxFileSize = std::size_t { 16 } << 20;

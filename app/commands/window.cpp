@@ -51,7 +51,8 @@ struct WindowArguments {
     std::string recording;
     std::vector<std::string> least; // Pairs TOOL=MM; see tools/min_extent.h.
     std::string session;
-    std::string model; // Empty: the start page, or kUsualModel if there is no start page.
+    // Model to draw on; empty: the start page, or kUsualModel if there is no start page.
+    std::string model;
     bool wants_start_page = false; // True: opens the start page whatever the other arguments are.
     std::string rig;
     std::string height;
@@ -59,7 +60,7 @@ struct WindowArguments {
     std::string socket;  // Socket on which other programs receive strokes; empty: none.
     bool fills_display = false;
     std::string display; // Name of the display to fill; empty: see `fills_display`.
-    std::string view;    // One of window::shown_words(); empty: not given.
+    std::string view;    // Initial view, one of window::shown_words(); empty: not given.
     bool is_on_stage = false;
     std::optional<bool> is_light {}; // Light or dark colours; no value: the user's last choice.
     // Layout for left-handed use; no value: the user's last choice.
@@ -76,7 +77,7 @@ std::string window_title(std::string const& hand, std::string const& drawing)
     return fmt::format("tractus: {} on {}", hand, drawing);
 }
 
-// The model to draw on, where a drawing needs one.
+// Finds the model to draw on, for drawings that need one.
 Result<std::filesystem::path> model_of(WindowArguments const& arguments)
 {
     return files::find_plant(arguments.model.empty() ? kUsualModel : arguments.model);
@@ -174,7 +175,7 @@ bool begins_with_start_page(WindowArguments const& arguments)
         && arguments.screenshot.empty();
 }
 
-// Opens the requested drawing with its session, by default a new one, and tells the user. Returns
+// Opens the requested drawing with its session, by default a new one, and informs the user. Returns
 // its name, or an empty text for the start page.
 Result<std::string> open_first_drawing(WindowArguments const& arguments,
                                        controllers::LiveWindowOptions& options)

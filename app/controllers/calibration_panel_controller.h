@@ -21,7 +21,7 @@ struct CalibrationPanelControllerOptions {
     std::string date {};               // Date for the calibration's file.
     std::function<Timestamp()> now {};
 
-    // Writes the outcome; returns what was written, for the user, or the error.
+    // Writes the outcome. Returns a message for the user about what was written, or the error.
     std::function<Result<std::string>(calibration::CalibrationOutcome const&)> keep {};
 };
 
@@ -41,7 +41,7 @@ public:
     calibration::CalibrationView const& view() const override { return view_; }
     void perform(calibration::CalibrationCommand const& command) override;
 
-    // The rig that was saved since the last call.
+    // Returns the rig if one was saved since the last call.
     std::optional<calib::Rig> take_kept_rig() { return std::exchange(kept_, std::nullopt); }
 
 private:

@@ -30,7 +30,7 @@ public:
     // Fails with a user error if it cannot be written.
     Result<std::string> keep(tools::Tool const& hand) const;
 
-    // Fails with a user error if the new name is not a valid file name or is taken.
+    // Renames a card. Fails with a user error if the new name is not a valid file name or is taken.
     Result<void> rename(std::string const& from, std::string const& to) const;
 
     Result<void> remove(std::string const& name) const;

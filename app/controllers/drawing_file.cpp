@@ -14,7 +14,7 @@ namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
-// The edits of a new session's beginning.
+// Returns the edits with which a new session of this plant begins.
 static Result<std::vector<scene::Edit>> edits_of_plant(fs::path const& plant,
                                                        scene::EditKinds kinds)
 {
@@ -74,7 +74,7 @@ static Result<OpenedDrawing> begin_unnamed(DrawingRequest wanted, scene::EditKin
         opened.unnamed = wanted.session;
         return opened;
     }
-    // Fails if the plant itself was the cause of the first failure.
+    // Fails if the plant itself was why no session could be created.
     opened.scene = TRY(scene_of_plant(wanted.plant, kinds));
     opened.trouble = "what is drawn is not kept: " + session.error().message;
     return opened;

@@ -11,8 +11,9 @@ namespace tractus::controllers {
 // Makes a display name of a file's stem: "lombardy_poplar" becomes "Lombardy poplar".
 std::string name_in_words(std::string stem);
 
-// The display name of a drawing: the session's own name (Session::name()); if none, the plant's for
-// generated file names (unnamed_session.h), otherwise the file's.
+// The display name of a drawing: `given`, the session's own name (Session::name()), if there is
+// one; otherwise the plant's name for a generated file name (unnamed_session.h), or else the
+// file's.
 std::string name_of_drawing(std::filesystem::path const& session, std::string const& given);
 
 // Trims spaces around a typed name. Fails with a user error if it is empty, longer than 60 bytes,

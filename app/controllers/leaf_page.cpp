@@ -26,8 +26,8 @@ constexpr std::array<Number, 5> kNumbers {
       { "larvae {:.1f}", &lsystem::LeafDamage::larvae, 8, 0.5 },
       { "withered {:.0f} %", &lsystem::LeafDamage::withered, 1, 0.01 } }
 };
-constexpr std::size_t kAge = 0; // Index of the age's slider. Those of the grammar's numbers come
-                                // after kSeason.
+// Index of the slider for the age. The sliders for kNumbers follow that for the season.
+constexpr std::size_t kAge = 0;
 constexpr std::size_t kSeason = 1;
 constexpr std::size_t kFirstNumber = 2;
 

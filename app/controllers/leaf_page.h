@@ -62,7 +62,7 @@ private:
     bool is_open_ = false;
     bool is_left_ = false;
     view::StartPageState state_;
-    // The leaf's subject as given when the page was opened.
+    // The leaf that the page shows, as passed to open().
     std::shared_ptr<Subject const> subject_ {};
     methods::Foliage wanted_ {};
     std::optional<scene::Season> season_ {};

@@ -51,10 +51,10 @@ struct LiveWindowOptions {
     std::function<Timestamp()> now {}; // The clock of the reports.
     // The time that `now` returns, if it advances only by the steps of advance(); otherwise null.
     std::shared_ptr<Timestamp> counted_time {};
-    // Replaces missing pen or height sensor by the mouse; the surface begins at `height_mm`.
+    // Replaces a missing pen or height sensor by the mouse; the surface begins at `height_mm`.
     std::optional<MouseRig> mouse {};
-    // The start page, shown before and between drawings; if it is open, also at first. Null: none,
-    // and the window ends with its drawing.
+    // The start page. It is shown between drawings and, if it is open already, before the first
+    // one. Null: there is none, and the window closes with its drawing.
     std::unique_ptr<StartPageController> start_page {};
     // The session's file, to be deleted if nothing was drawn in it; may be null. Shared with the
     // caller, who deletes it for the last drawing when the window is closed; the window itself does
@@ -177,7 +177,7 @@ private:
     LiveCards cards_;
     // Page on which a picture or leaf is chosen; null until opened.
     std::unique_ptr<ChoicePage> choices_;
-    ChoiceOf choice_of_ = ChoiceOf::Picture;      // Whether choices_ is for pictures or leaves.
+    ChoiceOf choice_of_ = ChoiceOf::Picture;      // Whether choices_ is for a picture or leaves.
     std::vector<DrawnLeafFile> drawn_leaves_ {};  // Leaves of the document among the choices.
     std::vector<DrawnOrganFile> drawn_organs_ {}; // Leaves drawn in three views among the choices.
     std::filesystem::path kept_leaf_ {};     // File of the plant's current foliage; may be empty.

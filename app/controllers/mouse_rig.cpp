@@ -23,8 +23,8 @@ static_assert((kSurfaceHigh - kSurfaceLow) / kCountsPerSurfaceMm == MouseRig::kT
 // Within this time of both ends of a stall, heights are sent at the usual rate: pen positions fall
 // into it, and a moving surface comes to rest.
 constexpr Duration kDenseAroundStall = std::chrono::milliseconds(250);
-constexpr Duration::rep kMaxOfStall = 10'000; // Most reports for the middle of a stall, even after
-                                              // hours.
+// Maximum number of reports for the middle of a stall, even after hours.
+constexpr Duration::rep kMaxOfStall = 10'000;
 
 } // namespace
 

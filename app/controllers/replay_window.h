@@ -59,7 +59,7 @@ private:
     void perform_kind(view::NameDrawing const&) { }
     void perform_kind(view::SaveCopy const&) { }
     void perform_kind(view::WriteRules const&) { }
-    // The window's controls were elsewhere when the log was recorded.
+    // Pressing has no effect, as the window's controls were elsewhere when the log was recorded.
     void perform_kind(view::SetPressingAreas const&) { }
     void perform_kind(view::PressInstead const&) { }
     void perform_kind(view::MoveMousePen const&) { }
@@ -68,7 +68,7 @@ private:
     void perform_kind(view::SetRecording const&) { }
     // Watching devices has no effect, as none are connected.
     void perform_kind(view::WatchDevices const&) { }
-    // There is no start page, as a replay ends by itself.
+    // Opening the start page has no effect: there is none, as a replay ends by itself.
     void perform_kind(view::OpenStartPage const&) { }
     void perform_kind(view::OpenCalibration const&) { }
     void perform_kind(view::CloseCalibration const&) { }

@@ -18,8 +18,9 @@ namespace tractus::controllers {
 Result<std::filesystem::path> write_rules(scene::PlantState const& plant,
                                           std::filesystem::path const& folder);
 
-// The change after a model's file was saved: the active plant is derived again from the new text,
-// keeping what was drawn on it. Fails with a user error if the active plant is not this model's.
+// Returns the change that follows the saving of a model's file: the active plant is derived again
+// from the new text, keeping what was drawn on it. Fails with a user error if the active plant does
+// not use this model.
 Result<document::StepRequest::Change> take_rules(scene::LoadModel const& model,
                                                  scene::Scene const& scene);
 

@@ -35,7 +35,7 @@ public:
     // strokes and of background work.
     void show(station::Station& station, Timestamp now);
 
-    // Like show(), after all pending work is done or cannot be done for now.
+    // Like show(), but first waits until all pending work is done or cannot be done for now.
     void settle(station::Station& station, Timestamp now);
 
     // Waits until all strokes and steps are saved. Fails with a user error if some cannot be.

@@ -27,7 +27,7 @@ constexpr Duration kPollRest = std::chrono::milliseconds(2);
 // A report of one of several devices.
 struct LiveReport {
     std::size_t device = 0;       // Index in LiveDevices::infos().
-    drivers::RawReport report {}; // Empty: the device disconnected.
+    drivers::RawReport report {}; // The report; empty: the device disconnected.
 };
 
 // A device that could not be opened, and why.
@@ -86,7 +86,8 @@ public:
     static Result<LiveDevices> play_hand(std::function<Timestamp()> const& now);
     static std::string_view hand_plant() { return "birch"; }
     bool has_hand() const { return hand_.has_value(); }
-    // See SimulatedHand; no effect without a hand.
+    // Start the simulated hand, and return its due tool lines (SimulatedHand). No effect without a
+    // hand.
     void start_simulated_hand();
     std::vector<drivers::LogTool> take_hand_tools();
 

@@ -16,8 +16,8 @@
 
 namespace tractus::devices {
 
-// Fails with a user error if the file exists: a recording cannot be repeated, so it is never
-// overwritten.
+// Checks that no file has this name. Fails with a user error if one exists: a recording cannot be
+// repeated, so it is never overwritten.
 Result<void> check_new_file(std::filesystem::path const& path);
 
 // Writes what live devices send to a log immediately. If the program crashes, at most the last

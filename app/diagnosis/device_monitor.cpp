@@ -135,7 +135,7 @@ void DeviceMonitor::watch_pace(Timestamp time)
         ++reading_.backward_times;
         recent_.clear();
     }
-    // Most reports kept from one second; more than USB's 8 kHz allow.
+    // Maximum number of reports kept from one second; more than USB's 8 kHz allow.
     constexpr std::size_t kMaxPerSecond = 20'000;
     recent_.push_back(time);
     while (recent_.front() + kWindow < time || recent_.size() > kMaxPerSecond)

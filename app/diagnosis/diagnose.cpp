@@ -26,7 +26,7 @@ using namespace std::chrono_literals;
 constexpr int kHidClass = 3; // USB class of human interface devices.
 
 // Steps to get permission, the best one first: our udev rules if they cover the device, otherwise a
-// rule of its own.
+// udev rule for this device alone.
 std::vector<std::string> how_to_permit(drivers::DeviceInfo const& info)
 {
     constexpr auto kReload = "sudo udevadm control --reload-rules && sudo udevadm trigger";

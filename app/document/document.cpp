@@ -11,8 +11,8 @@ namespace tractus::document {
 
 namespace {
 
-// Computes the plants' rest shapes, which are otherwise computed on first use, so that no thread
-// that renders the scene has to.
+// Computes the plants' rest shapes in advance, so that threads that render the scene need not wait
+// for them.
 void find_rest_shapes(scene::Scene const& scene)
 {
     for (auto const& plant : scene.plants)
@@ -45,7 +45,7 @@ void Document::begin_working(Working working)
     try {
         thread_ = std::thread([this] { run(); });
     } catch (std::system_error const&) {
-        // The system cannot start a thread: the work is done in the caller's thread.
+        // The system cannot start a thread, so the work is done in the caller's thread.
     }
 }
 
@@ -84,7 +84,7 @@ void Document::run()
     }
 }
 
-// Steps that could not be written yet are written before any later one.
+// Does the next piece of queued work. Steps not yet written are written before any later step.
 void Document::do_next(std::unique_lock<std::mutex>& lock)
 {
     is_at_work_ = true;
@@ -94,7 +94,7 @@ void Document::do_next(std::unique_lock<std::mutex>& lock)
         save_pending_steps();
         lock.lock();
     } else {
-        auto const& work = queue_.front(); // The reference stays valid while others are appended.
+        auto const& work = queue_.front(); // Stays valid while other elements are appended.
         lock.unlock();
         std::visit([this](auto const& kind) { perform(kind); }, work);
         lock.lock();
@@ -238,8 +238,8 @@ void Document::perform(tools::ToolStroke const& stroke)
     {
         std::lock_guard const lock(mutex_);
         drawn_.push_back(std::move(drawn));
-        is_first_shown_ = !step || step->edits.empty(); // A stroke with edits is shown with its
-                                                        // scene.
+        // A stroke with edits appears together with its scene.
+        is_first_shown_ = !step || step->edits.empty();
     }
     if (step)
         keep(*std::move(step));
@@ -261,7 +261,7 @@ void Document::perform(StepRequest const& step)
     keep(std::move(done->first));
 }
 
-// False while the session lacks steps that have been drawn: undo and redo would lose them.
+// Fails while steps of the drawing are not in the session yet: undo and redo would lose them.
 Result<void> Document::check_all_saved() const
 {
     if (!unkept_.empty())
@@ -310,7 +310,7 @@ void Document::perform(Restart const& wanted)
     keep(*std::move(step));
 }
 
-// Computes the scene after the edits; from here on the document's scene is that one.
+// Computes the scene after the edits; it becomes the document's scene.
 Result<Document::Step> Document::compute(std::vector<scene::Edit> edits)
 {
     Step step { .edits = std::move(edits) };
@@ -374,8 +374,8 @@ void Document::publish(std::size_t unkept)
                                                                 .unkept = unkept,
                                                                 .not_kept = save_error_ });
     std::lock_guard const lock(mutex_);
-    newest_.swap(snapshot); // The old snapshot is released after the lock; this may be its last
-                            // owner.
+    // The old snapshot is released after the lock; this may be its last owner.
+    newest_.swap(snapshot);
     is_first_shown_ = true;
 }
 

@@ -23,25 +23,25 @@
 
 namespace tractus::document {
 
-// A change that the user asked for by other means than a stroke, a menu command for example.
+// A change that the user requested without a stroke, with a menu command for example.
 struct StepRequest {
-    // The edits of the change, computed from the scene when its turn comes, and the status message
-    // for when it is done.
+    // The edits of the change, computed from the scene when the queue reaches it, and the status
+    // message to show when it is done.
     struct Change {
         std::vector<scene::Edit> edits;
         std::string status;
     };
     std::function<Result<Change>(scene::Scene const& scene)> change;
 
-    // Growth: a step that changes only how the plants grow.
+    // What the step changes. Growth: only how the plants grow.
     enum class Of { Scene, Growth } of = Of::Scene;
 };
 
 // A step without a stroke that was recorded in a log, for replay.
 struct LoggedStep {
     enum class What { Edits, Undo, Redo, BeginAgain } what = What::Edits;
-    std::size_t strokes_before = 0;    // Number of strokes before it.
-    std::vector<scene::Edit> edits {}; // Set for What::Edits.
+    std::size_t strokes_before = 0;    // Number of strokes in the log before this step.
+    std::vector<scene::Edit> edits {}; // Edits of the step; only for What::Edits.
 };
 
 // Outcome of a step without a stroke.
@@ -49,18 +49,17 @@ struct StepOutcome {
     Result<std::string> status; // The message for the user, or the reason why nothing changed.
     StepRequest::Of of = StepRequest::Of::Scene;
     LoggedStep::What what = LoggedStep::What::Edits;
-    std::size_t strokes_before = 0;    // Number of strokes the document had handled before it.
-    std::vector<scene::Edit> edits {}; // Set for What::Edits.
+    std::size_t strokes_before = 0;    // Number of strokes handled before the step.
+    std::vector<scene::Edit> edits {}; // Edits of the step; only for What::Edits.
 };
 
 // The document at one moment; immutable.
 struct Snapshot {
     scene::Scene scene {};
     std::uint64_t revision = 0;       // Increases with every change of the scene.
-    std::uint64_t drawn_revision = 0; // Increases with changes other than growth.
-    std::size_t unkept = 0;           // Number of its steps that are not on disk yet.
-    std::string not_kept {}; // The reason they are not on disk; empty where they are merely
-                             // pending.
+    std::uint64_t drawn_revision = 0; // Like `revision`, but ignores changes of growth alone.
+    std::size_t unkept = 0;           // Number of steps that are not on disk yet.
+    std::string not_kept {}; // Why steps could not be written; empty while they are merely pending.
 };
 
 // A drawing: the only owner of the scene and of the session that stores its steps. Finished
@@ -72,12 +71,13 @@ struct Snapshot {
 // All functions are called from one thread.
 class Document {
 public:
-    // OnItsThread: calls return at once and the document's own thread does the work. AtOnce: the
-    // work is done when a call returns.
+    // OnItsThread: functions return at once and the document's own thread does the work. AtOnce: a
+    // function returns when its work is done.
     enum class Working { OnItsThread, AtOnce };
 
-    // Computes edits that a step entails, from the scene before the step and the step's own edits;
-    // they become part of the step. Called on the thread that does the work. May be empty.
+    // Computes further edits that a step entails, from the scene before the step and the step's own
+    // edits; they become part of the step. Called on the thread that does the work. The function
+    // may be empty.
     using Follow = std::function<std::vector<scene::Edit>(scene::Scene const& scene,
                                                           std::vector<scene::Edit> const& step)>;
 
@@ -97,12 +97,12 @@ public:
     void undo();
     void redo();
 
-    // Returns the document to its initial state, optionally keeping how its plants grow. A step
-    // like any other: it can be undone.
+    // Returns the document to its initial state, optionally keeping how its plants grow. This is a
+    // step like any other and can be undone.
     enum class Growth { AsItBegan, AsItIs };
     void begin_again(std::string status, Growth growth = Growth::AsItBegan);
 
-    // Never null.
+    // The newest snapshot; never null.
     std::shared_ptr<Snapshot const> newest() const;
 
     // Number of strokes received so far.
@@ -151,7 +151,7 @@ private:
     void run();
     void do_next(std::unique_lock<std::mutex>& lock);
 
-    // These run on the document's thread, without the lock.
+    // The functions below run on the document's thread, without the lock.
     void perform(tools::ToolStroke const& stroke);
     void perform(StepRequest const& step);
     void perform(Undo const&);
@@ -172,9 +172,8 @@ private:
     scene::Scene scene_;
     std::uint64_t revision_ = 0;
     std::uint64_t drawn_revision_ = 0;
-    std::size_t strokes_before_ = 0;              // Strokes handled so far.
-    std::deque<std::vector<scene::Edit>> unkept_; // Steps of the scene that are not in the session
-                                                  // yet.
+    std::size_t strokes_before_ = 0;              // Number of strokes handled so far.
+    std::deque<std::vector<scene::Edit>> unkept_; // Steps not in the session yet.
     std::string save_error_;
 
     mutable std::mutex mutex_; // Protects the members below.
@@ -184,11 +183,12 @@ private:
     std::vector<DrawnStroke> drawn_;
     std::deque<StepOutcome> done_;
     bool is_at_work_ = false;
-    bool is_first_shown_ = false; // The newest snapshot already contains the work in progress.
+    bool is_first_shown_ = false; // True if the newest snapshot contains the current work.
     bool is_trying_again_ = false;
     bool is_closing_ = false;
 
-    std::optional<Timestamp> next_try_; // Used only by the calling thread, like stroke_count_.
+    // When to retry writing. Only for the calling thread, as is stroke_count_.
+    std::optional<Timestamp> next_try_;
     std::size_t stroke_count_ = 0;
     std::thread thread_;
 };

@@ -15,9 +15,8 @@ struct DrawnStroke {
     Stroke stroke;
     tools::Tool tool;
     std::string refusal {}; // Why the stroke changed nothing; empty if it changed the scene.
-    std::vector<scene::Edit> edits {}; // The edits it made; empty if it was refused.
-    std::string
-        message {}; // Message for the user that replaces the tool's default, ToolKind::done.
+    std::vector<scene::Edit> edits {}; // Edits that the stroke made; empty if it was refused.
+    std::string message {};            // Replaces the tool's message ToolKind::done; may be empty.
 };
 
 // The tool's own message after a stroke (ToolKind::describe).

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Indexed by LoggedStep::What.
+// Names of the steps in logs, indexed by LoggedStep::What.
 constexpr std::array<std::string_view, 4> kNames { "step", "undo", "redo", "begin_again" };
 
 std::string hex_of(std::string_view bytes)

@@ -12,8 +12,8 @@ namespace tractus::document {
 // A step without a stroke as a T line of a log stores it (drivers/log.h): "undo", "redo" or
 // "begin_again" and a number; or "step", a number, and the step's edits as JSON. Each edit has its
 // kind, its fields and, in hexadecimal digits, its bulk numbers (EditRecord). The number counts the
-// strokes of the log before the step, so that a replay does it between the same strokes, however
-// late their ends are detected.
+// strokes of the log before the step, so that a replay inserts the step between the same strokes,
+// however late their ends are detected.
 struct StepWords {
     std::string name;
     std::string arguments;
@@ -22,9 +22,9 @@ struct StepWords {
 // Returns the words for a step done after `strokes_before` strokes of the log.
 StepWords words_for(StepOutcome const& step, std::size_t strokes_before);
 
-// Parses a step's words. Returns nullopt for a name that is no step's. Fails with a user error if
-// the arguments do not have the form above. Edits whose kind is not among `kinds` become
-// UnknownEdits, which are refused when the step is done.
+// Parses a step's words. Returns nullopt if the name does not belong to a step. Fails with a user
+// error if the arguments do not have the form of StepWords. Edits whose kind is not among `kinds`
+// become UnknownEdits, which are refused when the step is done.
 std::optional<Result<LoggedStep>> parse_step(std::string_view name, std::string_view arguments,
                                              scene::EditKinds kinds);
 

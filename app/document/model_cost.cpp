@@ -19,7 +19,7 @@ std::uint64_t machine_memory_mb()
     auto const page_bytes = static_cast<std::uint64_t>(std::max(0L, ::sysconf(_SC_PAGESIZE)));
     auto bytes = pages * page_bytes;
     std::ifstream container("/sys/fs/cgroup/memory.max");
-    if (std::uint64_t limit = 0; container >> limit) // The file says "max" if there is no limit.
+    if (std::uint64_t limit = 0; container >> limit) // Fails for "max" (no limit).
         bytes = std::min(bytes, limit);
     return std::max<std::uint64_t>(bytes >> 20, 2);
 }

@@ -35,7 +35,7 @@ Result<lsystem::ModelSource> load_model_source(std::filesystem::path const& path
 
 // Prints a warning for each view and colour file beside the model that is neither used nor belongs
 // to another model, for three at most, and how many more there are; skips kinds that the user has
-// chosen explicitly. To be called after what matters more has been printed.
+// chosen explicitly. Call it after more important output.
 void warn_of_unused_companions(std::filesystem::path const& path,
                                ModelCompanions const& companions = {});
 

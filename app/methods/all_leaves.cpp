@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Replaces the characters that separate the parts of a leaf sheet's name.
+// Replaces characters that have a meaning in the name of a leaf sheet.
 std::string word_of(std::string name)
 {
     for (auto& letter : name)
@@ -31,8 +31,8 @@ std::string word_of(std::string name)
     return name;
 }
 
-// Name of a drawn leaf's grammar. It stays the same when the drawing changes, so that plants that
-// wear the leaf can find it.
+// Name of a drawn leaf's grammar. It stays the same when the drawing changes, so that plants with
+// this leaf can find it.
 std::string drawn_name(scene::ItemId leaf)
 {
     return fmt::format("drawn-{:x}.leaf", leaf);
@@ -53,8 +53,8 @@ std::optional<scene::ItemId> drawn_leaf_of(std::string_view grammar)
     return leaf;
 }
 
-// Makes the leaf's grammar from its drawing. Fails if there is no such plant or its lines make no
-// leaf.
+// Makes the leaf's grammar from its drawing. Fails if there is no such plant or its lines do not
+// make a leaf.
 Result<std::string> text_of_drawn(scene::DocumentState const& state, scene::ItemId leaf)
 {
     auto const& plant = *state.plants[TRY(scene::plant_number(state, leaf))];
@@ -71,8 +71,8 @@ Result<std::string> sheet_of(std::string const& grammar_text, lsystem::LeafOrder
     return lsystem::print_leaf_sheet(TRY(leaf::grow_leaf_sheet(grammar, order)));
 }
 
-// Edits that store in the document a grammar and its leaf sheets with these names, if they are not
-// there yet.
+// Edits that store a grammar and its leaf sheets with these names in the document, unless it has
+// them already.
 Result<std::vector<scene::Edit>> keeping_edits(scene::DocumentState const& state,
                                                std::string const& grammar, std::string const& text,
                                                std::set<std::string> const& names)
@@ -89,7 +89,7 @@ Result<std::vector<scene::Edit>> keeping_edits(scene::DocumentState const& state
     return edits;
 }
 
-// Names of the leaf sheets that plants wear and that come from drawn leaves, by drawn leaf.
+// Names of the leaf sheets that plants use, by the drawn leaf from which they come.
 std::map<scene::ItemId, std::set<std::string>> drawn_and_worn(scene::DocumentState const& state)
 {
     std::map<scene::ItemId, std::set<std::string>> worn;
@@ -220,11 +220,11 @@ std::vector<scene::Edit> dependent_leaf_edits(scene::Scene const& scene,
         auto const before = scene::find_plant(scene.state, leaf);
         auto const now = *scene::find_plant(*after, leaf);
         if (before && scene.state.plants[*before] == after->plants[now])
-            continue; // Nothing was drawn on this leaf.
+            continue; // The step did not change this leaf.
         auto const text = text_of_drawn(*after, leaf);
         if (!text)
             continue;
-        // A grammar that gives no leaf is skipped: plants keep the leaves they have.
+        // A grammar that produces no leaf is skipped: plants keep their present leaves.
         if (auto const kept = keeping_edits(*after, drawn_name(leaf), *text, names))
             edits.insert(edits.end(), kept->begin(), kept->end());
     }

@@ -11,8 +11,8 @@
 
 namespace tractus::methods {
 
-// A leaf drawn in three views (top, side, section), for plants made of construction lines. It is
-// built in or the user's own .organ file; leaves drawn in the document are DrawnOrgan.
+// A leaf drawn in three views (top, side, section), for plants made of construction lines: a
+// built-in one or the user's .organ file. Leaves drawn in the document are of type DrawnOrgan.
 
 struct OrganKind {
     std::string name; // For example "heart".
@@ -38,7 +38,7 @@ bool takes_organs(scene::DocumentState const& state);
 Result<std::vector<scene::Edit>> organ_edits(scene::Scene const& scene,
                                              std::filesystem::path const& file);
 
-// Message for the user after the edits were applied.
+// Message for the user after organ_edits() were applied.
 std::string describe_organ(scene::DocumentState const& after);
 
 // A plant that consists of one leaf in three views, upright on the ground, with its upper side

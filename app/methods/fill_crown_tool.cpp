@@ -15,9 +15,9 @@ namespace tractus::methods {
 
 namespace {
 
-constexpr int kFillYears = 40; // Growth ends before that when the space is used up.
+constexpr int kFillYears = 40; // Maximum; growth ends when the space is used up.
 
-// Names in the order of FillCrownTool::When.
+// Option words, in the order of FillCrownTool::When.
 constexpr std::array<tools::OptionWord, 2> kWhenWords { {
     { "touch", "At a touch" },
     { "now_fill", "Fill the crown", nullptr, true },
@@ -29,7 +29,7 @@ void visit(tools::OptionVisitor& visitor, FillCrownTool& tool)
     self_organising::visit_species(visitor, tool.species);
 }
 
-// A stroke whose tips are the balls, as wide as the pen is pressed.
+// A growth period whose stroke has a tip for each ball; the pressure encodes the ball's radius.
 self_organising::LifePeriod part_of(std::vector<silhouette::CrownBall> const& balls,
                                     scene::BuiltPlant const& plant)
 {

@@ -12,8 +12,7 @@
 namespace tractus::methods {
 
 // Lets a self-organising tree fill the crown of the active plant, which was drawn by its outline.
-// The trunk and the branches that were drawn remain; buds on them compete for the space inside the
-// crown.
+// The drawn trunk and branches remain; buds on them compete for the space inside the crown.
 struct FillCrownTool {
     static tools::ToolKind const kKind;
 

@@ -11,9 +11,9 @@ namespace tractus::options {
 // An example command line for the end of a command's help and its manual page.
 struct Example {
     char const* command; // Name of the command, such as "session info".
-    char const* line;    // Without the leading "tractus".
-    // True if it runs unattended in an empty folder, after the examples before it in the table.
-    // False if it needs a display, hardware, a person, or a file of the user's own.
+    char const* line;    // Command line without the leading "tractus".
+    // True if the command runs unattended in an empty folder, after the examples before it in the
+    // table. False if it needs a display, hardware, a person, or a file of the user's own.
     bool runs = true;
 };
 

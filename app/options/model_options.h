@@ -15,7 +15,7 @@ namespace tractus::options {
 // The options that select a command's plant; MODEL, --steps and --seed mean the same in every
 // command.
 struct ModelOptions {
-    std::string model; // For find_model().
+    std::string model; // Name or path of the model, for find_model().
     std::optional<int> steps;
     std::optional<std::uint64_t> seed; // Default: the session's seed, or 1.
 };

@@ -18,7 +18,8 @@ class DevicePart {
 public:
     virtual ~DevicePart() = default;
 
-    // Starts or restarts playing. Before that the device exists and its measurements stand still.
+    // Starts or restarts playing. Before the first call the device exists and its measurements are
+    // constant.
     virtual void begin(Timestamp now) = 0;
 
     // Time of the next call of play(), also before the start; Timestamp::max() for never.

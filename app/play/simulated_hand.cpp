@@ -60,7 +60,7 @@ public:
     }
 
 protected:
-    // Report while the recording has not begun or is over.
+    // Report to send while the recording has not begun or is over.
     virtual std::optional<drivers::RawReport> rest() { return std::nullopt; }
 
     drivers::Log const& log() const { return *shared_->log; }

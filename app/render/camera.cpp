@@ -107,7 +107,7 @@ std::array<Vec3, 5> pyramid(ViewAxes const& axes, Slopes const& slopes)
 
 // Moves the view pyramid's four planes outwards until each touches the framed shape, whose extents
 // along their normals are `reach`. The eye is centred between opposite planes, as far back as the
-// wider pair requires, and in front of everything that points at it.
+// wider pair requires, and at least kMinClearance away from the shape.
 Camera touching_camera(ViewAngles const& angles, double aspect, std::array<double, 5> const& reach,
                        Bounds const& box)
 {

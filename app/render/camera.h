@@ -33,7 +33,7 @@ Eigen::Matrix4f projection_matrix(Camera const& camera, double aspect);
 
 // Direction from which a camera looks.
 struct ViewAngles {
-    // 0: from -y, where the user sits; increasing: walking to the right around the plant.
+    // Azimuth: 0 looks from -y, where the user sits; greater angles look from farther right.
     double azimuth_rad = 0;
     double elevation_rad = 0.2; // Angle above the horizon, less than pi/2.
 };

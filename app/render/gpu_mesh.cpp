@@ -15,9 +15,9 @@ namespace tractus::render {
 namespace {
 
 constexpr float kRhombusBelow_px = 11; // Organs shorter than this are drawn as rhombi.
-// Rhombi smaller than this are drawn in smaller number but larger.
+// Rhombi with a smaller area than this are drawn larger but fewer.
 constexpr float kSmallestArea_px = 2.5f;
-constexpr float kSmallestShare = 0.02f; // At least this share of the rhombi is drawn.
+constexpr float kSmallestShare = 0.02f; // Least share of the rhombi that is drawn.
 // First of five texture units for pictures; lower ones belong to the sun's shadow.
 constexpr int kPictureUnit = 2;
 constexpr std::uint32_t kShuffleStream = 0x72656e64;

@@ -23,7 +23,7 @@ struct Patch {
     float area_mm2 = 0;
 };
 
-// The triangles of a prototype, merged into one patch if it is smaller than a cell.
+// The triangles of a prototype, merged into one patch if the prototype is smaller than a cell.
 std::vector<Patch> surface_patches(mesh::TriangleMesh const& prototype, float cell_mm)
 {
     std::vector<Patch> patches;

@@ -22,8 +22,8 @@ public:
     // Content of a picture: sRGB colours, or plain numbers.
     enum class Meaning { Color, Numbers };
 
-    // Null if the slot is empty or its bytes cannot be decoded; the surface is then drawn without a
-    // picture.
+    // Returns the picture in a slot. Null if the slot is empty or its bytes cannot be decoded; the
+    // surface is then drawn without a picture.
     SurfacePicture const* find_or_add(TextureSlot const& slot, Meaning meaning);
 
 private:

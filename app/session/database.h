@@ -47,7 +47,7 @@ private:
 
     sqlite3_stmt* statement_;
     Database const* database_;
-    int error_ = 0; // Error of the last bind.
+    int error_ = 0; // Error code of the last bind.
 };
 
 // An SQLite file, possibly from an untrusted source: its triggers, views and functions do not run,
@@ -60,8 +60,8 @@ public:
     static constexpr std::uint64_t kMaxInstructions = 50'000'000;
 
     enum class Access {
-        Read,  // Writes nothing, not even journal files beside it.
-        Write, // The file must exist.
+        Read,  // Writes nothing, not even journal files beside the file.
+        Write, // Reads and writes a file that must exist.
         Create,
     };
 

@@ -25,7 +25,7 @@ constexpr int kOutside = 8;
 constexpr int kTilted = 16;
 constexpr int kAllFlags = 31;
 
-// Whether JSON can hold the text as it is: UTF-8 without overlong forms and surrogates.
+// True if JSON can hold the text unchanged: valid UTF-8, without overlong forms or surrogates.
 bool is_utf8(std::string const& text)
 {
     auto const without_others = Json(text).dump(-1, ' ', false, Json::error_handler_t::ignore);

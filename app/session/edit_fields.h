@@ -43,8 +43,7 @@ template<typename T> Json written(std::vector<T> const& values)
     return list;
 }
 
-// Inverse of the conversions above: false if the JSON has another type or the value is out of
-// range.
+// Inverse of written(); false if the JSON has another type or the value is out of range.
 bool read(Json const& json, bool& value);
 bool read(Json const& json, int& value);
 bool read(Json const& json, std::uint32_t& value);
@@ -73,14 +72,14 @@ template<typename T> bool read(Json const& json, std::vector<T>& values)
     return true;
 }
 
-// Bytes of bulk numbers; see EditRecord::numbers.
+// Converts bulk numbers to and from bytes; see EditRecord::numbers.
 std::string written_tips(Stroke const& stroke);
 std::string written_lines(std::vector<SkeletonPiece> const& lines);
 bool read_tips(std::string_view bytes, Stroke& stroke);
 bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines);
 
 // Shortens absolute paths to file names in the fields that name a plant's files: "model_name",
-// "view_name" and, with `with_name`, "name". Returns true if there was one.
+// "view_name" and, with `with_name`, "name". Returns true if there was an absolute path.
 bool leave_out_folders(Json& fields, bool with_name);
 
 // Writes an edit's fields to JSON, one after the other.
@@ -106,7 +105,7 @@ private:
     std::string numbers_;
 };
 
-// Reads the fields that FieldWriter wrote; a missing field keeps its value.
+// Reads the fields that FieldWriter wrote; a field that is missing in the JSON keeps its value.
 class FieldReader final : public scene::Fields {
 public:
     // Keeps references to both arguments, which must outlive the reader.
@@ -140,7 +139,7 @@ private:
     Json const& json_;
     std::string_view numbers_;
     std::set<std::string> known_;
-    std::string complaint_; // The first complaint.
+    std::string complaint_; // Message about the first bad field; empty: none.
 };
 
 } // namespace tractus::session

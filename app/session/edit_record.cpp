@@ -7,8 +7,8 @@
 
 namespace tractus::session {
 
-// True if the field "name" of this kind of edit is the name of a source file rather than one that
-// the user chose. "model_name" and "view_name" are always file names.
+// True if the field "name" of this kind of edit holds the name of a source file rather than a name
+// that the user chose. "model_name" and "view_name" are always file names.
 static bool is_named_after_file(std::string_view kind)
 {
     return kind.starts_with("load_");

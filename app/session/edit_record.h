@@ -10,8 +10,7 @@ namespace tractus::session {
 // An edit as a session stores it: the same bytes on every machine, and every number exact.
 struct EditRecord {
     std::string kind;   // "load_model", "select", …
-    std::string fields; // A JSON object with the edit's fields, under the names that its kind
-                        // defines.
+    std::string fields; // JSON object with the edit's fields.
 
     // Numbers too many for JSON, concatenated in little-endian order, with IEEE 754 floats. For a
     // stroke, each tip: its time in nanoseconds as int64; x, y, z and pressure as float64; a byte
@@ -22,7 +21,7 @@ struct EditRecord {
 };
 
 // Converts an edit to a record. File paths are shortened to names, because sessions and recordings
-// are shared with others, whom the folders do not concern. Numbers that are not finite become
+// are shared with other people, and folder names are private. Numbers that are not finite become
 // strings of 16 hexadecimal digits, their bits. A string that is not UTF-8, as file names may be,
 // becomes {"bytes": "…"} with a character from U+0000 to U+00FF for each byte.
 EditRecord record_of(scene::Edit const& edit);

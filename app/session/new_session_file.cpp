@@ -52,8 +52,8 @@ Result<void> make_session_file(fs::path const& path,
         TRY(make_folder(path.parent_path()));
     auto const made = unfinished_path(path);
     if (auto const written = write(made); !written) {
-        for (auto const* const ending : { "", "-wal", "-shm" }) // Includes the files that SQLite
-                                                                // creates beside it.
+        // Removes SQLite's auxiliary files, too.
+        for (auto const* const ending : { "", "-wal", "-shm" })
             fs::remove(made.string() + ending, ignored);
         return fail(
             Fault::User,

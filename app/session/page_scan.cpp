@@ -17,7 +17,7 @@ using State = FoundRow::State;
 constexpr std::size_t kEditColumns = 7;
 constexpr std::size_t kEditColumnsOfFormat1 = 5; // Format 1 has no time and no checksum.
 constexpr std::size_t kMetaColumns = 2;
-constexpr std::size_t kMetaCopyColumns = 3; // Copies have a checksum, too.
+constexpr std::size_t kMetaCopyColumns = 3; // Rows of meta_copies have a checksum, too.
 
 bool has_kinds(FoundRow const& row, std::initializer_list<Kind> kinds)
 {
@@ -77,8 +77,8 @@ public:
                 last_listed = number;
         std::chrono::sys_seconds newest {};
         for (auto& [number, candidate] : edits_) {
-            // Edit numbers have no gaps: a missing one between listed ones was not deleted, unless
-            // it is older than the edit before it.
+            // Listed edit numbers have no gaps: an unlisted edit between listed ones was lost, not
+            // deleted, unless it is older than the edit before it.
             bool const was_deleted = candidate.standing != State::Listed
                 && (candidate.row.made < newest
                     || (candidate.standing == State::Deleted && number > last_listed));
@@ -106,8 +106,8 @@ private:
             best = { std::move(row), standing };
     }
 
-    // A value found for a key of the meta table. Candidates that a page lists rank first, among
-    // these the ones with a valid checksum. A copy with a wrong checksum is not a candidate.
+    // A value found for a key of the meta table. Candidates that a page lists rank first; among
+    // these, candidates with a valid checksum do. A copy with a wrong checksum is not a candidate.
     struct MetaCandidate {
         std::string text;
         std::pair<bool, bool> rank {}; // Whether a page lists it, and whether it has a checksum.

@@ -20,19 +20,18 @@ Result<Database> open_to_write(fs::path const& path)
 {
     auto database = TRY(open_session(path, Database::Access::Write));
     TRY(database.execute("PRAGMA synchronous = FULL"));
-    TRY(database.execute("PRAGMA cache_size = -256")); // In KiB; small, because the file is mostly
-                                                       // written and seldom read.
+    TRY(database.execute("PRAGMA cache_size = -256")); // In KiB; small, as the file is seldom read.
     TRY(database.execute("BEGIN IMMEDIATE")); // Keeps other programs from writing from now on.
     return database;
 }
 
-// Valid only while the store is neither moved nor destroyed.
+// Returns a reader of the store's steps, valid until the store is moved or destroyed.
 ReadStep read_from(SessionStore const& store)
 {
     return [&store](std::size_t step) { return store.read_step(step); };
 }
 
-// Reads steps in memory; the first element is step 1.
+// Returns a reader of steps in memory; the first element is step 1.
 ReadStep read_from(std::vector<std::vector<scene::Edit>> const& steps)
 {
     return [&steps](std::size_t step) -> Result<std::vector<SessionEdit>> {
@@ -55,8 +54,8 @@ bool has_models(scene::DocumentState const& state)
     });
 }
 
-// The edits with the ids that they get after this scene. Stored ids keep their meaning even if a
-// repair removes earlier edits from the file.
+// Returns the edits with the ids that they receive when applied to the scene `before`. Stored ids
+// keep their meaning even if a repair removes earlier edits from the file.
 std::vector<scene::Edit> with_ids(std::span<scene::Edit const> edits, scene::Scene const& before)
 {
     std::vector<scene::Edit> given;
@@ -184,8 +183,8 @@ Result<void> Session::keep(Prepared prepared)
         steps_.push_back(std::move(prepared.stored.edits));
     }
     history_.push(std::move(prepared.scene.state));
-    scene_ = TRY(builder_.build(history_.state())); // Drops the tips from memory: they are in the
-                                                    // file now.
+    // Drops the tips from memory: the file has them now.
+    scene_ = TRY(builder_.build(history_.state()));
     return {};
 }
 

@@ -78,9 +78,9 @@ public:
     // Nothing else may be done with the session between them.
     struct Prepared {
         SessionStore::NewStep stored;
-        scene::Scene scene; // After the step.
+        scene::Scene scene; // The scene after the step.
     };
-    Result<Prepared> prepare(std::span<scene::Edit const> edits); // Takes at least one edit.
+    Result<Prepared> prepare(std::span<scene::Edit const> edits); // `edits` is not empty.
     Result<void> keep(Prepared prepared);
 
     // Undo the last step, or redo the next one. Undo goes back to the beginning.

@@ -38,7 +38,8 @@ std::int64_t checksum(std::size_t step, EditRecord const& record)
 
 constexpr char const* kColumns = "number, step, kind, fields, numbers, made, checksum";
 
-// Reads a row of edits, with the columns of kColumns; in format 1 the last two are missing.
+// Reads a row of the table edits, with the columns of kColumns; in format 1 the last two are
+// missing.
 EditRow row_of(Statement const& rows, std::int64_t format)
 {
     EditRow row;
@@ -69,7 +70,7 @@ Result<void> for_each_row(Database const& database, std::int64_t format,
     return {};
 }
 
-// Called with each edit; `kinds` are the known kinds of edits.
+// A callback that receives each edit, and the kinds of edits that are known.
 struct EditReader {
     scene::EditKinds kinds;
     std::function<void(SessionEdit&&)> take;
@@ -134,8 +135,8 @@ Result<SessionSummary> read_all(Database const& database, std::string const& nam
     return summary;
 }
 
-// The number of the first edit of this step or a later one; if there is none, one more than the
-// last edit's. Steps are in the order of their edits' numbers.
+// The lowest number of an edit of this or a later step; if there is no such edit, the last edit's
+// number plus one. Steps are in the order of their edits' numbers.
 Result<std::int64_t> first_number(Database const& database, std::size_t step)
 {
     std::int64_t first = 1;
@@ -241,8 +242,7 @@ std::int64_t checksum_of_meta(std::string const& key, std::string const& value)
 Result<SessionContents> read_session(std::filesystem::path const& path, scene::EditKinds kinds)
 {
     auto const database = TRY(open_session(path, Database::Access::Read));
-    TRY(database.execute("BEGIN")); // A transaction, to read one consistent state while another
-                                    // program may be writing.
+    TRY(database.execute("BEGIN")); // One consistent state, even while another program writes.
     SessionContents contents;
     auto const take = [&](SessionEdit&& edit) { contents.edits.push_back(std::move(edit)); };
     auto summary = TRY(read_all(database, path.string(), { kinds, take }));
@@ -374,7 +374,7 @@ static Result<void> update_rows(Database const& database, std::int64_t format)
     return for_each_row(database, kSessionFormat, bring_up_to_date);
 }
 
-// Copies the values of meta, which are integers or text.
+// Copies the table meta, whose values are integers or text, to meta_copies.
 static Result<void> copy_meta(Database const& database)
 {
     auto rows = TRY(database.prepare("SELECT key, value FROM meta"));

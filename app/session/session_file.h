@@ -38,11 +38,11 @@ constexpr std::int64_t kSessionFormat = 5;
 
 // Origin of a session.
 struct SessionOrigin {
-    std::string plant {};                // Name of the model at its beginning.
-    std::string name {};                 // Name that the user gave it; may be empty.
-    std::string program {};              // Version of tractus that created it.
-    std::chrono::sys_seconds created {}; // Wall-clock time.
-    int language = 1;                    // kLanguageVersion of the program that last drew in it.
+    std::string plant {};                // Name of the model with which the session began.
+    std::string name {};                 // Name that the user gave the session; may be empty.
+    std::string program {};              // Version of tractus that created the session.
+    std::chrono::sys_seconds created {}; // Wall-clock time of creation.
+    int language = 1;                    // kLanguageVersion of the program that changed it last.
 };
 
 // Identifies an edit in a file by its number and checksum, to detect a replaced one.
@@ -52,9 +52,10 @@ struct EditPlace {
 };
 
 struct SessionEdit {
-    std::size_t step = 0; // Step number. Edits of a step are adjacent; every step has one.
+    // Number of the edit's step. Steps are contiguous, with at least one edit each.
+    std::size_t step = 0;
     scene::Edit edit;
-    std::chrono::sys_seconds made {}; // Wall-clock time; 0 if unknown.
+    std::chrono::sys_seconds made {}; // Wall-clock time of the edit; 0 if unknown.
     EditPlace place {};
 };
 
@@ -62,18 +63,18 @@ struct SessionEdit {
 // with more methods, made them. They stay in the file; a step with such an edit has no effect.
 struct UnknownEdits {
     std::size_t count = 0;
-    std::string first {}; // Describes the first one: "edit 4: its kind …".
+    std::string first {}; // Describes the first such edit: "edit 4: its kind …".
 
     void add(SessionEdit const& edit);
 
-    // A sentence that says so, without the file's name; empty if there are none.
+    // A sentence for the user about these edits, without the file's name; empty if there are none.
     std::string sentence() const;
 };
 
 // The contents of a session's file.
 struct SessionContents {
     SessionOrigin origin {};
-    std::vector<SessionEdit> edits {}; // At least one.
+    std::vector<SessionEdit> edits {}; // All edits in order; at least one.
     std::size_t step = 0;              // The current step; later ones are undone.
 
     std::size_t last_step() const { return edits.back().step; }

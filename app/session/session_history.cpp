@@ -87,7 +87,7 @@ Result<scene::DocumentState> SessionHistory::apply(scene::DocumentState state,
 {
     if (edit.get<BeginAgain>()) {
         auto beginning = kept_.at(0);
-        beginning.last_edit += state.last_edit; // So that no edit reuses an earlier one's number.
+        beginning.last_edit += state.last_edit; // So that no edit number is used twice.
         return beginning;
     }
     return scene::apply_edit(std::move(state), edit, builder);
@@ -106,7 +106,7 @@ Result<scene::DocumentState> SessionHistory::at(std::size_t wanted, ReadStep con
                                                 scene::SceneBuilder& builder)
 {
     CHECK(wanted <= last_step());
-    // Starts from the nearest earlier state that is kept; step 0 always is.
+    // Starts from the nearest earlier state that is cached; step 0 is always cached.
     auto const& [kept_step, kept_state] = *std::prev(kept_.upper_bound(wanted));
     if (step() <= wanted && step() >= kept_step)
         return fold(state_, step() + 1, wanted, read, builder);
@@ -121,7 +121,7 @@ Result<scene::DocumentState> SessionHistory::fold(scene::DocumentState state, st
         auto const edits = TRY(read(next));
         state = next == 0 ? TRY(begin_document(edits, builder))
                           : apply_step(std::move(state), edits, builder);
-        // Not at every step, because parking visits all strokes.
+        // Frees tips only at some steps, because doing so visits all strokes.
         if (is_worth_keeping(next) || next % kEvery == 0 || next == last)
             park_tips(state);
         if (is_worth_keeping(next))
@@ -142,7 +142,8 @@ Result<scene::DocumentState> begin_document(std::span<SessionEdit const> edits,
             return fail(applied.error().fault,
                         fmt::format("edit {}: {}", place.number, applied.error().message));
         else
-            ++state.last_edit; // Counted even so, because a program that knows it counts it.
+            // A failed edit is counted, too, because a program that knows it counts it.
+            ++state.last_edit;
     }
     return state;
 }
@@ -156,8 +157,8 @@ Result<scene::Scene> build_scene(scene::SceneBuilder& builder, scene::DocumentSt
     return scene;
 }
 
-// Applies a step. If it needs something that was lost, or is unknown, it changes nothing and stays
-// in the file; its edits are counted even so, because a program that knows them counts them.
+// Applies a step. If the step needs something that was lost, or is unknown, it changes nothing and
+// stays in the file; but its edits are counted, as a program that knows them counts them.
 scene::DocumentState SessionHistory::apply_step(scene::DocumentState state,
                                                 std::span<SessionEdit const> edits,
                                                 scene::SceneBuilder& builder) const
@@ -195,7 +196,8 @@ void SessionHistory::keep(std::size_t step, scene::DocumentState state)
     std::erase_if(kept_, [&](auto const& entry) { return !is_worth_keeping(entry.first); });
 }
 
-// Step 0 always is: a drawing without a file needs it to begin again.
+// True if the state after a step should be cached. Step 0 is always cached: a drawing without a
+// file needs it to begin again.
 bool SessionHistory::is_worth_keeping(std::size_t step) const
 {
     auto const away = distance(step, extent_.step);

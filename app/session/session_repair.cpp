@@ -49,8 +49,8 @@ std::vector<std::int64_t> missing_numbers(std::vector<EditRow> const& rows)
     return missing;
 }
 
-// Gives the object that an old format's edit creates the edit's number as id, before the edit is
-// renumbered.
+// Uses the edit's number as the id of the object that the edit creates, before the edit is
+// renumbered: old formats stored no ids.
 void give_id(EditRow& row, scene::EditKinds kinds)
 {
     auto const edit = edit_of(row.record, kinds);

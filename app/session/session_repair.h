@@ -16,7 +16,7 @@ struct SalvagedSession {
     scene::EditKinds kinds {}; // Kinds of edits that the program knows.
     SessionOrigin origin {};
     std::vector<EditRow> rows {};         // Intact rows in order; at least one.
-    std::vector<std::int64_t> missing {}; // Numbers of lost edits between them.
+    std::vector<std::int64_t> missing {}; // Numbers of lost edits among the intact ones.
     std::optional<std::size_t> step {};   // The current step; nullopt if it was lost.
 
     // Number of steps that lost some of their edits but not all.
@@ -28,7 +28,7 @@ struct SalvagedSession {
 // be read or is larger than 4 GiB.
 Result<SalvagedSession> salvage_session(std::filesystem::path const& path, scene::EditKinds kinds);
 
-// Makes a session's contents of the salvaged edits, renumbered without gaps. Edits that this
+// Makes the contents of a session from the salvaged edits, renumbered without gaps. Edits that this
 // program does not know become UnknownEdits.
 SessionContents contents_of(SalvagedSession const& session);
 

@@ -12,7 +12,7 @@ namespace tractus::session {
 
 namespace {
 
-constexpr std::int64_t kApplicationId = 0x54524143; // "TRAC"
+constexpr std::int64_t kApplicationId = 0x54524143; // "TRAC" in ASCII.
 constexpr std::int64_t kFirstWithCopies = 5; // First format with the tables copies and meta_copies.
 
 constexpr std::string_view kMeta = "CREATE TABLE meta (key TEXT PRIMARY KEY, value)";
@@ -23,7 +23,7 @@ constexpr std::string_view kEdits
 constexpr std::string_view kEditsOfFormat1
     = "CREATE TABLE edits (number INTEGER PRIMARY KEY, step INTEGER NOT NULL, kind TEXT NOT NULL, "
       "fields TEXT NOT NULL, numbers BLOB NOT NULL)";
-// The table's SQL in files that were created in format 1 and updated.
+// SQL of the table edits in files that were created in format 1 and updated since.
 constexpr std::string_view kUpdatedEdits
     = "CREATE TABLE edits (number INTEGER PRIMARY KEY, step INTEGER NOT NULL, kind TEXT NOT NULL, "
       "fields TEXT NOT NULL, numbers BLOB NOT NULL, made INTEGER NOT NULL DEFAULT 0, checksum "
@@ -70,7 +70,8 @@ tl::unexpected<Error> not_ours(std::string const& name, std::string const& what)
                             name, what, name));
 }
 
-// Checks that no two tables share a root page: they would overwrite each other.
+// Checks that the schema holds a session's tables and nothing else, and that no two tables share a
+// root page, as they would overwrite each other.
 Result<void> check_schema(Database const& database, std::string const& name, std::int64_t format)
 {
     auto rows = TRY(database.prepare(

@@ -17,8 +17,8 @@ namespace tractus::session {
 // besides a session's tables, such as a view, a trigger, an index or an extra column.
 Result<Database> open_session(std::filesystem::path const& path, Database::Access access);
 
-// The version of the file's format, which this program knows. Fails like open_session(); `name` is
-// the file's.
+// Reads the version of the file's format. Fails like open_session() if this program does not know
+// it; `name` is the file's name.
 Result<std::int64_t> read_format(Database const& database, std::string const& name);
 
 // Creates the tables of the current format in an empty database. Call inside a transaction.

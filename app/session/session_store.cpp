@@ -23,7 +23,7 @@ public:
     }
 
     std::filesystem::path const& path() const { return path_; }
-    scene::EditKinds kinds() const { return kinds_; } // Kinds that its edits may have.
+    scene::EditKinds kinds() const { return kinds_; } // Known kinds of edits.
 
     // Ends writing; the file can still be read.
     void close()
@@ -65,7 +65,7 @@ private:
 
 namespace {
 
-// Finds the stroke of an edit and attaches a source to it, if there is one.
+// Finds the tips of an edit's stroke, and attaches a source to them if one is given.
 class StrokeVisitor final : public scene::Fields {
 public:
     explicit StrokeVisitor(Tips::Source source = nullptr)
@@ -73,7 +73,7 @@ public:
     {
     }
 
-    // nullopt if the edit has no stroke.
+    // Tips of the edit's stroke; nullopt if the edit has no stroke.
     std::optional<Tips> const& tips() const { return tips_; }
 
     void field(char const*, scene::FieldRef) override { }
@@ -113,8 +113,7 @@ public:
                                     edit.error().message));
         StrokeVisitor visitor;
         edit->show(visitor);
-        CHECK(visitor.tips().has_value()); // Guaranteed, because its checksum is that of an edit
-                                           // with a stroke.
+        CHECK(visitor.tips().has_value()); // The checksum is that of an edit with a stroke.
         return visitor.tips()->vector();
     }
 

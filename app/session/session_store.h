@@ -39,8 +39,8 @@ public:
     };
     Result<NewStep> prepare(SessionStep const& step) const;
 
-    // Write in one transaction, which is on disk on return. Then the next transaction is begun, to
-    // keep other programs from writing. Fail like the database.
+    // Each of these writes one transaction, which is on disk on return, and begins the next one, to
+    // keep other programs from writing. They fail like the database.
     Result<void> write(NewStep const& step);
     Result<void> write_cursor(std::size_t step);
     Result<void> write_name(std::string const& name);

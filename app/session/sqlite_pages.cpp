@@ -85,7 +85,7 @@ std::vector<std::size_t> SqlitePages::likely_page_sizes(std::string_view file)
             sizes.push_back(size);
     };
     add(written == 1 ? 65536 : written);
-    add(4096); // SQLite's default.
+    add(4096); // Default page size of SQLite.
     for (std::size_t size = 512; size <= 65536; size *= 2)
         add(size);
     return sizes;
@@ -169,7 +169,7 @@ void SqlitePages::find_free_pages()
         is_free_ = std::move(free);
 }
 
-// For each offset in the page, the standing of a row that begins there.
+// For each offset in the page, the state of a row that begins there.
 std::vector<FoundRow::State> SqlitePages::states_of_rows(Page const& page) const
 {
     std::size_t const begin = page.number == 1 ? kFileHeaderBytes : 0;

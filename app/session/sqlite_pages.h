@@ -15,7 +15,7 @@ namespace tractus::session {
 struct FoundColumn {
     enum class Kind { Null, Whole, Real, Text, Blob } kind = Kind::Null;
     std::int64_t whole = 0;
-    std::string bytes {}; // For Text and Blob.
+    std::string bytes {}; // Content of Text and Blob.
 };
 
 // Bytes that look like a row of a table.
@@ -25,9 +25,9 @@ struct FoundRow {
 
     // Whether a page of the database still refers to the row.
     enum class State {
-        Deleted, // Its page is intact and does not list it, or is free.
-        Unknown, // Its page is damaged.
-        Listed,  // A page in use lists it.
+        Deleted, // The row's page is intact and does not list it, or is free.
+        Unknown, // The row's page is damaged.
+        Listed,  // A page in use lists the row.
     };
     State standing = State::Unknown;
 };
@@ -39,7 +39,7 @@ public:
     // Rows with more columns are skipped.
     static constexpr std::size_t kMaxColumns = 8;
 
-    // Neither is copied: both must outlive this.
+    // `file` and `log` are not copied and must outlive this object.
     SqlitePages(std::string_view file, std::string_view log, std::size_t page_size);
 
     // Page sizes that the file may have, most likely first.
@@ -74,10 +74,10 @@ private:
 
     std::size_t page_size_;
     std::vector<Page> pages_;
-    std::vector<std::string_view> newest_; // Page contents by number, from 1: the log's version if
-                                           // there is one.
-    std::vector<std::string_view> oldest_; // Page contents by number in the file itself.
-    // By page number; all false if the free list is damaged.
+    // Contents of page 1, 2, …: the log's version if there is one, otherwise the file's.
+    std::vector<std::string_view> newest_;
+    std::vector<std::string_view> oldest_; // Contents of page 1, 2, … in the file itself.
+    // Whether each page is free, by page number; all false if the free list is damaged.
     std::vector<bool> is_free_;
 };
 

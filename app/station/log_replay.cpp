@@ -14,7 +14,7 @@ namespace tractus::station {
 
 namespace {
 
-// The first pen of a log, and its decoder; null if there is none.
+// The first pen of a log: its index among the devices, and its decoder (null if there is no pen).
 struct LogPen {
     std::size_t device = 0;
     std::unique_ptr<drivers::PenDecoder> decoder;
@@ -54,7 +54,8 @@ Result<calib::Rig> choose_rig(drivers::Log const& log, LogPen const& pen,
     return rig;
 }
 
-// Sets the start and end of a scenario's clock to the log's first and last pen sample.
+// Returns the scripted height of a scenario that begins and ends with the log's first and last pen
+// sample.
 Result<calib::ScriptedHeight> script_height(drivers::Log const& log, LogPen const& pen,
                                             calib::HeightScenario const& scenario)
 {
@@ -101,7 +102,7 @@ Result<LogReplay> LogReplay::create(drivers::Log const& log, ReplayOptions const
 }
 
 // Reads the lines about tools and steps. Lines with unknown names come from a program with more
-// tools; they are left out.
+// tools; the strokes drawn with these are left out.
 Result<std::vector<LogReplay::Line>> LogReplay::read_lines(drivers::Log const& log,
                                                            tools::Methods const& methods,
                                                            std::vector<std::string>& left_out)
@@ -154,8 +155,8 @@ void LogReplay::push_lines()
             station_.set_min_extents(*extents);
 }
 
-// Hands over each step after the same number of strokes as in the original session: its line may
-// come later in the log than the reports of later strokes.
+// Each step is handed over after the same number of strokes as in the original session: the step's
+// line may come later in the log than the reports of later strokes.
 void LogReplay::replay_into(document::Document& document)
 {
     auto const hand_steps_over = [&](std::size_t end, std::size_t strokes_before) {

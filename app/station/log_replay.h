@@ -19,7 +19,7 @@ namespace tractus::station {
 
 struct ReplayOptions {
     tools::Methods methods {}; // Tools and edits that the log may contain.
-    // No value: the log's own rig, otherwise one of the tablet's size.
+    // Calibrated rig; no value: the log's own rig or, failing that, a default of the tablet's size.
     std::optional<calib::Rig> rig {};
     std::optional<calib::HeightScenario> height {}; // Replaces the log's height sensor.
 };
@@ -29,7 +29,7 @@ struct ReplayOptions {
 class LogReplay {
 public:
     // Fails with a user error if the log has no pen, neither a height sensor nor a scenario, a
-    // height sensor without a calibration, or an unknown tool.
+    // height sensor without a calibration, or a tool line with a known name and invalid arguments.
     static Result<LogReplay> create(drivers::Log const& log, ReplayOptions const& options);
 
     // Passes all strokes and other steps since the last call to a document, in their original
@@ -41,7 +41,7 @@ public:
     std::vector<std::string> const& left_out() const { return left_out_; }
 
     // Plays everything up to and including `time` of the log. Returns false when nothing is left;
-    // the station has finished then.
+    // Station::finish() has been called by then.
     bool advance_to(Timestamp time);
 
     // Like advance_to(), but stops at the end of the next stroke. Returns true while there is more
@@ -88,8 +88,8 @@ private:
     std::vector<Line> lines_;
     std::vector<std::string> left_out_;
     drivers::LogCursor cursor_;
-    std::size_t next_line_ = 0; // First line that was not reached yet.
-    std::size_t next_step_ = 0; // First line that may be a step still to be handed over.
+    std::size_t next_line_ = 0; // First line not reached yet.
+    std::size_t next_step_ = 0; // First line that may be a step not handed over yet.
     std::size_t handed_strokes_ = 0;
     bool finished_ = false;
     Result<void> outcome_ {};

@@ -187,8 +187,8 @@ void Station::use_pen(Pen& pen, drivers::PenSample const& decoded)
     take_settled(pen);
 }
 
-// Time of a tool change that must precede a tip, as an arrival time like those of all tool changes.
-// If sample times are smoothed, it lies half-way between two tips, since a recording rounds it to
+// Time for a tool change that must precede this tip: an arrival time, as for all tool changes. If
+// sample times are smoothed, it lies half-way between two tips, since a recording rounds it to
 // microseconds.
 Timestamp Station::change_before(TipSample const& tip, std::optional<Timestamp> last_tip) const
 {
@@ -418,7 +418,7 @@ std::vector<tools::Tool> Station::remembered() const
 {
     std::vector<tools::Tool> tools;
     for (auto const* const kind : remembered_kinds_) {
-        // What was never selected must not lead a group of several methods to its own.
+        // A kind that was never selected must not make its group show that kind's method.
         bool const was_selected
             = std::any_of(tool_changes_.begin(), tool_changes_.end(),
                           [&](ToolChange const& change) { return &change.tool.kind() == kind; })

@@ -178,7 +178,7 @@ private:
         std::size_t device = 0;
         std::unique_ptr<drivers::PenDecoder> decoder;
         drivers::PenSilence silence;
-        Vec2 scale; // Factor from the decoder's millimetres to the measured surface.
+        Vec2 scale; // Factors from the decoder's x and y to measured millimetres.
         calib::Fuser fuser;
         StrokeBuilder builder {};
         drivers::PenSample last_sample {};

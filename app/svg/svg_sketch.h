@@ -12,7 +12,7 @@ namespace tractus::svg {
 
 // A line of an SVG drawing, upright and in millimetres.
 struct SvgLine {
-    std::string role; // Empty if the drawing does not state one.
+    std::string role; // Role of the line; empty if the drawing does not state one.
     std::vector<Vec2> points_mm;
 };
 

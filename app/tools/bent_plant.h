@@ -21,8 +21,8 @@ public:
     // All nodes of the base plant. Plant frame.
     std::vector<Vec3> const& nodes_mm() const { return nodes_mm_; }
 
-    // Rotation of what rides on the segment relative to the rest shape; exactly the identity if the
-    // segment is not bent.
+    // Rotation of the segment and its organs relative to the rest shape; exactly the identity if
+    // the segment is not bent.
     Quat turn_of(SegmentId segment) const;
 
 private:

@@ -14,8 +14,8 @@ constexpr double kFinger_mm = 10;
 // Tolerance along the line of sight: roughly how well a hand hits the branch's height.
 constexpr double kDepth_mm = 30;
 
-// A stroke that begins within this distance of a branch, or of its former place, is meant to begin
-// on it.
+// A plant drawn within this distance of the branch keeps its place; a more distant one moves to the
+// branch.
 constexpr double kJoined_mm = 10;
 
 scene::BuiltPlant const& plant_with(scene::Scene const& scene, scene::ItemId id)
@@ -94,8 +94,8 @@ std::vector<scene::Edit> graft_edits(scene::Scene const& scene, BranchPlace cons
         return parent.rest->addresses.address_of(*parent.base, segment);
     };
     std::vector<scene::Edit> edits;
-    // Fixes the document's scale, which so far is that of the first plant: that plant may become a
-    // part of another now.
+    // Stores the document's scale, which so far is the first plant's, as that plant may now become
+    // a part of another.
     if (!scene.state.scale)
         edits.push_back(scene::SetScale { parent.placement.scale });
     if (place.hidden)

@@ -36,13 +36,13 @@ private:
     std::vector<SkeletonLine> moved_lines(std::uint32_t orders) const;
 
     Reads reads_;
-    // Scene prepared by lay(); shared like that of UnfinishedStroke.
+    // Scene for which lay() was last called; shared with the window.
     std::shared_ptr<scene::Scene const> scene_;
     // Copy of the scene with the tips of all shaping strokes in memory.
     std::optional<scene::Scene> readable_;
     scene::SceneShaper shaper_;
     std::vector<Vec3> before_mm_;
-    std::vector<Vec3> after_mm_; // Kept as a member so that its memory is reused.
+    std::vector<Vec3> after_mm_; // Nodes after the stroke; a member so that its memory is reused.
 };
 
 void BranchPreviewer::lay(std::shared_ptr<scene::Scene const> scene)

@@ -7,8 +7,8 @@
 namespace tractus::tools {
 
 // Preview for tools that reshape branches: shows each branch that the stroke moves, as a whole and
-// in its new place. Only the branches that the stroke touches, and those they bear, are recomputed
-// each time.
+// in its new place. Each update recomputes only the branches that the stroke touches and their
+// descendants.
 std::unique_ptr<StrokePreviewer> branch_previewer();
 
 // Like branch_previewer(), for a tool that needs the tips of all shaping strokes on every update;

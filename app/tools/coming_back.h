@@ -6,8 +6,8 @@
 
 namespace tractus::tools {
 
-// True if enough of a closed line was drawn that the rest can be guessed, as the pen is on its way
-// back to the start. `ink` has at least one tip.
+// True if the pen is on its way back to the start of a closed line, so that the rest of the line
+// can be guessed. `ink` has at least one tip.
 bool is_coming_back(std::span<TipSample const> ink);
 
 } // namespace tractus::tools

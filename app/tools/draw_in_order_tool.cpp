@@ -12,8 +12,7 @@
 namespace tractus::tools {
 
 // The branch that the next stroke shapes. There is one association per stroke, so their number
-// tells whose turn it is; after the last axis it is the trunk's again. Empty for a plant without
-// branches.
+// shows which axis is next; the trunk follows the last axis. Empty for a plant without branches.
 static std::vector<SegmentId> next_branch(scene::Scene const& scene)
 {
     auto const& order = scene.rest->drawing_order;

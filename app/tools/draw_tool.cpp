@@ -11,21 +11,22 @@ namespace tractus::tools {
 
 namespace {
 
-// Names in the order of Propagation.
+// Option words, in the order of the enumeration Propagation.
 constexpr std::array<OptionWord, 3> kPropagationWords { {
     { "selected", "Selected", "Draw: the branch" },
     { "descendants", "All it bears", "Draw: all that the branch bears" },
     { "both", "Both", "Draw: the branch and all that it bears" },
 } };
 
-// Names in the order of StrokeFit.
+// Option words, in the order of the enumeration StrokeFit.
 constexpr std::array<OptionWord, 3> kFitWords { {
     { "start", "From its base" },
     { "chord", "Base to tip" },
     { "world", "As it lies" },
 } };
 
-// Names in the order of StrokeLaying. Logs from before there was a second law lack this option.
+// Option words, in the order of the enumeration StrokeLaying. Logs from before the second law
+// existed lack the option.
 constexpr std::array<OptionWord, 2> kLayingWords { {
     { "least_twist", "Least twist" },
     { "heading", "By heading" },

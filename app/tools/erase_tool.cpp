@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kRadius_mm = EraseTool::kRadius_mm;
 
-// Names in the order of Erasing.
+// Option words, in the order of EraseExtent.
 constexpr std::array<OptionWord, 2> kErasingWords { {
     { "whole", "Whole strokes", "Erase whole strokes" },
     { "part", "What it touches", "Erase what the pen touches" },
@@ -33,9 +33,9 @@ void visit(OptionVisitor& visitor, EraseTool& tool)
     visitor.choice({ kErasingWords }, tool.erasing);
 }
 
-// A line may lie this far above the surface and still be visible. The eraser also takes parts of
-// the same stroke down to kEraserDepth_mm below the highest tip under it: about its own width, so
-// that erasing the top of a vertical stroke does not take all of it.
+// A line up to kSeenAbove_mm above the surface is still visible. The eraser also erases parts of
+// the same stroke down to kEraserDepth_mm below the highest tip under it. This is the eraser's
+// width, so that erasing the top of a vertical stroke does not erase all of it.
 constexpr double kSeenAbove_mm = 1;
 constexpr double kEraserDepth_mm = 2 * kRadius_mm;
 
@@ -115,14 +115,14 @@ struct Touched {
     std::vector<std::size_t> indicators;
 };
 
-// Path of the eraser, sampled densely enough that a fast hand skips nothing.
+// Path of the eraser, sampled so densely that a fast stroke skips nothing.
 std::vector<Vec3> way_of(Stroke const& eraser)
 {
     std::vector<Vec3> way_mm;
     for (auto const& tip : eraser.tips) {
         Vec3 const from_mm = way_mm.empty() ? tip.position_mm : way_mm.back();
         Vec3 const step_mm = tip.position_mm - from_mm;
-        // Limits the number of samples between two tips from a faulty device.
+        // Maximum number of samples between two tips, in case a faulty device reports a huge jump.
         constexpr double kMaxSteps = 1000;
         int const steps
             = static_cast<int>(std::clamp(std::ceil(step_mm.norm() / kRadius_mm), 1.0, kMaxSteps));
@@ -220,8 +220,7 @@ stroke_edits_of(Touched const& touched, EraseTool::EraseExtent erasing, scene::S
         auto const id = scene.associations[number].id;
         if (erasing == EraseTool::EraseExtent::Whole) {
             whole.strokes.ids.push_back(id);
-        } else if (ranges.empty()) { // The eraser touched the line between two tips, so no tip is
-                                     // removed.
+        } else if (ranges.empty()) { // No tip to remove: the eraser touched between two tips.
             continue;
         } else if (!TRY(shapes_without(scene, scene.associations[number].what, ranges))) {
             whole.strokes.ids.push_back(id);

@@ -14,8 +14,9 @@ struct EraseTool {
 
     // How much of a stroke is erased. Indicators are always erased whole.
     enum class EraseExtent {
-        Whole, // The whole stroke.
-        // Only the tips under the eraser, or the whole stroke if the rest would shape nothing.
+        Whole, // Erases the whole stroke.
+        // Erases only the tips under the eraser, or the whole stroke if the rest would shape
+        // nothing.
         Part,
     };
     EraseExtent erasing = EraseExtent::Whole;

@@ -22,15 +22,15 @@ struct Gizmo {
         LayerStyle::Color color = LayerStyle::Color::Grey;
     };
     struct Handle {
-        std::size_t id = 0; // Stays the same when the handle moves.
+        std::size_t id = 0; // Identifies the handle, also after it has moved.
         Vec2 place = Vec2::Zero();
-        std::string says {};    // What the handle sets, and its value, for the user.
+        std::string says {};    // What the handle sets and its value, as a text for the user.
         char const* sign = "";  // Letter written on the handle.
         bool is_button = false; // The handle is pressed rather than dragged.
         // Name of the number option to ask for when the handle is pressed rather than dragged;
         // empty: none.
         char const* number = "";
-        bool is_small = false; // Drawn smaller, as one of many.
+        bool is_small = false; // Drawn smaller, as one of many handles.
     };
     struct Label {
         Vec2 place = Vec2::Zero(); // Middle of the text's upper edge.
@@ -38,12 +38,12 @@ struct Gizmo {
     };
     std::vector<Line> lines;
     std::vector<Handle> handles;
-    std::vector<Label> labels {};       // Omitted if there is no room.
-    char const* hint = "Drag a letter"; // Shown while the pointer is on no handle.
+    std::vector<Label> labels {};       // Texts in the gizmo; omitted if there is no room.
+    char const* hint = "Drag a letter"; // Shown while the pointer is not on a handle.
 };
 
-// Gizmo of a kind of tool, for its options. Functions are called once per frame, with options of
-// that kind.
+// Gizmo that sets the options of a kind of tool. Functions are called once per frame, with options
+// of that kind.
 struct GizmoKind {
     char const* title;
     Gizmo (*show)(void const* options);
@@ -51,14 +51,14 @@ struct GizmoKind {
     void (*drag)(void* options, std::size_t handle, Vec2 const& to);
 };
 
-// Gizmo of a kind of tool, for the numbers of the active plant that was drawn with it; same frame
-// as Gizmo.
+// Gizmo that edits the numbers of the active plant, if it was drawn with this kind of tool. Same
+// frame as Gizmo.
 struct DrawnGizmoKind {
     char const* title;
     // Returns the gizmo, or no value if the active plant has no such numbers. Called when the plant
     // has changed.
     std::optional<Gizmo> (*show)(scene::Scene const& scene);
-    // Edits for the drag or press of a handle by the user. Fails with a user error if that is
+    // Edits for the user's drag or press of a handle. Fails with a user error if they are
     // impossible.
     Result<std::vector<scene::Edit>> (*drag)(scene::Scene const& scene, std::size_t handle,
                                              Vec2 const& to);

@@ -30,7 +30,7 @@ struct Layer {
     // When the layer is visible: always, for some seconds after a change, or only while the current
     // tool asks for it.
     enum class Seen { Always, AWhile, WhenAskedFor } seen = Seen::Always;
-    // True while the tool asks for the layer. Null: never.
+    // True while the current tool asks for the layer. Null: never.
     bool (*is_asked_for)(Tool const& in_hand) = nullptr;
 };
 

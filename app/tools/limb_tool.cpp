@@ -18,14 +18,14 @@ namespace tractus::tools {
 
 namespace {
 
-// How far from a branch a limb may begin, as a share of the plant's height.
+// Maximum distance of a limb's start from a branch, as a share of the plant's height.
 constexpr double kLimbReach = 0.25;
 
-// How far a touch may be from a limb to erase it: beside it, and above or below it.
+// Maximum distance of an erasing touch from the limb: horizontal, and vertical.
 constexpr double kBesideLimb_mm = 10;
 constexpr double kAboveLimb_mm = 30;
 
-// In the order of Does.
+// Option words, in the order of LimbTool::Does.
 constexpr std::array<OptionWord, 2> kLimbWords { {
     { "add", "New limb" },
     { "take", "Erase limb", "Erase a drawn limb" },
@@ -37,16 +37,15 @@ void visit(OptionVisitor& visitor, LimbTool& tool)
     visitor.number({ "thickness", "", 0.1, 4, 0.1, "Thickness" }, tool.thickness);
 }
 
-// A point of an axis.
+// The point of an axis that is nearest to a given place.
 struct AxisPoint {
     SegmentId segment = 0;
     double share = 0;             // Position on the segment: 0 at its base, 1 at its end.
-    Vec3 place_mm = Vec3::Zero(); // World frame.
+    Vec3 place_mm = Vec3::Zero(); // The point itself, world frame.
     double distance_mm = std::numeric_limits<double>::infinity();
 };
 
-// Distance of the place that the point is nearest to from the surface of the wood; negative inside
-// it.
+// Distance of the given place (see AxisPoint) from the bark; negative inside the wood.
 double off_wood_mm(scene::BuiltPlant const& plant, AxisPoint const& point)
 {
     auto const node = nodes_of(*plant.base, point.segment);
@@ -66,7 +65,7 @@ AxisPoint point_of(BentPlant const& bent, SegmentId segment, Vec3 const& near_mm
     return { segment, share, place_mm, (place_mm - near_mm).norm() };
 }
 
-// The point of an axis at which the wood is nearest. The plant has a segment.
+// The axis point of the plant whose bark is nearest to a place. The plant has at least one segment.
 AxisPoint nearest_wood(scene::BuiltPlant const& plant, BentPlant const& bent, Vec3 const& near_mm)
 {
     AxisPoint nearest;
@@ -185,10 +184,12 @@ private:
         return lines;
     }
 
-    std::shared_ptr<scene::Scene const> scene_; // Shared with the document, which may go on.
+    // Shared with the document, which may continue with a newer scene.
+    std::shared_ptr<scene::Scene const> scene_;
     Vec3 begin_mm_ = Vec3::Zero();
     double thickness_ = 0;
-    Result<scene::DrawLimb> limb_; // Searched once for each stroke: that visits all branches.
+    // Limb of the current stroke; cached, because finding it visits all branches.
+    Result<scene::DrawLimb> limb_;
 };
 
 } // namespace

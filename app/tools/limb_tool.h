@@ -11,15 +11,15 @@ struct LimbTool {
 
     enum class Does {
         Draw,
-        Erase, // A limb that was drawn and is touched.
+        Erase, // Erases the touched limb, if it was drawn.
     } does
         = Does::Draw;
     double thickness = 1; // Thickness of the limb divided by the width of the ink.
 };
 
-// Returns the limb that a stroke draws: it is joined to the nearest wood of any plant that is
-// shown, as strokes have bent it, at the nearest point of that axis. Fails with a user error if no
-// wood is within a quarter of its plant's height, or the stroke is empty.
+// Returns the limb that a stroke draws. It is joined to the nearest branch of all visible plants,
+// as bent by strokes, at the nearest point of the branch's axis. Fails with a user error if no
+// branch is within a quarter of its plant's height, or the stroke is empty.
 Result<scene::DrawLimb> drawn_limb(LimbTool const& tool, Stroke const& stroke,
                                    scene::Scene const& scene);
 

@@ -10,10 +10,10 @@
 
 namespace tractus::tools {
 
-// Least extent of a stroke for each kind of tool to have an effect, in mm on the desk, by the
-// kind's word. Kinds not listed have none. At most kMaxMinExtent_mm. A log's line "least",
-// with words such as "draw=6", sets the extents from there on. Logs from before this line existed
-// have none.
+// Least extent that a stroke needs to have an effect, in mm on the desk, by the word of the tool's
+// kind. Kinds not listed have no minimum. At most kMaxMinExtent_mm. In a log, a line "least" with
+// words such as "draw=6" sets the extents for the strokes after it. Logs from before this line
+// existed have none.
 using MinExtents = std::map<std::string, double, std::less<>>;
 constexpr double kMaxMinExtent_mm = 100;
 constexpr std::string_view kMinExtentsLine = "least";
@@ -28,7 +28,7 @@ std::string print_min_extents(MinExtents const& extents);
 // word that is not "TOOL=MM" or a number out of range.
 Result<MinExtents> parse_min_extents(std::string_view words);
 
-// The extent of a kind, or 0 if it has none.
+// The least extent of strokes with this kind of tool, or 0 if it has no minimum.
 double min_extent_mm(MinExtents const& extents, ToolKind const& kind);
 
 // Extent of a stroke: the greatest distance of any tip from the first one, in mm. Zero for a stroke

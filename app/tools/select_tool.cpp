@@ -12,7 +12,7 @@ namespace {
 
 using SelectionMode = SelectTool::SelectionMode;
 
-// Names in the order of Selecting.
+// Option words, in the order of SelectionMode.
 constexpr std::array<OptionWord, 8> kSelectingWords { {
     { "path", "Path" },
     { "ends", "By its ends" },

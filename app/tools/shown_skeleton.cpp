@@ -6,8 +6,8 @@
 
 namespace tractus::tools {
 
-// Tolerances in millimetres of the tablet: the width of a line as shown, and the inaccuracy of a
-// hand.
+// Tolerances in millimetres on the tablet: half the width of a line as shown, and the inaccuracy of
+// a hand.
 static constexpr variation::PickOptions kPick { .line_half_width = 0.4, .finger = 2.5 };
 
 // The parts of a bent plant that picking needs. Strokes were checked when they were drawn; if one

@@ -33,7 +33,7 @@ public:
     // What an unfinished stroke has selected so far.
     struct Touched {
         std::vector<SegmentId> selected {};
-        // Touched segments of which it is still open whether the pen means them.
+        // Touched segments that the finished stroke may or may not select.
         std::vector<SegmentId> undetermined {};
 
         bool operator==(Touched const&) const = default;

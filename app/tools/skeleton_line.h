@@ -11,7 +11,7 @@ namespace tractus::tools {
 struct SkeletonLine {
     enum class State {
         Unselected,
-        Undetermined, // Touched, but it is still open whether the pen means it.
+        Undetermined, // Touched; the finished stroke may or may not select it.
         Selected,
         Assigned, // Shaped by a stroke.
         Next,     // About to be shaped by the next stroke.
@@ -19,7 +19,7 @@ struct SkeletonLine {
     };
 
     std::vector<Vec3f> points_mm;
-    float width_mm = 1; // Diameter at the base.
+    float width_mm = 1; // Diameter of the branch at the line's start.
     State state = State::Unselected;
 
     bool operator==(SkeletonLine const&) const = default;

@@ -19,7 +19,7 @@ struct UnfinishedStroke {
     std::shared_ptr<scene::Scene const> scene; // Immutable; shared with the window.
     Tool const& tool;
     std::span<TipSample const> ink;
-    std::uint32_t orders = 0; // Only branches of lower orders than this are considered.
+    std::uint32_t orders = 0; // Only branches of orders below this are shown.
 };
 
 // Previews what a stroke would do if it ended now. It may cache data between calls.
@@ -30,7 +30,8 @@ public:
     // Lines of the preview; empty for a stroke that would be refused.
     virtual std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) = 0;
 
-    // A sentence about the last preview, such as what it leaves out; empty: nothing to say.
+    // A sentence for the user about the last preview, for example on what it leaves out; may be
+    // empty.
     virtual std::string note() const { return {}; }
 };
 

@@ -97,7 +97,7 @@ public:
     }
     void number(NumberOption const&, double&) override { }
 
-    // Null if the word has no side effects.
+    // Side effect of the word that was set; null if it has none.
     auto goes_with() const { return goes_with_; }
 
 private:
@@ -107,7 +107,7 @@ private:
     void (*goes_with_)(void* options) = nullptr;
 };
 
-// Sets every word option to its first word.
+// Sets every word option to its first word, the default in logs.
 class FirstWords final : public OptionVisitor {
 public:
     void word(WordOption const&, int& value) override { value = 0; }
@@ -156,7 +156,7 @@ private:
     std::vector<std::string> known_;
 };
 
-// Words of a log for all options that differ from their defaults.
+// Writes a log's words for all options that differ from their defaults.
 class ArgumentWriter final : public OptionVisitor {
 public:
     explicit ArgumentWriter(std::vector<double> plain)
@@ -383,8 +383,8 @@ ToolKind const* find_tool_kind(ToolKinds kinds, std::string_view word)
     return found == kinds.end() ? nullptr : *found;
 }
 
-// The tool a user starts with may differ, if the kind has gained options that older logs do not
-// know.
+// This may differ from the tool that a user selects, if the kind has gained options that older logs
+// lack.
 Tool default_tool_of_kind(ToolKind const& kind)
 {
     FirstWords first;

@@ -97,7 +97,7 @@ struct WordSetting {
 };
 std::vector<WordSetting> word_settings(Tool const& tool);
 
-// The tool with another word for its word option with this index.
+// The tool with its word option `option` (an index) set to word number `value`.
 Tool with_word(Tool const& tool, std::size_t option, int value);
 
 // One of a tool's number options, and its value.
@@ -116,7 +116,7 @@ std::optional<double> read_number(NumberOption const& option, std::string_view t
 // available tools or arguments.
 Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view arguments);
 
-// The tool that a log without tool lines means: the kind's word alone.
+// The tool that a log means by the kind's word alone, or by having no tool lines.
 Tool default_tool_of_kind(ToolKind const& kind);
 
 // Adds to `arguments` (which must be valid for parse_tool()) the words that make the tool equal to

@@ -26,8 +26,8 @@ std::vector<ToolCard> ready_cards(Tool const& hand);
 // The current tool with a preset applied. Both are of the same kind.
 Tool with_card(Tool const& hand, Tool const& card);
 
-// The part of the tool that a preset sets, everything else at defaults: tools with the same preset
-// give equal results.
+// The tool with only the options that a preset sets; the others have their defaults. Tools with the
+// same preset give equal results.
 Tool card_of(Tool const& hand);
 
 // Text of a preset's file: a comment, and the tool as in logs.

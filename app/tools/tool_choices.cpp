@@ -28,7 +28,7 @@ bool has_method(ToolKind const& kind)
     return *kind.method != 0;
 }
 
-// The first kind of the same method; at the latest this is `kind` itself.
+// The first kind of the same method, possibly `kind` itself.
 ToolKind const& first_of_method(ToolKinds kinds, ToolKind const& kind)
 {
     return **std::find_if(kinds.begin(), kinds.end(),
@@ -187,7 +187,7 @@ Tool newly_selected_tool(ToolKind const& kind, std::span<Tool const> remembered)
     return found == remembered.end() ? Tool(kind) : *found;
 }
 
-// No value if the plant was not made with a tool of this kind.
+// The tool of this kind that made the active plant; no value if another one did.
 static std::optional<Tool> tool_that_made(ToolKind const& kind, scene::Scene const& scene)
 {
     auto const* const plant = scene::active_plant(scene.state);

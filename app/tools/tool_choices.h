@@ -13,19 +13,19 @@ namespace tractus::tools {
 
 // A button of the tool bar and of the tool ring.
 struct ToolChoice {
-    char const* text = ""; // The group that the button stands for.
-    Tool tool;             // The group's first kind, or the first kind of the method used last.
+    char const* text = ""; // Name of the group that the button selects.
+    Tool tool;             // First kind of the group, or of its method used last.
 };
 
-// The top-level choices, one per group. `remembered` lists tools used before, the latest last; they
-// are selected with their old options.
+// The top-level choices, one per group. `remembered` lists tools used before, the latest last; a
+// choice of such a kind has its old options.
 std::vector<ToolChoice> tool_choices(ToolKinds kinds, std::span<Tool const> remembered);
 
 // A tool of this kind with the options that a new selection gives it.
 Tool newly_selected_tool(ToolKind const& kind, std::span<Tool const> remembered);
 
-// The tool to select when a drawing opens: the one that made the active plant; for a plant from
-// elsewhere, such as a model, the first tool; without a plant, the first tool that makes one.
+// The tool to select when a drawing opens: the one that made the active plant; for a plant that no
+// tool made, such as a model's, the first tool; without a plant, the first tool that makes one.
 Tool tool_for_drawing(ToolKinds kinds, scene::Scene const& scene);
 
 // True if both tools belong to the same group; drawing a branch and redrawing a part of it do, for

@@ -26,7 +26,7 @@ struct ToolKind;
 enum class Surface {
     Space,    // The volume above the desk, seen through the tablet.
     Paper,    // A plane in the volume above the desk.
-    Skeleton, // The skeleton's picture, from the view direction in the tool's words.
+    Skeleton, // The skeleton's picture, in the view direction that the tool stores.
     Plant,    // The plant's picture.
 };
 
@@ -43,8 +43,8 @@ struct InkStyle {
 
 // The tool of the pen's other end.
 struct OtherEnd {
-    ToolKind const* kind = nullptr; // Null: the same kind as the tip's.
-    // Creates its options; null: the options it had last.
+    ToolKind const* kind = nullptr; // Kind of the other end's tool; null: the tip's kind.
+    // Creates the options of the other end's tool. Null: it keeps the options it had last.
     std::shared_ptr<void> (*options)() = nullptr;
 };
 
@@ -53,34 +53,35 @@ struct OtherEnd {
 // are called once per stroke or frame.
 struct ToolKind {
     char const* word;  // Name in logs, such as "draw". Never changes.
-    char const* label; // Text of its button, if it has one of its own.
+    char const* label; // Text of the tool's button, if it has one of its own.
     char const* title; // Name of the tool for the user: "Draw, branch by branch".
     char const* done;  // Message after a stroke was drawn.
     char const* help;  // What the tool does, in one line of the manual.
     char const* group; // Text of the button in bar and ring that leads to all kinds of the group.
     // In a group of several methods: the button, at the beginning of the group's row, that leads to
-    // the kinds of this method. Buttons of other methods' kinds are hidden meanwhile.
+    // the kinds of this method. While a kind of this method is selected, buttons of other methods'
+    // kinds are hidden.
     char const* method = "";
     // Icon of the group's button, if this is the group's first kind: polylines separated by spaces.
     // Each point is two digits, column and row on a grid from 00 (upper left) to 99.
     char const* icon = "";
     char key = 0;                         // Key that selects the tool, a capital letter; 0: none.
     bool begins_group_of_buttons = false; // Starts a group among the buttons of its tool group.
-    bool at_once = false;                 // Needs no stroke: pressing its button is enough.
+    bool at_once = false;                 // Needs no stroke: pressing the tool's button is enough.
     Surface surface = Surface::Space;
     // Least extent of a stroke, in mm on the desk; a shorter one is a slip of the hand and does
-    // nothing. 0 if a touch has a meaning. The user can change it (min_extent.h).
+    // nothing. 0 if a mere touch has a meaning. The user can change it (min_extent.h).
     double min_extent_mm = 0;
     InkStyle ink {};
     // True if the document is shown as an unfinished stroke would change it if it ended now. Only
     // for tools whose strokes can be interpreted and shown within a frame.
     bool shows_outcome = false;
-    bool lays_pictures = false; // Its buttons start with one that opens pictures.
-    // Kind of plants made with the tool; it is selected when a drawing opens in which such a plant
-    // is active. Null: none, or those that like_drawn() recognises.
+    bool lays_pictures = false; // The tool's buttons start with one that opens picture files.
+    // Kind of plants made with the tool. The tool is selected when a drawing opens in which such a
+    // plant is active. Null: like_drawn() may recognise the tool's plants.
     scene::SourceKind const* makes = nullptr;
     OptionsType options;
-    GizmoKind const* gizmo = nullptr;            // Gizmo of its options; null: it has only buttons.
+    GizmoKind const* gizmo = nullptr;            // Gizmo of the tool's options; null: none.
     DrawnGizmoKind const* drawn_gizmo = nullptr; // Gizmo that edits the active plant; null: none.
 
     // Interprets a finished stroke as edits of `scene`, to be applied in order. `stroke` has no
@@ -89,13 +90,13 @@ struct ToolKind {
     Result<std::vector<scene::Edit>> (*edits_for)(Tool const& tool, Stroke const& stroke,
                                                   scene::Scene const& scene);
 
-    // Edits by which existing drawings follow when the user changes the tool's numbers; empty if
-    // there are none. Null: drawings never follow.
+    // Edits that adapt existing drawings when the user changes the tool's numbers; empty if none is
+    // affected. Null: drawings are never adapted.
     std::vector<scene::Edit> (*follow)(Tool const& before, Tool const& after,
                                        scene::Scene const& scene)
         = nullptr;
-    // The tool with the options of the active plant, or no value if that was not drawn with this
-    // kind. Null: not supported.
+    // The tool with the options of the active plant, or no value if that plant was not drawn with
+    // this kind. Null: not supported.
     std::optional<Tool> (*like_drawn)(Tool const& tool, scene::Scene const& scene) = nullptr;
 
     // Message after a stroke, in place of `done`, for the scene after the stroke. Null or an empty
@@ -104,14 +105,13 @@ struct ToolKind {
 
     // Creates the previewer of unfinished strokes. Null: no preview.
     std::unique_ptr<StrokePreviewer> (*previewer)() = nullptr;
-    // Ends of the growth steps along an unfinished stroke, for other programs to follow. World
+    // Ends of the growth steps along an unfinished stroke, to be sent to other programs. World
     // frame, mm. Null: nothing grows in steps.
     std::vector<Vec3> (*steps)(Tool const& tool, Stroke const& stroke, scene::Scene const& scene)
         = nullptr;
     // True if the branches crossed by an unfinished stroke are highlighted. Null: never.
     bool (*marks_branches)(Tool const& tool) = nullptr;
-    // The branch that the next stroke shapes, if it is not the selection. Null: it is the
-    // selection.
+    // The branch that the next stroke shapes. Null: the selected branches.
     std::vector<SegmentId> (*aims_at)(scene::Scene const& scene) = nullptr;
     OtherEnd other_end {};
 };

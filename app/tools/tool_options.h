@@ -8,7 +8,7 @@ namespace tractus::tools {
 // One of the words that a tool's option can have.
 struct OptionWord {
     char const* word;  // Name in logs: never changes, and is unique among the tool's options.
-    char const* label; // Text on its button.
+    char const* label; // Text on the word's button.
     // Title of the tool with this word, if it differs from its kind's title.
     char const* title = nullptr;
     // Needs no stroke: pressing its button acts at once, and the current tool stays selected.
@@ -19,23 +19,23 @@ struct OptionWord {
 struct WordOption {
     std::span<OptionWord const> words;
     enum class Offered {
-        Always, // The option's words have buttons whenever a tool of the group is selected.
-        // The option's words have buttons when the tool itself is selected; before that only the
-        // kind's label has one, unless another option's words are offered always.
+        Always, // The words have buttons whenever a tool of the group is selected.
+        // The words have buttons while the tool itself is selected. Otherwise one button has the
+        // kind's label, unless another option is offered Always.
         InHand,
-        BesideLabel, // Like InHand, beside the label's button, which stays.
+        BesideLabel, // Like InHand, but the button with the kind's label stays beside them.
         InTurn,      // Like InHand, but one button cycles through all words: "Surface: in space".
         BesideGizmo, // The option's words have buttons while the kind's gizmo is visible.
-        Never, // No buttons: it decides how new strokes are interpreted, where older logs differ.
+        Never, // No buttons: decides how new strokes are interpreted, because older logs differ.
         // A button such as "Rule: Opposite" opens the words as cards, beside the user's own presets
         // (tool_cards.h).
         Cards,
     } offered
         = Offered::Always;
-    // Side effect of choosing a card: sets the tool's other options, which logs then contain. Null:
-    // none.
+    // Side effect of choosing a word: sets other options of the tool, which logs then contain.
+    // Null: none.
     void (*goes_with)(void* options) = nullptr;
-    char const* label = ""; // Start of its button's text, if one button stands for all words.
+    char const* label = ""; // Start of the button's text, if one button stands for all words.
 };
 
 // A number option; "name=2.5" in logs.
@@ -45,7 +45,7 @@ struct NumberOption {
     double least;     // Least value; numbers out of range are refused.
     double greatest;
     double step;                 // Step of the minus and plus buttons.
-    char const* label = nullptr; // Text on the option's button; null: its name.
+    char const* label = nullptr; // Text on the option's button; null: `name`.
     enum class Offered {
         Always,       // The option always has a button.
         WithoutGizmo, // The option has a button only while the gizmo that also sets it is hidden.

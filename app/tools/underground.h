@@ -14,14 +14,14 @@ class Tool;
 extern Layer const kUndergroundLayer;
 
 // Layer of the segments that growth bends below the ground although strokes do not. The view that
-// grows the plant gives its lines.
+// grows the plant supplies its lines.
 extern Layer const kGrownUndergroundLayer;
 
 // The segments of the base plant, except roots, that strokes have bent below the ground, in order.
 std::vector<SegmentId> segments_bent_underground(scene::BuiltPlant const& plant);
 
-// ToolKind::describe for tools that bend branches: the tool's own message and, if strokes have bent
-// segments below the ground, their number. Empty if there are none.
+// ToolKind::describe for tools that bend branches: if strokes have bent segments below the ground,
+// the tool's own message and the number of these segments; otherwise empty.
 std::string underground_message(Tool const& tool, scene::Scene const& after);
 
 } // namespace tractus::tools

@@ -20,7 +20,7 @@ bool is_keyed(SegmentAddress const& address)
     return address.size() >= 4 && address[0] == kKeyedAxis;
 }
 
-// `keyed` follows "a branch" where that is an axis with a key.
+// Describes a place. `keyed` is appended to "a branch" if the address begins with a keyed axis.
 std::string words_of(SegmentAddress const& address, char const* keyed)
 {
     std::string words;

@@ -38,7 +38,7 @@ std::string stroke_name(variation::Propagation propagation, std::vector<PathAddr
                        propagation_in_words(propagation));
 }
 
-// The strokes that shape branches. One that shapes several is several associations in a row.
+// Curves of the strokes that shape branches. The associations of one stroke are consecutive.
 std::vector<DrawnCurveView> stroke_curves(scene::Scene const& scene, CachedInk const& ink)
 {
     std::unordered_map<void const*, std::size_t> line_of;
@@ -63,7 +63,7 @@ std::vector<DrawnCurveView> stroke_curves(scene::Scene const& scene, CachedInk c
     return curves;
 }
 
-// The strokes that became limbs, where the plant shows those now.
+// Curves of the strokes that became limbs, where these limbs are now on the plant.
 std::vector<DrawnCurveView> limb_curves(scene::Scene const& scene)
 {
     auto const limbs = scene::limb_segments(scene);

@@ -31,9 +31,9 @@ bool is_straight(std::vector<InkLine::Point> const& points, std::size_t first, s
     return true;
 }
 
-// The farthest point to which a straight line may go from `first`, which is not the last point.
-// Searches with strides that double and then halve: testing every point of a long stroke would be
-// quadratic.
+// Returns the index of the farthest point that one straight line from `first` can reach; `first` is
+// not the last point. Searches with strides that double and then halve: testing every point of a
+// long stroke would be quadratic.
 std::size_t straight_until(std::vector<InkLine::Point> const& points, std::size_t first)
 {
     auto last = first + 1;

@@ -24,9 +24,9 @@ struct Growing {
 
     variation::GrowthPlan plan;
     variation::Grower grower { plan };
-    Plant bent {}; // The last plant bent above the ground.
+    Plant bent {}; // Last result of grow() with growth along the ground.
 
-    // The result is unusable once `stop` has been requested.
+    // Grows the plant. The result is unusable once `stop` has been requested.
     Plant const& grow(std::uint64_t seed, double age, bool along_ground,
                       std::stop_token const& stop)
     {
@@ -39,7 +39,7 @@ struct Growing {
     }
 };
 
-// Null once `stop` has been requested.
+// Plans the growth of a plant. Null once `stop` has been requested.
 Result<std::unique_ptr<Growing>> growing(scene::BuiltPlant const& built,
                                          scene::SetGrowth const& growth, scene::SceneShaper& shaper,
                                          std::stop_token const& stop)
@@ -104,9 +104,9 @@ public:
 
 private:
     struct Other {
-        // The plant whose mesh this is; shared with the scenes that contain it.
+        // The plant from which `mesh` was made; shared with the scenes that contain it.
         std::shared_ptr<scene::BuiltPlant const> plant;
-        bool along_ground = false; // As in PlantRequest.
+        bool along_ground = false; // True if `mesh` was grown along the ground (see PlantRequest).
         mesh::Mesh mesh;
     };
 
@@ -179,8 +179,9 @@ private:
         return mesh::make_mesh(variation::individual(plant, key, how, kept), coarse(), stop);
     }
 
-    // The scene and the share of own seeds of the last request, and what follows from them.
-    std::shared_ptr<scene::Scene const> of_; // Immutable and shared.
+    // Scene (shared, immutable) and Individuality::seeds of the last request; alone_ and own_seeds_
+    // are computed from them.
+    std::shared_ptr<scene::Scene const> of_;
     double share_ = 0;
     scene::Scene alone_;
     scene::SeedAssignment own_seeds_;

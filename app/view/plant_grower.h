@@ -27,7 +27,7 @@ struct PlantRequest {
 struct VariationsRequest {
     PlantRequest like;
     std::size_t count = 0;
-    variation::Individuality individuality {}; // Their differences in addition to growth.
+    variation::Individuality individuality {}; // How the variations differ in addition to growth.
 };
 
 // The segments of the active plant as grown, except roots, that are below the ground.
@@ -35,7 +35,7 @@ struct GrownUnderground {
     struct Line {
         Vec3f from_mm = Vec3f::Zero(); // Plant frame.
         Vec3f to_mm = Vec3f::Zero();
-        bool by_growth = false; // Strokes alone would leave it above the ground.
+        bool by_growth = false; // True: strokes alone would leave this segment above the ground.
 
         bool operator==(Line const&) const = default;
     };
@@ -66,7 +66,7 @@ public:
     // call. Fails like plan_growth().
     std::optional<Result<mesh::Mesh>> take();
 
-    // What is below the ground in the plant that take() returned last.
+    // Parts below the ground of the plant that take() returned last.
     GrownUnderground const& underground() const { return underground_; }
 
     // Destroys a mesh that is no longer shown on another thread: for a large plant this takes

@@ -36,7 +36,9 @@ private:
         std::vector<std::vector<Vec3f>> lines_mm {};
         // Time since the lines changed; large at first, so that the layer is invisible.
         Duration age = Duration::max() / 2;
-        std::shared_ptr<scene::PlantState const> of {}; // Immutable; shared with the scene.
+        // State of the plant from which `lines_mm` was made; null: to be made anew. Immutable;
+        // shared with the scene.
+        std::shared_ptr<scene::PlantState const> of {};
     };
     static double strength_of(Kept const& kept, tools::Tool const& in_hand);
     void see(tools::Tool const& in_hand);

@@ -114,8 +114,7 @@ void SkeletonPicture::mark(std::span<SegmentId const> segments, State state)
 }
 
 // Marks branches whose shape was changed by propagation: they have a different rotation relative to
-// the segment that bears them than at rest. Branches that only move along with a bent branch do not
-// count.
+// their parent segment than at rest. Branches that only move along with a bent branch do not count.
 void SkeletonPicture::mark_propagated()
 {
     // Cosine of half the rotation angle above which rotations count as equal.
@@ -152,7 +151,7 @@ std::vector<tools::SkeletonLine>
 SkeletonPicture::lines(tools::ShownSkeleton::Touched const& touched,
                        std::span<SegmentId const> next)
 {
-    // Other strokes are overridden by later ones on the same branches.
+    // Strokes that are not in this list are overridden by later ones on the same branches.
     for (auto const number : scene::shaping_numbers(*scene_))
         mark(scene_->associations[number].what.path, State::Assigned);
     if (!scene_->associations.empty())

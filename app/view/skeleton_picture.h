@@ -29,8 +29,8 @@ public:
 
     // The branches as strokes bend them, other plants first. Colours mark branches that are
     // selected, shaped by a stroke directly or by propagation, touched by the pen, or about to be
-    // shaped by the next stroke. `next` lists the latter; if it is empty, they are the selected
-    // ones.
+    // shaped by the next stroke. `next` lists the branches that the next stroke would shape; if it
+    // is empty, those are the selected ones.
     std::vector<tools::SkeletonLine> lines(tools::ShownSkeleton::Touched const& touched,
                                            std::span<SegmentId const> next = {});
 
@@ -48,7 +48,8 @@ private:
     // State of each segment; all Unselected between calls.
     std::vector<tools::SkeletonLine::State> states_;
     std::vector<SegmentId> marked_;
-    std::vector<std::shared_ptr<scene::BuiltPlant const>> other_plants_; // Shared with the scene.
+    // Plants that are not active; shared with the scene.
+    std::vector<std::shared_ptr<scene::BuiltPlant const>> other_plants_;
     scene::DeskPlacement seen_from_; // Placement of the active plant, whose frame `others_` is in.
     std::vector<tools::SkeletonLine> others_;
 };

@@ -39,7 +39,7 @@ struct StartStudy {
     };
     struct Slider {
         std::string text {}; // Label, including the current value.
-        double most = 1;     // Greatest value; the least is 0.
+        double most = 1;     // Greatest value of the slider; the least is 0.
         double value = 0;
     };
     Picture large {};

@@ -231,7 +231,7 @@ void StationView::set_preview(Preview preview)
     state_.preview = preview.lines ? *preview.lines : std::vector<tools::SkeletonLine>();
 }
 
-// While a pen selects, highlights its path so far and the branches that are undetermined.
+// While a pen selects, highlights the branches that it has selected so far or may still select.
 void StationView::show_selecting(station::Station const& station, Inks inks)
 {
     auto const& tool = station.tool();
@@ -384,7 +384,8 @@ void StationView::list_orphans(scene::Scene const& scene)
 
 void StationView::show_skeleton(tools::ShownSkeleton::Touched const& touched)
 {
-    // False for a proposed scene, which may have another active plant.
+    // True if the branches to be shaped next are marked. A proposed scene may have another active
+    // plant.
     bool const aims = aims_at_ && !is_proposed_;
     auto const next = aims ? aims_at_(*grown_scene_) : std::vector<SegmentId>();
     state_.skeleton = skeleton_.lines(touched, next);

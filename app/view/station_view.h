@@ -35,7 +35,7 @@ public:
     // Advances the window's clock, which fades layers.
     void pass(Duration step);
 
-    // Sets the status to what a stroke has done.
+    // Sets the status to a message about what a stroke has done.
     void tell(document::DrawnStroke const& drawn);
 
     // Waits for the plant requested last and for all variations, and shows them.
@@ -73,14 +73,15 @@ public:
 
 private:
     struct PreviewRequest {
-        std::shared_ptr<scene::Scene const> scene; // Immutable and shared.
+        // Scene on which the stroke is drawn. Immutable and shared.
+        std::shared_ptr<scene::Scene const> scene;
         tools::Tool tool {};
         std::vector<TipSample> ink {};
         std::uint32_t orders = 0; // Only branches of lower orders than this are considered.
         std::size_t stroke = 0;   // Number of the stroke to preview.
     };
     struct Preview {
-        // Null: no preview. Immutable; shared by equal previews.
+        // The previewed branches; null: no preview. Immutable; shared by equal previews.
         std::shared_ptr<std::vector<tools::SkeletonLine> const> lines {};
         std::string note {};
         std::size_t stroke = 0; // Number of the previewed stroke.
@@ -95,7 +96,8 @@ private:
     };
 
     struct ProposalRequest {
-        std::shared_ptr<scene::Scene const> scene; // Immutable and shared.
+        // Scene that the edits would change. Immutable and shared.
+        std::shared_ptr<scene::Scene const> scene;
         std::vector<scene::Edit> edits;
     };
 
@@ -158,7 +160,7 @@ private:
     double shown_surface_mm_ = 0; // Surface height at the last change of live_revision.
     // Skeleton on which a selecting pen draws, and the scene it was made from; created on demand.
     std::optional<tools::ShownSkeleton> shown_skeleton_;
-    // Shared with the document, which may replace it meanwhile.
+    // Scene of shown_skeleton_. Shared with the document, which may replace it meanwhile.
     std::shared_ptr<scene::Scene const> shown_scene_;
     // Function of the selected tool that returns the branch to be shaped next, or null.
     std::vector<SegmentId> (*aims_at_)(scene::Scene const& scene) = nullptr;
@@ -172,7 +174,8 @@ private:
     std::uint64_t previewed_live_ = 0; // live_revision for which a preview was requested last.
     // Preview shown in the state.
     std::shared_ptr<std::vector<tools::SkeletonLine> const> previewed_;
-    // On the heap, as a thread refers to it. Returns null if the edits fail.
+    // Job that applies proposed edits; returns null if they fail. On the heap, as a thread refers
+    // to it.
     std::unique_ptr<NewestJob<ProposalRequest, std::shared_ptr<scene::Scene const>>> proposal_;
     std::unique_ptr<NewestJob<std::shared_ptr<std::string const>, ReadPicture>> reading_;
     std::shared_ptr<scene::BackPicture const> picture_; // Picture that is shown or being decoded.

@@ -47,14 +47,15 @@ struct InkLine {
 struct OrphanView {
     enum class Kind { Stroke, Indicator } kind = Kind::Stroke;
     scene::ItemId id = 0;
-    std::string name; // For example "stroke 3".
+    std::string name; // The orphan's name, for example "stroke 3".
     // Former place of its branch: "up to segment 6 of branch 2 at segment 4 of stem 1".
     std::string place;
 };
 
 // A curve that the user drew and that the active plant is made of.
 struct DrawnCurveView {
-    std::uint64_t edit = 0; // As in tools::DrawnCurve; also `name`.
+    // Number of the edit that drew the curve; see tools::DrawnCurve for this and `name`.
+    std::uint64_t edit = 0;
     std::string name {};
     InkLine line {};
     // Paths of the branches that the stroke shapes, or of the limb that it became (see PickCurve);
@@ -72,7 +73,7 @@ struct RefusedStroke {
 
 // A layer's lines for the active plant. World frame.
 struct ShownLayer {
-    tools::Layer const* layer = nullptr; // Never null.
+    tools::Layer const* layer = nullptr; // The layer; never null.
     std::vector<std::vector<Vec3f>> lines_mm;
     double strength = 1; // Opacity; at 0 the lines are invisible.
 
@@ -81,7 +82,7 @@ struct ShownLayer {
 
 // The picture behind the drawing.
 struct ShownPicture {
-    // Never null, and not large. Immutable and shared.
+    // The picture, of moderate size; never null. Immutable and shared.
     std::shared_ptr<render::Image const> image;
     scene::PicturePlace place {};
 };
@@ -137,7 +138,7 @@ struct WindowState {
     std::uint64_t live_revision = 0;
     double surface_height_mm = 0; // Height of the surface in the world frame.
     bool is_outside_calibration
-        = false; // The height is extrapolated, as the rig was never calibrated there.
+        = false; // True if the height is extrapolated, as the rig was never calibrated there.
     PenView pen;
     // The pen's states since the last advance(), in order.
     std::vector<PenView> pen_path;
@@ -148,7 +149,7 @@ struct WindowState {
     std::uint64_t strokes_revision = 0;
     std::vector<InkLine> strokes; // Ink of finished strokes.
 
-    // In the order in which they were drawn: strokes in effect, and what the methods' lists say.
+    // Curves of strokes in effect and of the methods' lists, in the order in which they were drawn.
     std::uint64_t curves_revision = 0;
     std::vector<DrawnCurveView> curves;
 
@@ -182,7 +183,7 @@ struct WindowState {
     std::uint64_t collection_revision = 0;
     std::vector<VariationView> collection;
     std::size_t collection_wanted = 0;
-    // Their differences in addition to growth.
+    // How the variations differ in addition to growth.
     variation::Individuality individuality = variation::kPlantsOfOneBed;
 
     // Branches that the stroke in progress would move if it ended now, in their new shape. Plant
@@ -203,8 +204,9 @@ struct WindowState {
     // The drawn gizmo (DrawnGizmoKind) of the current tool; no value if it has none or nothing was
     // drawn with it. Changes with live_revision.
     std::optional<tools::Gizmo> drawn_gizmo {};
-    std::vector<tools::ToolCard> cards {};  // The user's presets for the current kind of tool.
-    std::vector<tools::Tool> remembered {}; // Tools to select with the options they had last.
+    std::vector<tools::ToolCard> cards {}; // The user's presets for the current kind of tool.
+    // Tools for the pen's other end that were selected before, with their last options.
+    std::vector<tools::Tool> remembered {};
     std::string tool;   // Name of the current tool for the user, for example "Draw".
     std::string status; // One line about what is happening or was done.
     // One line about a problem with a device and what to do about it. Replaces the status; empty if
@@ -213,8 +215,8 @@ struct WindowState {
     // True if real devices are read. Then there is no playback to pause, and the mouse is ignored
     // while a pen is in range, as the window system reports that pen as a mouse.
     bool is_live = false;
-    // Without a tablet the mouse acts as the pen. Without a height sensor the mouse wheel and keys
-    // move the surface.
+    // The mouse acts as the pen if there is no tablet. The mouse wheel and keys move the surface if
+    // there is no height sensor.
     bool mouse_draws = false;
     bool mouse_moves_surface = false;
     // A simulated hand draws with its own tools; its pen does not operate the window.
@@ -256,7 +258,7 @@ struct ChangeGrowth {
     GrowthView growth;
     enum class Slider { Moving, Released } slider = Slider::Released;
 };
-// Changes the season that all plants show; no value: leaves as their models have them. While a
+// Changes the season that all plants show; no value: leaves look as in the plants' models. While a
 // slider moves, the change is only previewed, as for growth.
 struct ChangeSeason {
     std::optional<scene::Season> season {};
@@ -266,9 +268,9 @@ struct RequestCollection {
     std::size_t count = 12; // Number of variations; 0 closes the collection.
     variation::Individuality individuality = variation::kPlantsOfOneBed;
 };
-// Makes a variation the plant: its growth, and its branches where a model's stochastic rules have a
-// seed of their own. Size, orientation, age, leaf size and missing or duplicated branches are only
-// the collection's.
+// Replaces the plant with a variation: takes over its growth and, where a model's stochastic rules
+// have their own seed, its branches. Size, orientation, age, leaf size and missing or duplicated
+// branches are not taken over.
 struct PickVariation {
     std::uint64_t seed = 1; // Seed of the variation that becomes the plant.
 };
@@ -287,7 +289,7 @@ struct ExportPlant {
     enum class Format {
         Glb,
         Obj,
-        Mtg, // Branches only, for botanical software.
+        Mtg, // Branches and organs without triangles, for botanical software.
     } format
         = Format::Glb;
     exports::GlbOptions::Organs organs = exports::GlbOptions::Organs::Merged;
@@ -300,8 +302,8 @@ struct SetRecording {
 struct ChooseTool {
     tools::Tool tool; // Tool to use from now on.
 };
-// Sets the current tool's numbers. What was drawn with the tool follows (ToolKind::follow); while a
-// slider or handle moves, that is only previewed, as for growth.
+// Sets the current tool's numbers. What was drawn with the tool is adapted (ToolKind::follow);
+// while a slider or handle moves, that is only previewed, as for growth.
 struct AdjustTool {
     tools::Tool tool;
     ChangeGrowth::Slider slider = ChangeGrowth::Slider::Released;
@@ -355,7 +357,8 @@ struct TakeOrphansAway { }; // Removes all of WindowState::orphans, as an undoab
 struct SetPressingAreas {
     std::vector<Eigen::AlignedBox2d> areas;
 };
-struct PressInstead { }; // Makes the current touch operate the controls, too, wherever it began.
+// Makes the current touch operate the controls, too, even outside the pressing areas.
+struct PressInstead { };
 
 // State of the mouse when it acts as the pen. World frame, x and y in millimetres.
 struct MousePen {
@@ -370,16 +373,16 @@ struct MoveSurface {
     double by_mm = 0; // Distance in millimetres; positive is up.
 };
 
-// Shows pictures to lay behind the drawing, as WindowModel::start_page().
+// Opens a page of pictures to lay behind the drawing, as WindowModel::start_page().
 struct OpenPictures { };
 // Lays a picture file behind the drawing, or reports in the status why that fails.
 struct LayPictureFile {
     std::filesystem::path file;
 };
 
-// Shows leaves for the active plant, as WindowModel::start_page().
+// Opens a page of leaves for the active plant, as WindowModel::start_page().
 struct OpenLeaves { };
-// Gives the active plant leaves; members as in Dressing in app/methods/all_leaves.h.
+// Gives the active plant leaves; members as in Foliage in app/methods/all_leaves.h.
 struct SetActiveFoliage {
     // Path of a grammar file, or its name in the document; empty: the plant's own leaves.
     std::string leaves {};

@@ -247,7 +247,7 @@ void CalibrationPanel::show_reading(calibration::CalibrationView const& view)
 
 void CalibrationPanel::show_controls(calibration::CalibrationModel& model)
 {
-    // Copied, because a command may replace the view while it is being shown.
+    // Values are copied, because a command may replace the view while it is being shown.
     auto const& view = model.view();
     bool const is_moving = view.is_moving;
     bool const may_capture = view.may_capture;

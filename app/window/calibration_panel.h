@@ -17,7 +17,8 @@ public:
     {
     }
 
-    // Returns true if the user asks to return to drawing, which is offered if `may_go_back`.
+    // Shows the panel. Returns true if the user asks to return to drawing, which is offered if
+    // `may_go_back`.
     bool show(calibration::CalibrationModel& model, bool may_go_back);
 
 private:

@@ -40,8 +40,8 @@ std::size_t column_count(float width, float scale)
                     kMaxColumns);
 }
 
-// Splits the groups into sections. Groups whose first cards matter most place those in the rest of
-// a row, or in a row of their own.
+// Splits the groups into sections. The first cards of a group ordered by use share the previous
+// group's row if there is room; otherwise they get a row of their own.
 std::vector<CardSection> sections_of(std::span<view::StartCards const> groups, std::size_t columns)
 {
     std::vector<CardSection> sections;

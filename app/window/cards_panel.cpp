@@ -15,7 +15,7 @@ constexpr float kCardWidth_px = 148;
 constexpr float kGizmoHeight_px = 104;
 constexpr float kCardName_px = 34;
 constexpr float kAround_px = 14;
-// Greatest height of the panel, as a share of the height above the bar.
+// Greatest height of the panel, as a share of the window's height above the bar.
 constexpr float kGreatestShare = 0.5f;
 constexpr float kTyped_px = 220;
 
@@ -93,7 +93,7 @@ void CardsPanel::show_cards(view::WindowModel& model, Workspace& workspace, floa
     ImGui::EndChild();
 }
 
-// Returns true if the card is pressed.
+// Shows a card. Returns true if it is pressed.
 bool CardsPanel::show_card(tools::ToolCard const& card, bool is_on) const
 {
     bool const has_gizmo = card.tool.kind().gizmo != nullptr;

@@ -14,7 +14,8 @@ namespace {
 
 constexpr render::ViewAngles kSheetAngles { .azimuth_rad = 0.45, .elevation_rad = 0.22 };
 
-// The plants' width as a share of their height; each may be turned about the vertical.
+// Returns the width to allow for the plants, as a share of their height; each plant may be turned
+// about the vertical.
 double shape_of(std::vector<view::VariationView> const& plants)
 {
     Bounds all;

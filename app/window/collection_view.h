@@ -29,7 +29,7 @@ public:
 private:
     struct Picture {
         mesh::Mesh const* mesh = nullptr; // The mesh that the picture shows; owned by the model.
-        std::uint64_t revision = 0;       // Revision of the collection whose scale it has.
+        std::uint64_t revision = 0; // Revision of the collection that set the picture's scale.
         ViewCanvas canvas;
     };
 

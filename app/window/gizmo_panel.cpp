@@ -70,7 +70,8 @@ std::optional<WindowPart> GizmoPanel::show(view::WindowModel& model, Workspace& 
         is_shown = !is_shown;
     if (is_shown) {
         auto const gizmo = is_of_drawn ? *state.drawn_gizmo : workspace.hand(state).gizmo();
-        // A gizmo of curves fills the square; one of a rule leaves the corner free for the button.
+        // A gizmo of curves fills its square, below the button; a rule's leaves a corner free for
+        // the button.
         auto const corner = is_of_drawn ? ImGui::GetCursorScreenPos() : top;
         show_gizmo(model, workspace, gizmo,
                    { { corner.x + side / 2, corner.y + side / 2 }, side / 2 });

@@ -15,7 +15,7 @@ void draw_height_gauge(view::WindowState const& state, ImVec2 const& corner, ImV
     auto* const draw = ImGui::GetWindowDrawList();
     double const low_mm = state.volume_mm.min_mm.z();
     double const range_mm = std::max(1.0, state.volume_mm.max_mm.z() - low_mm);
-    // Leaves room above for the number, below whatever is shown above the gauge.
+    // Leaves room above the gauge for the height's number.
     float const top = corner.y + std::max(size.y * 0.08f, ImGui::GetFontSize() + kAboveScale_px);
     float const length = std::max(1.0f, corner.y + size.y * 0.92f - top);
     auto const y_of = [&](double height_mm) {

@@ -33,10 +33,10 @@ public:
 
     // Sets the window's title; an empty title changes nothing.
     void set_title(std::string const& title);
-    bool take_close_request(); // True if the user has asked to close the window, by its button or a
-                               // key, since the last call.
-    // `step_s`: time since the last frame; default: by the clock. Returns mouse and keyboard events
-    // up to this frame.
+    // True if the user has asked to close the window, by its button or a key, since the last call.
+    bool take_close_request();
+    // Begins a frame. `step_s` is the time since the last one; no value: by the clock. Returns
+    // mouse and keyboard events up to this frame.
     HandInput begin_frame(std::optional<float> step_s);
     void end_frame(); // Ends and renders the frame; the picture is then in the back buffer.
     render::Image back_buffer() const;

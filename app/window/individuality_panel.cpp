@@ -11,15 +11,16 @@ namespace tractus::window {
 namespace {
 
 constexpr float kIndividualityWidth_px = 430;
-constexpr float kIndividualityShare = 0.42f; // Maximum width, as a share of the room's.
+// Maximum width of the panel, as a share of the room's width.
+constexpr float kIndividualityShare = 0.42f;
 constexpr float kSwitchWidth_px = 128;
 
 struct Trait {
     char const* name;
     double variation::Individuality::*number;
     double greatest;
-    char const* text;  // Describes the number, multiplied by `unit`.
-    double unit = 100; // For example percent.
+    char const* text;  // Format of the label; its argument is the number multiplied by `unit`.
+    double unit = 100; // Factor to the label's unit, by default percent.
 };
 
 constexpr std::array<Trait, 6> kTraits {
@@ -89,7 +90,7 @@ void IndividualityPanel::show(view::WindowModel& model, Controls const& controls
     }
 }
 
-// The growth's variation, which is the plant's own.
+// Shows the variability of growth, which belongs to the plant and not to the collection.
 void IndividualityPanel::show_growth(view::WindowModel& model, Controls const& controls)
 {
     view::ChangeGrowth change { .growth = model.state().growth };

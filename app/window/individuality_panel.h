@@ -9,7 +9,7 @@
 
 namespace tractus::window {
 
-// Says how much the plants of a collection differ: for each trait a switch and a slider for its
+// Controls how much the plants of a collection differ: for each trait a switch and a slider for its
 // number. A change requests the collection again.
 class IndividualityPanel {
 public:
@@ -30,18 +30,18 @@ private:
     struct Row {
         char const* name;
         double greatest;
-        std::string text; // What the number means, as a format of printf.
+        std::string text; // Label that explains the value, as a format of printf.
     };
-    // What the user did to a row.
+    // The change that the user made to a row.
     enum class Change { None, Moving, Released };
     Change show_row(Controls const& controls, Row const& row, double& value, double& when_on) const;
     void show_growth(view::WindowModel& model, Controls const& controls);
 
     float scale_ = 1;
     float row_px_ = 0; // Inner width of the panel.
-    // The numbers while a slider is dragged; no value: the model's.
+    // The traits' numbers while a slider is dragged; no value: those of the model's state apply.
     std::optional<variation::Individuality> moving_;
-    // The numbers that switches set when they are pressed again.
+    // The numbers that traits get when their switches are turned on again.
     variation::Individuality when_on_ = variation::kPlantsOfOneBed;
     double variability_when_on_ = 1;
 };

@@ -21,9 +21,11 @@ constexpr float kGaugeWidth_px = 88;
 constexpr float kMinForAll_px = 460; // In a narrower space than this beside the menu, only the
                                      // plant is shown.
 constexpr double kAirAroundPad = 1.06;
-constexpr float kMinStrokes_px = 150; // Below the pad, strokes are shown if this height is left.
-constexpr float kPadTitle_px = 50;    // Height of the pad's title.
-constexpr float kListWidth_px = 460;  // The list of strokes, if the view beside it is as wide.
+// Least height below the pad at which the strokes are shown there.
+constexpr float kMinStrokes_px = 150;
+constexpr float kPadTitle_px = 50; // Height of the pad's title.
+// Width of the list of strokes; it is shown if the view beside it is at least as wide.
+constexpr float kListWidth_px = 460;
 constexpr float kTitleRow_px = 44;
 
 using Shown = Workspace::Shown;
@@ -122,7 +124,7 @@ void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPoint
     tell_pressing_areas(model);
 }
 
-// Shows only what grows; the pen draws anywhere in the window.
+// Shows the stage view: the plant and what grows on it. The pen draws anywhere in the window.
 void Layout::show_stage(view::WindowModel& model, render::Renderer& renderer,
                         HandInput const& input)
 {
@@ -316,7 +318,7 @@ float Layout::strokes_height_px(view::WindowState const& state, WindowPart const
     return left_px < kMinStrokes_px * scale_ ? 0 : left_px;
 }
 
-// If the view fills the window, a list of the strokes is beside it.
+// Shows the drawn strokes; if the view fills the window, with a list of them beside it.
 void Layout::show_strokes(view::WindowModel& model, render::Renderer& renderer, WindowPart part)
 {
     auto const& state = model.state();
@@ -402,8 +404,8 @@ void Layout::show_gauge(view::WindowState const& state, WindowPart const& part,
                       workspace_.is_left_handed ? Side::Right : Side::Left);
 }
 
-// Full screen, the view shows the whole tablet; beside other views it fits the plant, which may be
-// smaller.
+// Where the skeleton's view shows the tablet: in full if the view fills the window. Beside other
+// views the scale fits the plant, which may be smaller.
 PenArea Layout::skeleton_area(view::WindowState const& state, WindowPart const& part) const
 {
     auto area = fit_pen_area(state.volume_mm, { part.left, part.top }, { part.width, part.height });

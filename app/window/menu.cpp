@@ -280,7 +280,7 @@ void Menu::show_season(view::WindowModel& model)
         view::ChangeSeason { season == none ? std::nullopt : std::optional(season), slider });
 }
 
-// Returns true while the slider is being dragged.
+// Shows a slider. Returns true while it is being dragged.
 bool Menu::show_slider(char const* name, char const* text, float greatest, double& value,
                        bool& is_released) const
 {

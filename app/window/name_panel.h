@@ -37,8 +37,9 @@ private:
     void press(char key);
 
     float scale_ = 1;
-    float height_px_ = 0;                            // Height of the panel in the last frame.
-    std::optional<Workspace::NameRequest> asked_ {}; // What the name is for.
+    float height_px_ = 0; // Height of the panel in the last frame.
+    // The request that the panel answers: what is to be named.
+    std::optional<Workspace::NameRequest> asked_ {};
     std::string typed_ {};
     bool is_selected_ = false; // True if the whole text is selected.
     bool types_capitals_ = true;

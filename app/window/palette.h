@@ -23,7 +23,7 @@ struct Palette {
     Vec3f pad_background;
     Vec3f recording;             // Colour of the mark that shows that input is being recorded.
     Vec3f faint;                 // Colour of the skeleton where it only gives orientation.
-    std::array<Vec3f, 7> curves; // Colours of drawn curves, by turns.
+    std::array<Vec3f, 7> curves; // Colours of drawn curves, used in turn.
     Vec3f growing; // Colour of what grows in the stage view, before it has bark and leaves.
 };
 

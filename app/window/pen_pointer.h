@@ -25,10 +25,11 @@ public:
     bool leads() const { return leads_; }
     ImVec2 place_px() const { return place_px_; }
 
-    // True if it has events left that one frame cannot show: another frame is due.
+    // True if pen events are left that one frame cannot show: another frame is due.
     bool has_more() const { return !path_.empty(); }
 
-    // True if in this frame its barrel button was pressed, or its touch has rested long enough.
+    // True if the pen's barrel button was pressed in this frame, or its touch has rested long
+    // enough.
     bool requests_tool_ring() const { return requests_tool_ring_; }
     bool has_released_barrel() const { return has_released_barrel_; }
 

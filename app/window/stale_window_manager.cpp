@@ -32,9 +32,9 @@ static std::optional<::Window> named_window(::Display* display, ::Window window,
     return named;
 }
 
-// The property is stale unless it names a live window, which has the property, too, and names
-// itself in it. The server is grabbed so that no window manager starts between the test and the
-// removal.
+// Tests _NET_SUPPORTING_WM_CHECK, which is stale unless it names a live window that has the same
+// property naming itself. The server is grabbed so that no window manager starts between the test
+// and the removal.
 bool remove_stale_window_manager()
 {
     // Never closed: when its last client disconnects, an X server resets and refuses connections

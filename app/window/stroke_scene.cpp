@@ -13,7 +13,8 @@ namespace {
 
 constexpr float kThinnest = 1.0f / 220; // Least width of a curve, as a share of the box's diagonal.
 constexpr float kWider = 1.9f;          // Factor on the width of highlighted curves.
-constexpr float kDotSize = 1.9f;        // Diameter of the dot at a curve's start, in its widths.
+// Diameter of the dot at a curve's start, as a multiple of the curve's width.
+constexpr float kDotSize = 1.9f;
 constexpr std::size_t kMaxDropLines = 3;
 
 render::Curve thin_line(Vec3f const& from_mm, Vec3f const& to_mm, Vec3f const& color,
@@ -30,7 +31,8 @@ float diagonal_mm(Bounds const& box)
     return static_cast<float>((box.max_mm - box.min_mm).norm());
 }
 
-// All curves, the plant's base and the ground below; the drawing volume while there is no curve.
+// Bounding box of all curves, the plant's base and the ground; the drawing volume if there is no
+// curve.
 Bounds curves_box(view::WindowState const& state)
 {
     Bounds box;
@@ -46,12 +48,12 @@ Bounds curves_box(view::WindowState const& state)
         if (!state.volume_mm.empty())
             box.min_mm.z() = std::min(box.min_mm.z(), state.volume_mm.min_mm.z());
     }
-    constexpr double kMin_mm = 10; // A box with this extent can be framed.
+    constexpr double kMin_mm = 10; // Minimum extent of the box, so that the camera can frame it.
     box.max_mm = box.max_mm.cwiseMax(box.min_mm + Vec3::Constant(kMin_mm));
     return box;
 }
 
-// A grid on the ground around what stands on it, its edges at multiples of the step.
+// A grid on the ground around the curves and the plant's base, its edges at multiples of the step.
 struct GroundGrid {
     Vec2f low_mm;
     Vec2f high_mm;
@@ -188,7 +190,7 @@ std::vector<render::Curve> ground_curves(view::WindowState const& state,
     std::vector<render::Curve> curves;
     add_grid(grid, curves);
     add_upright(state, grid, curves);
-    // The newest ones, since there may be a thousand.
+    // Only the newest curves get a drop line, since there may be a thousand.
     auto const first = highlighted.size() - std::min(highlighted.size(), kMaxDropLines);
     for (auto i = first; i < highlighted.size(); ++i) {
         auto const& points = state.curves[highlighted[i]].line.points;
@@ -231,7 +233,7 @@ std::optional<std::size_t> curve_at(std::span<view::DrawnCurveView const> curves
     std::optional<std::size_t> nearest;
     float least = reach_px * reach_px;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        bool has_last = false; // False where the point before is behind the camera.
+        bool has_last = false; // True if the previous point is in front of the camera.
         Vec2f last = Vec2f::Zero();
         for (auto const& point : curves[i].line.points) {
             auto const here = projection.to_px(point.position_mm);

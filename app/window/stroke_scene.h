@@ -13,13 +13,13 @@ namespace tractus::window {
 
 // What the view of drawn curves (WindowState::curves) shows, without the window. World frame.
 
-// Indices of the curves to stand out: the picked one; else those that shape what is selected; else
-// the newest.
+// Indices of the highlighted curves: the picked one; if none is picked, those that shape what is
+// selected; if there are none, the newest.
 std::vector<std::size_t> highlighted_curves(view::WindowState const& state,
                                             std::optional<std::size_t> picked);
 
-// Colour of a curve by its index: seven colours that differ for all kinds of colour vision, then
-// the same again. sRGB, 0 to 1.
+// Colour of a curve by its index. Seven colours that differ for all kinds of colour vision are
+// repeated in order. sRGB, 0 to 1.
 Vec3f curve_color(std::size_t curve);
 
 // The box that the camera frames: all curves, the ground below them and the plant's base, with air
@@ -43,7 +43,8 @@ class PictureProjection {
 public:
     PictureProjection(render::Camera const& camera, Vec2f const& size_px);
 
-    // Pixels from the picture's upper left corner; no value behind the camera.
+    // Position in pixels from the picture's upper left corner; no value for a point behind the
+    // camera.
     std::optional<Vec2f> to_px(Vec3f const& point_mm) const;
 
 private:
@@ -58,7 +59,7 @@ std::optional<std::size_t> curve_at(std::span<view::DrawnCurveView const> curves
 
 struct CurveLabel {
     std::size_t curve = 0;
-    Vec2f corner_px = Vec2f::Zero(); // Upper left.
+    Vec2f corner_px = Vec2f::Zero(); // Upper left corner of the label.
 };
 
 // Places for the curves' numbers, beside their starts. Labels never overlap: where there is no room

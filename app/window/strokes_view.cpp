@@ -12,9 +12,9 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kReach_px = 14;      // Greatest distance of a click from the curve that it picks.
-constexpr float kStill_px = 5;       // A press that moved farther is a drag.
-constexpr float kListRow_px = 38;    // High enough for the pen.
+constexpr float kReach_px = 14;   // Greatest distance of a click from the curve that it picks.
+constexpr float kStill_px = 5;    // A press that moved farther is a drag.
+constexpr float kListRow_px = 38; // Height of a row of the list, large enough to hit with the pen.
 constexpr float kLinesForFront = 16; // Minimum height, in lines of text, to label the front.
 
 float display_scale()

@@ -22,11 +22,11 @@ public:
     // Draws the list at ImGui's cursor, the newest curve last; returns as show() does.
     std::optional<std::size_t> show_list(view::WindowState const& state, ImVec2 const& size_px);
 
-    // Writes the highlighted curve's number and name, or how many are, above `corner_px`, the lower
-    // left corner.
+    // Writes the highlighted curve's number and name, or the number of highlighted curves, above
+    // `corner_px`, the lower left corner.
     void show_caption(view::WindowState const& state, ImVec2 const& corner_px) const;
 
-    // For the buttons of the view tool.
+    // Change the view's zoom, for the buttons of the view tool; look_at_whole() resets the view.
     void zoom(double factor);
     void look_at_whole();
 
@@ -48,7 +48,7 @@ private:
     std::uint64_t newest_edit_ = 0;
     std::uint64_t picks_ = 0; // Number of changes of picked_.
     bool turned_ = false;
-    bool list_is_behind_ = true; // The list has to scroll to its end.
+    bool list_is_behind_ = true; // True if the list has to scroll to its end.
 };
 
 } // namespace tractus::window

@@ -100,7 +100,7 @@ void StudyView::show_picture(view::StartStudy::Picture const& picture, std::size
                       IM_COL32(90, 90, 90, 255), picture.title.c_str());
 }
 
-// `height`: total height of the sliders, if possible; 0: each as high as a button.
+// Shows the sliders. `height`: their total height, if possible; 0: each as high as a button.
 void StudyView::show_sliders(view::StartPageModel& page, Controls const& controls, float width,
                              float height)
 {
@@ -122,7 +122,7 @@ void StudyView::show_sliders(view::StartPageModel& page, Controls const& control
     ImGui::EndGroup();
 }
 
-// Returns true while the slider is being dragged.
+// Shows a slider. Returns true while it is being dragged.
 bool StudyView::slider(std::size_t number, view::StartStudy::Slider& slider, float width,
                        float height) const
 {

@@ -59,7 +59,7 @@ std::optional<std::size_t> ToolRing::under(ImVec2 const& place_px, std::size_t c
     return static_cast<std::size_t>(std::lround(turns)) % count;
 }
 
-// Returns true if the ring should close.
+// Handles the pointer. Returns true if the ring should close.
 bool ToolRing::take_pointer(bool button_let_go, std::size_t count,
                             std::optional<std::size_t>& chosen)
 {

@@ -36,7 +36,8 @@ private:
                      bool is_pointed_at) const;
 
     bool is_open_ = false;
-    bool was_touched_ = false; // True if the pointer has been touching since the ring opened.
+    // True if the pointer touched in the last frame; also right after the ring opened.
+    bool was_touched_ = false;
     ImVec2 middle_px_ { 0, 0 };
     float scale_ = 1;
 };

@@ -253,7 +253,8 @@ std::vector<render::Curve> layer_curves(view::WindowState const& state)
     return curves;
 }
 
-constexpr float kLayerWidth_px_per_mm = 1.45f; // Line width in the skeleton's view.
+// Width in the skeleton's view, in pixels, for each millimetre of a layer's line width.
+constexpr float kLayerWidth_px_per_mm = 1.45f;
 
 } // namespace
 

@@ -50,7 +50,8 @@ Vec3f layer_color(tools::LayerStyle const& style);
 // The branches that the current stroke would move, for the skeleton's view.
 std::vector<render::Curve> preview_curves(view::WindowState const& state);
 
-// What is below the ground of the plant as grown, for the plant's view, in its frame.
+// Lines for the parts of the grown plant below the ground, for the plant's view, in the plant's
+// frame.
 std::vector<render::Curve> underground_curves(view::WindowState const& state);
 
 // The branches that the current stroke would move, at their thickness, for the plant's view.

@@ -12,8 +12,9 @@ namespace tractus::window {
 namespace {
 
 constexpr double kPadFieldOfView_rad = 0.75;
-constexpr double kAboveSurface_mm = 0.25; // Looks from slightly above the surface, so that lines on
-                                          // it are not clipped to half their width.
+// Things up to this height above the surface are shown, so that lines on the surface are not
+// clipped to half their width.
+constexpr double kAboveSurface_mm = 0.25;
 
 render::Backdrop plain_backdrop()
 {
@@ -80,8 +81,8 @@ render::StagedPicture staged(view::ShownPicture const& shown, render::GpuPicture
              .strength = static_cast<float>(place.strength) };
 }
 
-// Extends the box by the middle of the paper sheet in the drawing volume and by what grows, so that
-// the frame keeps still while something grows.
+// Extends the box by the middle of the paper sheet in the drawing volume and by the previewed
+// branches, so that the view need not change while something grows.
 void add_drawing_room(view::WindowState const& state, Bounds& plant_mm)
 {
     auto const& box_mm = state.volume_mm;
@@ -208,7 +209,7 @@ void SkeletonView::show(view::WindowState const& state, render::Renderer& render
     canvas_.show();
 }
 
-// Returns true if the plant or the view of it has changed.
+// Adopts the state's plant. Returns true if the plant or the view of it has changed.
 bool PlantView::follow_plant(view::WindowState const& state)
 {
     bool changed = std::exchange(turned_, false);

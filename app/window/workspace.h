@@ -32,7 +32,8 @@ struct Workspace {
     Shown shown = Shown::All;
     // The view that a drawing begins with. No value: the pad for a pen tablet, otherwise all views.
     std::optional<Shown> shown_first {};
-    // Only the growing plant is shown, over the whole window; the pen draws as on the pad.
+    // Stage view: only the growing plant is shown, over the whole window; the pen draws as on the
+    // pad.
     bool is_on_stage = false;
 
     // The view tool is selected: the pointer turns and zooms views and draws nothing.
@@ -90,7 +91,8 @@ struct Workspace {
 
     // The current tool, as it is being adjusted.
     tools::Tool const& hand(view::WindowState const& state) const;
-    // Changes the numbers of the current tool; what was drawn with it follows.
+    // Changes the numbers of the current tool; what was drawn with it is adapted
+    // (ToolKind::follow).
     void adjust(view::WindowModel& model, tools::Tool tool, view::ChangeGrowth::Slider slider);
 
     // Selects a tool, and shows the view that it works in if another one fills the window.
@@ -132,7 +134,7 @@ private:
 // The words of Workspace::Shown for the command line, in its order: "all", "pad" and so on.
 std::span<std::string_view const> shown_words();
 
-// No value for another word.
+// Parses one of shown_words(). No value for another word.
 std::optional<Workspace::Shown> parse_shown(std::string_view word);
 
 } // namespace tractus::window

@@ -64,10 +64,11 @@ void describe(DeviceInfo& info, GpioAddress const& address, Converter const& con
 {
     info.name = fmt::format("{} channel {} on {}", converter.name, address.channel, address.chip);
     info.bus = kBusSpi;
-    info.physical_path = info.location; // Stored in logs.
+    info.physical_path = info.location; // Logs store this path, but not the location.
 }
 
-// The converter type of a live or recorded device, by its name; null if it is no such device.
+// Returns the converter type of a live or recorded device, found by its name; null if the device is
+// not a converter on GPIO lines.
 Converter const* find_converter(DeviceInfo const& info)
 {
     if (info.bus != kBusSpi)
@@ -97,7 +98,7 @@ public:
     DeviceInfo const& info() const override { return info_; }
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
-    // Measures the speed of the lines; fails if nothing answers.
+    // Measures the speed of the lines. Fails if nothing answers.
     Result<void> try_out();
 
 private:
@@ -143,7 +144,7 @@ RawReport encode(Mcp3208Reading const& reading, unsigned repeats)
 
 Result<std::optional<RawReport>> GpioAdcSource::read(Duration timeout)
 {
-    // If this many attempts are interrupted, further ones will be, too.
+    // If this many attempts at a conversion are interrupted, further ones will be, too.
     constexpr unsigned kMaxRepeats = 7;
     constexpr Duration kForEver = std::chrono::hours(24);
     auto const deadline = clock_.now() + std::min(timeout, kForEver);

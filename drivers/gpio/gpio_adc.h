@@ -55,8 +55,8 @@ open_gpio_adc(DeviceInfo info, std::unique_ptr<GpioLines> lines, GpioClock clock
 // True if a device, live or from a log, is a converter on GPIO lines.
 bool is_gpio_adc(DeviceInfo const& info);
 
-// Makes the decoder of its reports; requires is_gpio_adc(info). Decoding fails with a device error
-// for a wrong length, a reading beyond full scale, or no answer.
+// Makes the decoder of the converter's reports; requires is_gpio_adc(info). Decoding fails with a
+// device error for a wrong length, a reading beyond full scale, or no answer.
 std::unique_ptr<HeightDecoder> make_gpio_adc_decoder(DeviceInfo const& info);
 
 } // namespace tractus::drivers

@@ -58,8 +58,9 @@ bool is_chip_called(int chip, std::string const& name)
         && (kernel_name(info.name) == name || kernel_name(info.label) == name);
 }
 
-// Opens the chip with this name or label; invalid, with errno set, if there is none. The error of a
-// chip without read permission is kept, because its label is unknown and it could be the right one.
+// Opens the chip with this name or label; the result is invalid, with errno set, if there is none.
+// The error of a chip without read permission is kept, because its label is unknown and it could be
+// the right one.
 EdgeDescriptor find_edge_chip(std::string const& name)
 {
     std::vector<fs::path> nodes;
@@ -89,7 +90,7 @@ public:
     {
     }
 
-    Result<void> begin(); // See find_beginning().
+    Result<void> begin(); // Determines the starting state; see find_beginning().
 
     Result<void> read(Duration timeout, std::vector<QuadratureEdge>& edges) override;
     Timestamp now() override { return monotonic_now(); }
@@ -159,7 +160,7 @@ find_beginning(GpioEdges& edges, std::function<Result<QuadratureLevels>()> const
     constexpr int kTrials = 100;
     std::uint32_t last_number = 0;
     std::vector<QuadratureEdge> read;
-    // True if there were no edges for the duration.
+    // Returns true if there were no edges for `duration`.
     auto const is_quiet = [&](Duration duration) -> Result<bool> {
         read.clear();
         TRY(edges.read(duration, read));

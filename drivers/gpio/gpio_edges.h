@@ -29,8 +29,8 @@ public:
 
 // Current levels of an encoder's two lines.
 struct QuadratureLevels {
-    bool a = false; // True: high.
-    bool b = false; // True: high.
+    bool a = false; // Level of line A; true: high.
+    bool b = false; // Level of line B; true: high.
 };
 
 // Time after opening the lines during which edges are ignored. For a chip without interrupts the
@@ -41,8 +41,8 @@ constexpr Duration kGpioEdgesSettleTime = std::chrono::milliseconds(100);
 
 // Determines the starting state for counting on newly opened lines: a quiet moment after the
 // initial false edges, when the levels agree with the last edge. Earlier edges are discarded. Fails
-// with a user error if there is no quiet moment because the surface moves, and like `edges` and
-// `levels`.
+// with a user error if there is no quiet moment because the surface moves; also fails if `edges` or
+// `levels` fail.
 Result<Quadrature::Beginning>
 find_beginning(GpioEdges& edges, std::function<Result<QuadratureLevels>()> const& levels,
                std::string const& chip);

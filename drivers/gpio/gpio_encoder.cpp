@@ -52,11 +52,11 @@ private:
     DeviceInfo info_;
     std::unique_ptr<GpioEdges> edges_;
     Quadrature quadrature_;
-    std::vector<QuadratureEdge> new_edges_; // A member to reuse its memory.
-    Timestamp last_report_;                 // Time when it was made.
+    std::vector<QuadratureEdge> new_edges_; // Edges just read. A member only to reuse its memory.
+    Timestamp last_report_;                 // Time at which the last report was made.
     Timestamp last_time_ {};                // Time stamp of the last report.
     Timestamp last_edge_ {};
-    std::uint32_t edge_count_ = 0; // Edges since the last report.
+    std::uint32_t edge_count_ = 0; // Number of edges since the last report.
     std::uint32_t reported_lost_ = 0;
 };
 
@@ -72,8 +72,8 @@ Result<void> GpioEncoderSource::take(Duration timeout)
     return {};
 }
 
-// Times must not go back: an edge can be delivered after a report of no movement that has a later
-// time.
+// Makes a report. Its time does not go back, although an edge can be delivered after a report of
+// rest that has a later time.
 RawReport GpioEncoderSource::report()
 {
     auto const now = edges_->now();
@@ -154,7 +154,7 @@ Result<DeviceInfo> describe_gpio_encoder(std::string const& address)
     auto const place = TRY(parse_encoder_place(address));
     return DeviceInfo { .name = fmt::format("{} on {}", kEncoderName, place.chip),
                         .location = address,
-                        .physical_path = address, // Stored in logs.
+                        .physical_path = address, // Logs store this path, but not the location.
                         .bus = kBusHost };
 }
 

@@ -18,7 +18,7 @@ namespace tractus::drivers {
 // Wiring: firmware-notes/encoder.md.
 //
 // Counts are relative to the height at opening. A report has eight bytes; its time is that of its
-// last edge, or the present while nothing moves:
+// last edge or, while nothing moves, the present time:
 //
 // byte 0, bit 0: edges were lost since the last report, so the count is wrong
 //
@@ -37,7 +37,7 @@ constexpr std::int32_t kEncoderCountsBelow = 1 << 20;
 constexpr std::int32_t kEncoderFullScale = (1 << 21) - 1;
 
 // Describes the encoder at an address, whether or not it is connected. Fails with a user error if
-// the text is no address of one.
+// the text is not the address of an encoder.
 Result<DeviceInfo> describe_gpio_encoder(std::string const& address);
 
 // Opens the lines named by `info.location`. Fails like open_gpio_edges(); read() fails with a
@@ -45,15 +45,15 @@ Result<DeviceInfo> describe_gpio_encoder(std::string const& address);
 Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo const& info);
 
 // Opens the encoder on real or simulated lines that are open already. Fails with a user error if
-// `info.location` is no address of an encoder.
+// `info.location` is not the address of an encoder.
 Result<std::unique_ptr<ReportSource>> open_gpio_encoder(DeviceInfo const& info,
                                                         std::unique_ptr<GpioEdges> edges);
 
-// True if a device, live or from a log, is such an encoder.
+// True if a device, live or from a log, is a quadrature encoder on GPIO lines.
 bool is_gpio_encoder(DeviceInfo const& info);
 
-// Makes the decoder of its reports. Decoding fails with a device error for a wrong length, for a
-// count beyond the length of any wire, and once for each report with lost edges; later counts
+// Makes the decoder of an encoder's reports. Decoding fails with a device error for a wrong length,
+// for a count beyond the length of any wire, and once for each report with lost edges; later counts
 // continue without the lost edges.
 std::unique_ptr<HeightDecoder> make_gpio_encoder_decoder();
 

@@ -14,7 +14,7 @@ namespace tractus::drivers {
 
 namespace {
 
-constexpr char kConsumer[] = "tractus"; // Shown by gpioinfo.
+constexpr char kConsumer[] = "tractus"; // Name of the lines' user, shown by gpioinfo.
 
 struct CloseChip {
     // Closing the chip also releases its lines.
@@ -24,7 +24,7 @@ using Chip = std::unique_ptr<gpiod_chip, CloseChip>;
 
 using LineValues = std::array<int, GpioLines::kMaxLines>;
 
-// Lines of one direction and their bits.
+// Lines of one direction, and the bit of each in GpioLines values.
 struct Bulk {
     gpiod_line_bulk lines GPIOD_LINE_BULK_INITIALIZER;
     std::array<unsigned, GpioLines::kMaxLines> bits {};
@@ -47,7 +47,7 @@ public:
     {
     }
 
-    // Returns 0 or an errno value.
+    // Requests the lines. Returns 0 or an errno value.
     int take(std::span<GpioLine const> lines);
 
     Result<void> set(std::uint32_t values) override;

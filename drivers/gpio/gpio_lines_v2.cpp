@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char kConsumer[] = "tractus"; // Shown by gpioinfo.
+constexpr char kConsumer[] = "tractus"; // Name of the lines' user, shown by gpioinfo.
 
 // Deleter that calls the given libgpiod function.
 template<auto function> struct FreeWith {
@@ -37,7 +37,7 @@ gpiod_line_value to_value(bool high)
     return high ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE;
 }
 
-// Lines of one direction and their bits.
+// Lines of one direction, and the bit of each in GpioLines values.
 struct Subset {
     std::vector<unsigned> offsets {};
     std::vector<unsigned> bits {};
@@ -115,8 +115,8 @@ Chip open_if_called(fs::path const& node, std::string const& name)
     return nullptr;
 }
 
-// Null, with errno set, if there is no such chip. The error of a chip without read permission is
-// kept, because its label is unknown and it could be the right one.
+// Opens the chip with this name or label; null, with errno set, if there is none. The error of a
+// chip without read permission is kept, because its label is unknown and it could be the right one.
 Chip find_chip(std::string const& name)
 {
     std::vector<fs::path> nodes;
@@ -137,7 +137,7 @@ Chip find_chip(std::string const& name)
     return nullptr;
 }
 
-// Null, with errno set, if the kernel refuses the request.
+// Requests the lines; null, with errno set, if the kernel refuses.
 LineRequest take(gpiod_chip& chip, std::span<GpioLine const> lines)
 {
     LineSettings const settings(gpiod_line_settings_new());

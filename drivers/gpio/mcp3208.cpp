@@ -4,7 +4,7 @@ namespace tractus::drivers {
 
 namespace {
 
-// Start bit and single-ended bit, followed by three channel bits.
+// The command consists of a start bit, a single-ended bit and three channel bits.
 constexpr unsigned kCommand = 0b11'000;
 constexpr unsigned kCommandBits = 5;
 

@@ -30,8 +30,8 @@ constexpr std::uint32_t kMcp3208Cs = 8;
 std::array<GpioLine, 4> mcp3208_lines(Mcp3208Wiring const& wiring);
 
 struct Mcp3208Channel {
-    unsigned bits = 12;   // 12, or 10 for an MCP3008.
-    unsigned channel = 0; // 0 to 7, single-ended.
+    unsigned bits = 12;   // Resolution: 12, or 10 for an MCP3008.
+    unsigned channel = 0; // Number of the input, 0 to 7; it is single-ended.
 };
 
 // Result of one conversion.
@@ -39,7 +39,7 @@ struct Mcp3208Reading {
     std::int32_t counts = 0;
     // False if DOUT was high where the converter sends a zero, so nothing drives the line.
     bool is_answered = false;
-    Timestamp sampled {}; // When the converter stopped sampling.
+    Timestamp sampled {}; // Time at which the converter stopped sampling.
     Duration held {};     // Longest possible time from the end of sampling to the last bit.
 };
 

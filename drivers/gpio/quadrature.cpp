@@ -4,8 +4,8 @@
 
 namespace tractus::drivers {
 
-// The direction follows from the levels before the edge: an edge of A at equal levels, or of B at
-// different levels, means that A leads.
+// Counts an edge. Its direction follows from the levels before it: an edge of A at equal levels, or
+// of B at different levels, means that A leads.
 void Quadrature::push(QuadratureEdge const& edge)
 {
     auto& is_high = is_high_[static_cast<std::size_t>(edge.line)];

@@ -26,8 +26,8 @@ class Quadrature {
 public:
     // State from which counting starts.
     struct Beginning {
-        bool a = false;           // True: high.
-        bool b = false;           // True: high.
+        bool a = false;           // Level of line A; true: high.
+        bool b = false;           // Level of line B; true: high.
         std::uint32_t number = 0; // Number of the last edge before counting starts.
     };
     explicit Quadrature(Beginning const& beginning)
@@ -38,13 +38,13 @@ public:
 
     void push(QuadratureEdge const& edge);
 
-    std::int32_t count() const { return count_; } // Starts at 0.
+    std::int32_t count() const { return count_; } // Present count, which starts at 0.
 
     // Lower bound on the number of missing edges; unless it is 0, `count` is wrong.
     std::uint32_t lost_count() const { return lost_count_; }
 
 private:
-    std::array<bool, 2> is_high_;                 // Indexed by line.
+    std::array<bool, 2> is_high_;                 // Level of each line, indexed by Line.
     std::array<bool, 2> is_known_ { true, true }; // Whether is_high_ is valid; indexed by line.
     std::uint32_t last_number_;
     std::int32_t count_ = 0;

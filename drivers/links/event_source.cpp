@@ -75,11 +75,11 @@ private:
     DeviceInfo info_;
     Evdev device_;
     EventPen pen_;
-    // The kernel dropped events; libevdev is reporting the resulting state.
+    // True while libevdev reports the state that results from events dropped by the kernel.
     bool is_catching_up_ = false;
 };
 
-// The next complete report among the pending events.
+// Returns the next complete report among the pending events.
 Result<std::optional<RawReport>> EventSource::take_waiting()
 {
     for (;;) {
@@ -142,7 +142,7 @@ bool has_sysfs_bit(std::string const& map, unsigned code)
     return (value >> (code % kWordBits) & 1) != 0;
 }
 
-// True if sysfs lists the keys and axes of a pen. It does not list the axes' ranges.
+// True if sysfs lists the keys and axes of a pen. The ranges of axes are not in sysfs.
 bool may_be_event_pen(fs::path const& device)
 {
     auto const keys = read_sysfs_line(device / "capabilities/key");

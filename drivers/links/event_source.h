@@ -22,8 +22,8 @@ namespace tractus::drivers {
 std::vector<DeviceInfo> list_event_pens(std::filesystem::path const& root = "/");
 
 // Opens the event node at `info.location`, such as "/dev/input/event5"; other readers keep
-// receiving events. Fails with a user error if it cannot be opened or is no pen. read() fails with
-// a device error when the device is gone.
+// receiving events. Fails with a user error if it cannot be opened or is not a pen. read() fails
+// with a device error when the device is gone.
 Result<std::unique_ptr<ReportSource>> open_event_pen(DeviceInfo info);
 
 // The abilities that a device declares.

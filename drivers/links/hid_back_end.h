@@ -23,7 +23,7 @@ struct HidBackEnd {
 
 using HidHandle = std::unique_ptr<hid_device_, void (*)(hid_device_*)>;
 
-// An open device as a link; see open_hid_link(). `back_end` must outlive it.
+// Adapts an open device to a packet link; see open_hid_link(). `back_end` must outlive the link.
 std::unique_ptr<PacketLink> make_hid_link(HidBackEnd const& back_end, HidHandle handle,
                                           DeviceInfo info);
 

@@ -28,7 +28,7 @@ std::string narrow(wchar_t const* text)
     return result;
 }
 
-// hidapi takes milliseconds; a negative timeout would wait forever.
+// Rounds up to the milliseconds that hidapi takes; a negative timeout would make it wait forever.
 int to_milliseconds(Duration timeout)
 {
     auto const count = std::chrono::ceil<std::chrono::milliseconds>(timeout).count();
@@ -61,7 +61,7 @@ private:
     HidHandle handle_;
     std::uint64_t too_long_count_ = 0;
     std::array<unsigned char, sizeof(RawReport::storage) + 1>
-        // One byte more than a report, to detect reports that are too long or for a report id.
+        // One byte longer than a report, for a report id or to detect reports that are too long.
         buffer_ {};
 };
 

@@ -17,7 +17,7 @@ namespace tractus::drivers {
 // drivers/70-tractus.rules grants.
 Result<std::unique_ptr<PacketLink>> open_hid_link(DeviceInfo info);
 
-// Opens the feature reports of such a device as a link. Writing a single byte, a report id,
+// Opens the feature reports of a hidraw device as a link. Writing a single byte, a report id,
 // requests that report, which is read next; writing more sets the report with that id. Writing
 // blocks until the device answers, so reading never waits. Fails like open_hid_link().
 Result<std::unique_ptr<PacketLink>> open_hid_feature_link(DeviceInfo info);

@@ -40,7 +40,7 @@ private:
     std::unique_ptr<PacketLink> link_;
 };
 
-// The value of KEY in lines of KEY=value; empty if there is none.
+// Returns the value of KEY in lines of KEY=value; empty if there is none.
 std::string_view value_of(std::string_view text, std::string_view key)
 {
     while (!text.empty()) {
@@ -52,7 +52,7 @@ std::string_view value_of(std::string_view text, std::string_view key)
     return {};
 }
 
-// HID_ID=0003:0000056A:0000037A
+// Reads the ids from the value of HID_ID, such as "0003:0000056A:0000037A".
 void read_ids(std::string_view text, DeviceInfo& info)
 {
     for (auto* const id : { &info.bus, &info.vendor_id, &info.product_id }) {
@@ -87,7 +87,7 @@ DeviceInfo describe(fs::path const& folder)
     return info;
 }
 
-// Natural order: hidraw10 after hidraw9.
+// Compares in natural order: hidraw10 comes after hidraw9.
 bool comes_first(DeviceInfo const& a, DeviceInfo const& b)
 {
     return std::pair(a.location.size(), a.location) < std::pair(b.location.size(), b.location);
@@ -98,7 +98,7 @@ bool comes_first(DeviceInfo const& a, DeviceInfo const& b)
 std::vector<DeviceInfo> enumerate_hid(fs::path const& class_folder)
 {
     std::vector<DeviceInfo> devices;
-    std::error_code ignored; // A missing folder means no devices.
+    std::error_code ignored; // An error means that there is no folder, and so no devices.
     for (fs::directory_iterator entry(class_folder, ignored); entry != fs::directory_iterator();
          entry.increment(ignored))
         devices.push_back(describe(entry->path()));

@@ -8,8 +8,8 @@ namespace tractus::drivers {
 
 // The USB device and interface of a HID device.
 struct UsbParent {
-    std::string address {};    // Name in /sys/bus/usb/devices: "1-2.3".
-    int interface_number = -1; // -1 if it is not known.
+    std::string address {};    // Name of the device in /sys/bus/usb/devices, such as "1-2.3".
+    int interface_number = -1; // Number of the interface; -1 if it is not known.
     std::string manufacturer {};
     std::string product {};
     std::string serial_number {};

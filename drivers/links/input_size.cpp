@@ -18,7 +18,7 @@ std::string_view property(udev_device* device, char const* name)
     return value ? value : "";
 }
 
-// No value if the text is no plausible side of a tablet.
+// Parses the side of a tablet. No value if it is implausible.
 std::optional<double> side_mm(std::string_view text)
 {
     constexpr int kMin = 20;
@@ -52,11 +52,12 @@ std::optional<Vec2> size_known_to_udev(fs::path const& hidraw_folder)
     std::unique_ptr<udev, UdevUnreference> const context(udev_new());
     if (!context)
         return std::nullopt;
-    std::error_code ignored; // The device has no inputs or has just been removed.
+    // An error means that the device has no inputs or has just been removed.
+    std::error_code ignored;
     auto const inputs = fs::canonical(hidraw_folder / "device", ignored) / "input";
     for (fs::recursive_directory_iterator entry(inputs, ignored), end; entry != end;
          entry.increment(ignored)) {
-        if (entry.depth() > 0) // "input7/event3".
+        if (entry.depth() > 0) // Looks no deeper than "input7/event3".
             entry.disable_recursion_pending();
         if (entry->path().filename().string().starts_with("event"))
             if (auto const size_mm = pen_size(context.get(), entry->path()))

@@ -18,7 +18,7 @@ class PacketLink {
 public:
     virtual ~PacketLink() = default;
 
-    // Fails with a device error if the device is gone.
+    // Sends a packet. Fails with a device error if the device is gone.
     virtual Result<void> write(std::span<std::byte const> packet) = 0;
 
     // The next packet with its arrival time; no value after `timeout`. Fails with a device error if

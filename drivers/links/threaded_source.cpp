@@ -24,14 +24,16 @@ struct ThreadedSource::Shared {
     void run();
 
     std::unique_ptr<ReportSource> source; // Only used by the reading thread once it runs.
-    DeviceInfo info;                      // Immutable.
+    DeviceInfo info;                      // Copy of the source's description; never changes.
     boost::lockfree::spsc_queue<RawReport, boost::lockfree::capacity<kRingReports>>
-        ring;                       // Written by the reading thread, read by the owner.
+        ring; // Waiting reports: written by the reading thread, read by the owner.
     std::atomic<bool> stop = false; // Set by the owner, read by the reading thread.
     // Set by the reading thread after `error` is written and no further report will follow.
     std::atomic<bool> ended = false;
-    std::atomic<std::uint64_t> lost = 0;     // Written by the reading thread.
-    std::atomic<std::uint64_t> too_long = 0; // Written by the reading thread.
+    // Reports that found the ring full; written by the reading thread.
+    std::atomic<std::uint64_t> lost = 0;
+    // Reports dropped by the source; written by the reading thread.
+    std::atomic<std::uint64_t> too_long = 0;
     Error error; // Written by the reading thread before `ended` is set, read afterwards.
     std::thread thread;
 };

@@ -7,13 +7,14 @@
 
 namespace tractus::drivers {
 
-// Reads a source on its own thread, so that reports are stamped on arrival rather than when the
-// program gets to them. Reports wait in a ring of kRingReports.
+// Reads a source on its own thread, so that reports are stamped on arrival and not only when the
+// program reads them. Unread reports wait in a ring of kRingReports.
 //
 // All functions must be called from the thread that called start().
 class ThreadedSource final : public ReportSource {
 public:
-    static constexpr std::size_t kRingReports = 2048; // Two seconds of a fast tablet.
+    // Size of the ring: two seconds of a fast tablet's reports.
+    static constexpr std::size_t kRingReports = 2048;
 
     // Takes ownership of the source and starts reading. Fails with a station error if no thread can
     // be created.
@@ -24,7 +25,8 @@ public:
 
     DeviceInfo const& info() const override;
 
-    // The oldest waiting report. After a failure of the source, its error follows the last report.
+    // Returns the oldest waiting report. After a failure of the source, its error follows the last
+    // report.
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
     // Number of reports dropped since the start because the ring was full or they were longer than

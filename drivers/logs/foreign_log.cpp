@@ -13,7 +13,7 @@
 
 namespace tractus::drivers {
 
-// Number of bytes at a text's start in which its format is looked for.
+// Number of bytes at a text's start that are searched for its format.
 static constexpr std::size_t kHeadBytes = std::size_t { 1 } << 16;
 
 std::optional<LogFormat> guess_log_format(std::string_view text)
@@ -110,7 +110,7 @@ private:
 
     std::string name_;
     LogText log_;
-    std::optional<LogFormat> format_; // No value until the format has been recognised.
+    std::optional<LogFormat> format_; // Recognised format; no value before that.
     // The text read before the format was recognised. For formats other than ours, the whole text.
     std::string text_;
 };

@@ -13,7 +13,7 @@ namespace tractus::drivers {
 // Readers of recordings by other programs, which return logs. Times are rebased to the first
 // report. Malformed parts are skipped with a warning, as by parse_log(); `name` identifies the text
 // in messages. No more than one line of text is kept in memory. A recording with more than
-// kMostPipedLogBytes of reports, or a line of more than 1 MiB, is refused.
+// kMaxPipedLogBytes of reports, or a line of more than 1 MiB, is refused.
 
 // Reads the output of usbhid-dump with --entity=all or --entity=stream: the descriptor of each
 // interface of a USB device, then one block for each transfer,
@@ -35,8 +35,8 @@ bool begins_usbhid_dump_block(std::string_view line);
 Result<Log> parse_libinput_record(std::istream& in, std::string_view name);
 
 // Reads a recording of a pen by evemu-record, versions 1.0 to 1.3: the kernel's input events, which
-// become reports of a HID pen (drivers/reports/event_pen.h). Fails with a user error if the
-// device is no pen.
+// become reports of a HID pen (drivers/reports/event_pen.h). Fails with a user error if the device
+// is not a pen.
 Result<Log> parse_evemu(std::istream& in, std::string_view name);
 
 // True if the line begins an evemu recording, and not a hid-recorder file.

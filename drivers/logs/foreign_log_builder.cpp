@@ -57,7 +57,7 @@ void ForeignLogBuilder::remove_device(std::size_t device)
             --record.device;
 }
 
-// Sorts the records by time. A report whose time goes back keeps its place behind the earlier
+// Sorts the records by time. A report whose time goes back keeps its place after the earlier
 // reports of its device.
 void ForeignLogBuilder::sort_by_time()
 {

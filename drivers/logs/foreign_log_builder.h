@@ -18,8 +18,8 @@ public:
     // Adds a warning about something odd in a line.
     void warn(std::size_t line, std::string message);
 
-    // Appends a report. A report that no device could have sent is skipped with a warning. Fails,
-    // with a user error, if the recording exceeds the memory limit.
+    // Appends a report. A report that no device could have sent is skipped with a warning. Fails
+    // with a user error if the recording exceeds the memory limit.
     Result<void> append_report(std::size_t line, std::size_t device, Timestamp time,
                                std::span<std::byte const> bytes);
 

@@ -19,7 +19,7 @@ namespace tractus::drivers {
 
 namespace {
 
-// Feeds a stream to libyaml as long as its lines are of a length that text has.
+// Feeds a stream to libyaml until a line is too long to be text.
 class TextLines {
 public:
     explicit TextLines(std::istream& in)
@@ -67,7 +67,7 @@ struct RecordedEvents {
     std::optional<EventPen> pen {}; // Set when an event of a pen has been read.
     std::optional<std::size_t>
         device {}; // Index in the log's devices; set when the device has sent an event.
-    std::vector<std::int64_t> numbers {}; // Numbers of the list being read.
+    std::vector<std::int64_t> numbers {}; // Numbers of the list being read, in the file's order.
 };
 
 // Reads the recording value by value, so that only reports stay in memory.
@@ -273,7 +273,7 @@ private:
             std::clamp<std::int64_t>(number, Limits::min(), Limits::max()));
     }
 
-    // "[0, 1250, 3, 0, 12]": seconds, microseconds, type, code and value.
+    // Reads "[0, 1250, 3, 0, 12]": seconds, microseconds, type, code and value.
     Result<void> end_input_event()
     {
         constexpr std::size_t kEventNumbers = 5;

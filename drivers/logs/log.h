@@ -40,9 +40,9 @@ namespace tractus::drivers {
 // One report. Its bytes are in Log::bytes.
 struct LogRecord {
     Timestamp time {};        // Time since the start of the recording.
-    std::uint32_t offset = 0; // Offset in Log::bytes.
+    std::uint32_t offset = 0; // Offset of the report's bytes in Log::bytes.
     std::uint16_t size = 0;   // Size in bytes. 0 means that the device was disconnected.
-    std::uint16_t device = 0; // Index in Log::devices.
+    std::uint16_t device = 0; // Index of the device in Log::devices.
 
     bool operator==(LogRecord const&) const = default;
 };
@@ -94,7 +94,7 @@ constexpr std::size_t kMaxLogWarnings = 20;
 // A report or a disconnection, as returned by a LogCursor.
 struct LogReport {
     Timestamp time {};
-    std::size_t device = 0;              // Index in Log::devices.
+    std::size_t device = 0;              // Index of the device in Log::devices.
     std::span<std::byte const> bytes {}; // Empty if the device was disconnected.
 };
 
@@ -144,9 +144,9 @@ private:
 // more than 1 MiB, an implausible number of rig lines or changes of tool, text in UTF-16.
 Result<Log> parse_log(std::string_view text, std::string_view name);
 
-// Reads a log file of any size, piece by piece. Only one line of text and the first kMaxLogBytes
-// of reports are kept in memory. A pipe, which cannot be read twice, may contain no more than
-// kMostPipedLogBytes of reports.
+// Reads a log file of any size, piece by piece. Only one line of text and the first kMaxLogBytes of
+// reports are kept in memory. A pipe, which cannot be read twice, may contain no more than
+// kMaxPipedLogBytes of reports.
 Result<Log> read_log(std::filesystem::path const& path);
 
 // Limits of the reports in memory; each takes sizeof(LogRecord) and its own bytes.

@@ -34,7 +34,7 @@ public:
     // Reads seconds with any number of decimals; digits beyond nanoseconds are cut off.
     bool time(Timestamp& time);
 
-    // Appends `size` bytes written as LogWriter does: a blank and two digits for each, up to the
+    // Appends `size` bytes in LogWriter's notation, a blank and two digits for each, up to the
     // line's end. Returns false, and appends nothing, for any other text.
     bool plain_bytes(std::size_t size, std::vector<std::byte>& bytes);
 

@@ -222,7 +222,7 @@ Result<void> LogText::read_departure(std::string_view content)
     return {};
 }
 
-// Adds a record whose bytes are those in log_.bytes from `offset` to the end.
+// Adds a record. Its bytes are those in log_.bytes from `offset` to the end.
 void LogText::take_record(Timestamp time, std::size_t offset)
 {
     if (place_.latest && *place_.latest - time > kMaxDisorder)

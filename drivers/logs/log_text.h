@@ -31,7 +31,7 @@ struct LogPlace {
     std::optional<std::size_t>
         device {};               // Index of the current device; no value until a line describes it.
     Duration shift {};           // Added to times in the file to give the times of records.
-    bool has_second_rig = false; // True if a second calibration has been warned about.
+    bool has_second_rig = false; // True after the warning about a second calibration.
     std::optional<Timestamp>
         latest {}; // Time in the file of the latest record of the current part.
 };
@@ -76,7 +76,7 @@ public:
 
     LogTotals const& totals() const { return totals_; }
 
-    // Position of the first record that is not in memory; no value if all are.
+    // Position in the file of the first record that is not in memory; no value if all are.
     std::optional<LogPlace> const& rest() const { return rest_; }
 
 private:

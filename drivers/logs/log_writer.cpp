@@ -10,7 +10,7 @@
 
 namespace tractus::drivers {
 
-// Replaces line breaks, since one inside a name would begin another line of the log.
+// Replaces line breaks, since a line break inside a name would begin another line of the log.
 static std::string one_line(std::string_view text)
 {
     std::string line(text);
@@ -19,7 +19,7 @@ static std::string one_line(std::string_view text)
     return line;
 }
 
-// Escapes any text to a single line, which read_log() decodes again.
+// Escapes any text to a single line. read_log() decodes it.
 static std::string escaped(std::string_view text)
 {
     std::string line;

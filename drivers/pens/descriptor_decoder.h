@@ -10,11 +10,12 @@
 
 namespace tractus::drivers {
 
-// Makes a decoder for the pen that the device's report descriptor describes (PenLayout). `size_mm`
-// is the active area from our table. If the descriptor gives no plausible size, this one is used,
-// or else the size known to the kernel; `width_to_height` gives the proportions if neither exists.
+// Makes a decoder for the pen that the device's report descriptor describes (PenLayout). The active
+// area's size comes from the descriptor if it is plausible there, otherwise from `size_mm`, which
+// is that of our table, otherwise from the kernel. Without any of these, `width_to_height` gives
+// its proportions.
 //
-// Fails with a user error with the reason if the device is no pen or sends reports in its
+// Fails with a user error with the reason if the device is not a pen or sends reports in its
 // maker's own format, and with a device error if its descriptor is broken.
 Result<std::unique_ptr<PenDecoder>>
 make_descriptor_decoder(DeviceInfo const& info, std::optional<Vec2> const& size_mm = std::nullopt,

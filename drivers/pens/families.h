@@ -17,14 +17,14 @@ struct FamilyState {
     std::uint32_t tool_type = 0;
     std::uint32_t buttons = 0;
     bool is_eraser = false;
-    bool is_pen = true;     // False for a mouse on the tablet.
+    bool is_pen = true;     // True for a pen, false for a mouse on the tablet.
     bool is_inside = false; // True while the pen is in range.
 
-    std::size_t frame
-        = 0; // Index of the requested pen state within a report; see PenFamily::frames.
+    // Index of the requested pen state within a report; see PenFamily::frames.
+    std::size_t frame = 0;
 
-    std::int32_t x_maximum
-        = 0; // The tablet's maximum x in counts; 0 if not known. It never changes.
+    // The tablet's maximum x in counts; 0 if not known. It never changes.
+    std::int32_t x_maximum = 0;
 
     // Resets the state when the tool leaves, since the next tool may be a different one.
     void forget_tool() { *this = { .x_maximum = x_maximum }; }

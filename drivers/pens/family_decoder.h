@@ -14,8 +14,8 @@ struct TabletShape {
     // Maxima in counts, above 0. Both axes begin at 0.
     std::int32_t x_maximum = 0;
     std::int32_t y_maximum = 0;
-    std::int32_t pressure_maximum
-        = 0; // Maximum pressure in counts; 0 if the tablet does not report pressure.
+    // Maximum pressure in counts; 0 if the tablet does not report pressure.
+    std::int32_t pressure_maximum = 0;
     unsigned button_count = 2; // Number of buttons on the pen's barrel, at most that of the family.
 };
 

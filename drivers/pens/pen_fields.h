@@ -23,11 +23,12 @@ struct PenFields {
     // report.
     std::optional<Vec2> tilt_deg {};
 
-    std::optional<bool> in_range {}; // No value: a pen that reports is in range.
+    // True if the pen is in range. No value: true, because the pen reports.
+    std::optional<bool> in_range {};
     std::optional<bool>
         tip {}; // True if the pen's tip is down. No value: derived from the pressure.
-    bool invert
-        = false; // The eraser end points at the tablet; if `tip` is set too, the eraser is down.
+    // The eraser end points at the tablet; if `tip` is set too, the eraser is down.
+    bool invert = false;
     bool eraser_touch = false; // The eraser end is down, regardless of `tip` and `invert`.
     std::uint32_t buttons = 0; // Bit 0: first barrel button, bit 1: second, …
 

@@ -128,7 +128,7 @@ bool PenState::has_moved_during_silence(PenSample const& sample) const
         && (sample.position_mm - last_.position_mm).norm() > kFarthestAfterRest_mm;
 }
 
-// Handles a report that says that the pen has left, which is not a silence.
+// Handles a report that the pen has left, as opposed to a silence.
 std::optional<PenSample> PenState::leave_as_reported(Timestamp time)
 {
     auto const left = leave(time);

@@ -26,7 +26,7 @@ struct PenScale {
     bool has_tilt = false;
 };
 
-// Deviations of a device from what its reports say. By default there are none.
+// Ways in which a device deviates from what its reports say. By default there are none.
 struct PenHabits {
     // False: reports never say that the pen has left, even if they contain an in-range flag; a
     // silence means it instead (PenState::silence_limit()).
@@ -58,7 +58,7 @@ struct PenHabits {
 // It reads no clock: equal reports give equal samples.
 class PenState {
 public:
-    // In formats that cannot report that the pen leaves, the tablet stops sending. A hovering pen
+    // When the pen leaves and the format cannot report it, the tablet stops sending. A hovering pen
     // counts as gone after this time, as in Linux's driver; nothing is lost if it only rested. A
     // touching pen of a streaming tablet counts as gone after kSilentIntervals of the tablet's
     // report intervals, but not before this time, because the computer may read late.

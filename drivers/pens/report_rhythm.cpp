@@ -7,10 +7,10 @@ namespace tractus::drivers {
 namespace {
 
 constexpr std::size_t kRemembered = 64; // Number of intervals in the running mean.
-constexpr std::size_t kProof
-    = 3; // Number of consecutive repetitions of a report that proves streaming.
-constexpr int kOwnPace
-    = 4; // Intervals up to this multiple of the mean belong to the tablet's pace.
+// Number of consecutive repetitions of a report that proves streaming.
+constexpr std::size_t kProof = 3;
+// Intervals up to this multiple of the mean belong to the tablet's pace.
+constexpr int kOwnPace = 4;
 // Longer pauses do not count towards the pace: the slowest tablets send 30 reports a second.
 constexpr Duration kLongestInterval = std::chrono::milliseconds(60);
 

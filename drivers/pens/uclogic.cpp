@@ -35,8 +35,8 @@ std::optional<PenFields> decode_generic(Report report, FamilyState&)
     return fields;
 }
 
-bool is_pad_report(
-    Report report) // Pad keys, dials and touch strips: flags 0xE0, 0xE3, 0xF0, 0xF1, …
+// True for reports of pad keys, dials and touch strips: flags 0xE0, 0xE3, 0xF0, 0xF1, …
+bool is_pad_report(Report report)
 {
     return (u8(report, kUclogicFlags) & 0xE0) == 0xE0;
 }

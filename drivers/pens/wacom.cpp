@@ -12,8 +12,8 @@ using Report = std::span<std::byte const>;
 using Fields = std::optional<PenFields>;
 
 constexpr std::uint8_t kPenReport = 0x02;
-constexpr std::uint8_t kSecondPenReport
-    = 0x10; // Id of a second kind of pen report; also used by IntuosV2.
+// Id of a second kind of pen report; also used by IntuosV2.
+constexpr std::uint8_t kSecondPenReport = 0x10;
 constexpr std::uint8_t kLongPenReport = 0x1E;
 constexpr std::uint8_t kShortPenReport = 0x1F;
 
@@ -199,7 +199,7 @@ Fields decode_intuos_pro(Report report, FamilyState& state)
     return intuos_pro_fields(report, state);
 }
 
-// Offsets that differ between reports of the second and of the third Intuos Pro.
+// Offsets that differ between the reports of the second and the third Intuos Pro.
 struct WideLayout {
     std::size_t flags = 0;
     unsigned eraser_bit = 0;
@@ -328,7 +328,7 @@ Fields decode_dtus(Report report, FamilyState& state)
 }
 
 // Decodes reports of the PL displays: 8 bytes with seven bits each. The eraser and the second
-// button share one bit: a pen that arrives with the bit set is turned round.
+// button share one bit: a pen that arrives with the bit set shows its eraser end.
 Fields decode_pl(Report report, FamilyState& state)
 {
     if (report.size() < 8 || u8(report, 0) != kPenReport)
@@ -342,8 +342,8 @@ Fields decode_pl(Report report, FamilyState& state)
         state.is_inside = true;
         state.is_eraser = eraser_or_second;
     }
-    state.is_eraser
-        = state.is_eraser && eraser_or_second; // An eraser's bit stays set until it leaves.
+    // An eraser's bit stays set until the eraser leaves.
+    state.is_eraser = state.is_eraser && eraser_or_second;
     auto const flags = u8(report, 4);
     return PenFields {
         .x = (u8(report, 1) & 3) << 14 | u8(report, 2) << 7 | u8(report, 3),

@@ -11,7 +11,8 @@ namespace tractus::drivers {
 
 namespace {
 
-constexpr std::size_t kMaxPorts = 7; // USB 2.0, section 4.1.1: at most seven tiers.
+// Maximum number of ports on the way to a device: USB 2.0, section 4.1.1, allows seven tiers.
+constexpr std::size_t kMaxPorts = 7;
 constexpr std::string_view kNodes = "/dev/hidraw";
 constexpr std::string_view kEventNodes = "/dev/input/event";
 constexpr std::string_view kQuadrature = ":quadrature";
@@ -44,7 +45,7 @@ std::vector<std::string_view> split(std::string_view text, char separator)
     }
 }
 
-// Removes the part behind the last separator from the text and returns it; returns an empty text if
+// Removes the part after the last separator from the text and returns it; returns an empty text if
 // there is no separator.
 std::string_view take_last(std::string_view& text, char separator)
 {
@@ -117,7 +118,7 @@ Result<DeviceAddress> parse_encoder(std::string_view text, std::string_view rest
                                 .b_line = (*lines)[1] };
 }
 
-// Parsed from the right, since a chip's label may contain colons.
+// Parses from the right, since a chip's label may contain colons.
 Result<DeviceAddress> parse_gpio(std::string_view text, std::string_view rest)
 {
     if (rest.ends_with(kQuadrature))

@@ -55,8 +55,8 @@ struct GpioAddress {
     unsigned dout_line = 0;
     unsigned cs_line = 0;
 
-    std::string
-        converter {}; // "mcp3008" or "mcp3208". Other names are refused when the device is opened.
+    // "mcp3008" or "mcp3208". Other names are refused when the device is opened.
+    std::string converter {};
     unsigned channel = 0;
 
     bool operator==(GpioAddress const&) const = default;

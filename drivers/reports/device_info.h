@@ -31,8 +31,8 @@ struct DeviceInfo {
     // The kernel's path, "usb-0000:00:14.0-2/input1"; may be empty. The number after "/input" is
     // the USB interface.
     std::string physical_path {};
-    int interface_number
-        = -1; // Number of the USB interface; -1 if there is none or it is not known.
+    // Number of the USB interface; -1 if there is none or it is not known.
+    int interface_number = -1;
 
     // Bus type of linux/input.h: 3 USB, 5 Bluetooth, 6 virtual, 0x18 I2C, 0x1c SPI.
     std::uint16_t bus = 3;

@@ -43,7 +43,7 @@ constexpr std::array<PenSwitch, 7> kPenSwitches { {
 } };
 constexpr std::array<std::uint16_t, 3> kPenButtons { BTN_STYLUS, BTN_STYLUS2, BTN_STYLUS3 };
 
-// A 32-bit number in the report. The table below has the order of the report.
+// A 32-bit number in the report. kPenNumbers lists the numbers in the report's order.
 struct PenNumber {
     std::uint16_t code;
     std::uint8_t usage_page;
@@ -60,7 +60,8 @@ constexpr std::array<PenNumber, 5> kPenNumbers { {
 bool is_wide(EventAbilities const& abilities, std::uint16_t code)
 {
     auto const axis = abilities.axes.find(code);
-    // On some tablets the pad keys report a position with a range of one count; they are not pens.
+    // On some tablets the pad keys report a position with a range of one count. Such devices are
+    // not pens.
     return axis != abilities.axes.end()
         && std::int64_t { axis->second.maximum } - axis->second.minimum > 1;
 }
@@ -200,9 +201,9 @@ struct EventPen::State {
     std::span<std::byte const> write_report();
 
     EventAbilities abilities;
-    std::set<std::uint16_t> pressed {}; // Codes of the keys that are down.
+    std::set<std::uint16_t> pressed {}; // Codes of the keys that are pressed.
     std::array<std::int32_t, kPenNumbers.size()> numbers {};
-    std::bitset<kPenNumbers.size()> known {}; // Which numbers have been received.
+    std::bitset<kPenNumbers.size()> known {}; // For each number, whether it has been received.
     bool has_news = false;
     bool has_dropped = false;
     std::vector<std::byte> report {};

@@ -61,8 +61,8 @@ private:
 };
 
 // Returns the path that is kept in DeviceInfo::physical_path and in logs for an event device:
-// "evdev:" and the kernel's path. It marks reports as made by an EventPen, whatever the device's
-// ids are.
+// "evdev:" and the kernel's path. It marks reports as made by an EventPen, regardless of the
+// device's ids.
 std::string event_pen_path(std::string_view kernel_path);
 bool has_event_pen_reports(DeviceInfo const& info);
 

@@ -20,12 +20,12 @@ struct HeightStreamCounts {
     std::uint64_t lost_frames = 0;    // Frames whose sequence numbers were skipped.
     std::uint64_t corrupt_frames = 0; // Frames with a wrong checksum or impossible readings.
     std::uint64_t garbage_bytes = 0;  // Bytes between frames.
-    std::uint64_t overruns
-        = 0; // Frames for which the sensor reports that it lost earlier readings.
-    std::uint64_t reference_faults
-        = 0; // Frames for which the sensor reports a bad supply or reference.
-    std::uint64_t clock_restarts
-        = 0; // Restarts of the sensor's clock, after unplugging or a reset.
+    // Frames for which the sensor reports that it lost earlier readings.
+    std::uint64_t overruns = 0;
+    // Frames for which the sensor reports a bad supply or reference.
+    std::uint64_t reference_faults = 0;
+    // Restarts of the sensor's clock, after unplugging or a reset.
+    std::uint64_t clock_restarts = 0;
 };
 
 // Decodes one height sensor's reports, in order, into samples. Some decoders keep state about the

@@ -18,11 +18,12 @@ namespace tractus::drivers {
 // Properties of a pen device, known before its first report.
 struct PenTraits {
     Vec2 size_mm = Vec2::Zero(); // Size of the active area.
-    bool is_size_assumed
-        = false; // True if the device does not report its size; see PenLayout::Size.
+    // True if the device does not report its size; see PenLayout::Size.
+    bool is_size_assumed = false;
     bool has_pressure = false;
     bool has_tilt = false;
-    // If false, a hovering pen counts as in range until it has been silent for a while.
+    // True if the reports can say that the pen has left. Otherwise a hovering pen counts as in
+    // range until it has been silent for a while.
     bool has_in_range = false;
     bool has_eraser = false;
     unsigned button_count = 0; // Buttons on the pen's barrel.
@@ -36,7 +37,7 @@ struct PenTraits {
 // Decodes one pen device's reports, in order, into samples. A decoder keeps the pen's state, so
 // each device and each replay needs a new one. It reads no clock: equal reports give equal samples.
 //
-// Whatever the device sends, the samples describe one tool at a time:
+// Regardless of what the device sends, the samples describe one tool at a time:
 // - a touch implies in range, even if the device's in-range bit says otherwise;
 // - the eraser end touches if the device reports "eraser", or both "invert" and "tip";
 // - if the pen's other end arrives before the first has left, that report becomes the sample in

@@ -34,8 +34,8 @@ constexpr HidUsage kEraser = 0x000D'0045;
 constexpr HidUsage kTabletPick = 0x000D'0046;
 constexpr HidUsage kSecondaryBarrelSwitch = 0x000D'005A;
 constexpr HidUsage kTransducerSerialNumber = 0x000D'005B;
-constexpr HidUsage kWacomThirdBarrelSwitch
-    = 0xFF0D'005D; // Wacom's own, since the usage tables define none.
+// Wacom's own usage, since the usage tables define none for a third barrel switch.
+constexpr HidUsage kWacomThirdBarrelSwitch = 0xFF0D'005D;
 constexpr HidUsage kWacomToolType = 0xFF0D'0077;
 
 constexpr double kMinSide_mm = 20;
@@ -65,7 +65,7 @@ HidUsage standard_usage(HidUsage usage)
 }
 
 // Returns the kind of tool that a collection's fields belong to: the innermost collection that
-// names a tool decides, since a pen's collection may lie within a touch screen's, and the reverse.
+// names a tool decides, since a pen's collection may lie within a touch screen's, and vice versa.
 Tool tool_of(HidReportDescriptor const& descriptor, std::optional<std::size_t> collection)
 {
     while (collection) {
@@ -350,7 +350,7 @@ std::vector<PenLayout> find_pen_layouts(HidReportDescriptor const& descriptor)
             pen_size_mm = layout->size_mm;
         layouts.push_back(*layout);
     }
-    // A tablet's mouse reports refer to the same surface as its pen reports, but seldom declare its
+    // A tablet's mouse reports refer to the same surface as its pen reports, but rarely declare its
     // size.
     for (auto& layout : layouts)
         if (pen_size_mm && !layout.in_range && layout.size_source == PenLayout::Size::Assumed)

@@ -39,7 +39,7 @@ inline int u24_le(std::span<std::byte const> report, std::size_t at)
     return u16_le(report, at) | u8(report, at + 2) << 16;
 }
 
-// Unsigned little-endian numbers, as the protocols of sensors have them.
+// Readers of unsigned little-endian numbers, which sensors' protocols use.
 inline std::uint16_t u16(std::span<std::byte const> frame, std::size_t at)
 {
     return static_cast<std::uint16_t>(u16_le(frame, at));

@@ -151,7 +151,7 @@ private:
     std::vector<Globals> pushed_;
     std::vector<UsageRange> usages_;
     std::optional<HidUsage> usage_minimum_;
-    std::optional<std::size_t> collection_; // The innermost open collection.
+    std::optional<std::size_t> collection_; // Index of the innermost open collection.
     std::vector<ReportLayout> layouts_;
     HidReportDescriptor result_;
 };

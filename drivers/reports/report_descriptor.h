@@ -29,8 +29,8 @@ struct HidField {
     HidReportKind kind = HidReportKind::Input;
     std::uint8_t report_id = 0; // 0 if the device does not use report ids.
     HidUsage usage = 0;
-    // In an array, a value is an index into the range usage to usage_maximum. Otherwise equal to
-    // `usage`.
+    // Last usage of an array, whose values are indices into the range from `usage` to this. For
+    // other fields equal to `usage`.
     HidUsage usage_maximum = 0;
     // Innermost collection, as an index in HidReportDescriptor::collections.
     std::optional<std::size_t> collection;
@@ -45,7 +45,7 @@ struct HidField {
 
     std::int64_t logical_minimum = 0;
     std::int64_t logical_maximum = 0;
-    // Physical range; both 0 if the descriptor gives none.
+    // Physical range; both limits are 0 if the descriptor gives none.
     std::int64_t physical_minimum = 0;
     std::int64_t physical_maximum = 0;
     std::uint32_t unit = 0; // HID 1.11 section 6.2.2.7, "Unit": one nibble per dimension.

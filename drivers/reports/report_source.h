@@ -13,7 +13,7 @@
 namespace tractus::drivers {
 
 // One report, exactly as received, beginning with its report id if the device uses ids. A source
-// refuses longer ones.
+// drops reports that exceed `storage`.
 //
 // Size 0 means that the device was disconnected at that time, and anything in progress is over.
 // Only a ReconnectingSource, or the log of one, returns this.

@@ -12,7 +12,8 @@ namespace tractus::drivers {
 namespace {
 
 constexpr std::int64_t kWindowUs = 500'000;
-constexpr std::int64_t kShortestFitUs = 1'000'000; // Over shorter times the slope would be noise.
+// Shortest time for a fit; over shorter times the slope would be noise.
+constexpr std::int64_t kShortestFitUs = 1'000'000;
 constexpr std::int64_t kNewClockUs = 500'000;
 // Nanoseconds per microsecond; a clock that is wrong by more than 0.5 % is considered broken.
 constexpr double kMaxSlope = 5;

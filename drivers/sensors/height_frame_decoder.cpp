@@ -46,7 +46,7 @@ private:
     std::uint16_t full_scale_;
     HeightFrameParser parser_;
     std::vector<HeightFrame>
-        frames_; // Frames of the current report; a member only to reuse its memory.
+        frames_; // Frames of the current report. A member only to reuse its memory.
     ClockMap clock_;
     std::optional<std::uint16_t> last_sequence_;
     Timestamp last_time_ = Timestamp::min();
@@ -114,10 +114,10 @@ Result<void> HeightFrameDecoder::use(HeightFrame const& frame, Timestamp receive
 // one.
 ClockMap::Order HeightFrameDecoder::count_sequence(HeightFrame const& frame)
 {
-    constexpr std::uint16_t kNext
-        = 64; // Fewer frames than the clock map could confuse with a restart.
-    constexpr std::uint16_t kForward
-        = 0x8000; // A difference from here on means that the numbers went back.
+    // Longest step in frame numbers that the clock map cannot mistake for a restart.
+    constexpr std::uint16_t kNext = 64;
+    // A step of at least this means that the frame numbers went back.
+    constexpr std::uint16_t kForward = 0x8000;
     bool const is_start = (frame.flags & kHeightFrameStart) != 0 || !last_sequence_;
     if (is_start) {
         counts_.clock_restarts += last_sequence_.has_value();

@@ -11,7 +11,7 @@ namespace tractus::drivers {
 
 // Finds frames of the station's own height sensor in a byte stream that arrives in pieces of any
 // length, with anything between the frames. After a frame with a wrong CRC, the search continues
-// one byte behind its beginning. At most one unfinished frame is held back.
+// one byte after its beginning. At most one unfinished frame is held back.
 class HeightFrameParser {
 public:
     // Appends the frames that end in `bytes` to `out`, in order.

@@ -11,7 +11,7 @@ namespace tractus::drivers {
 // Constants of the protocol of the station's own height sensor, which
 // firmware-notes/height-sensor-protocol.md specifies byte by byte. Numbers are little-endian.
 
-// Class of the sensor's interface, which identifies the sensor whatever its ids are.
+// Class of the sensor's interface, which identifies the sensor regardless of its ids.
 constexpr std::uint8_t kHeightSensorClass = 0xFF;
 constexpr std::uint8_t kHeightSensorSubclass = 0x54;
 constexpr std::uint8_t kHeightSensorProtocol = 0x01;
@@ -60,7 +60,7 @@ struct HeightFrame {
     std::uint8_t flags = 0;
     std::uint16_t sequence = 0;  // Increases by one with each frame, including lost ones; wraps.
     std::uint32_t device_us = 0; // The sensor's clock at the first reading; wraps.
-    std::uint16_t period_us = 0; // Time between readings.
+    std::uint16_t period_us = 0; // Time between readings in microseconds.
     std::size_t count = 0;       // Number of readings, 1 to kMaxHeightFrameSamples.
     std::array<std::uint16_t, kMaxHeightFrameSamples> counts {};
 

@@ -13,7 +13,7 @@ namespace tractus::drivers {
 // firmware-notes/height-sensor.md for a descriptor and a report byte by byte. Stateless: equal
 // reports give equal samples.
 //
-// Fails with a user error if the device has no such field, and as the device's if its
+// Fails with a user error if the device has no such field, and with a device error if its
 // descriptor is broken. Joysticks and game pads, which have sliders too, are refused. Decoding
 // skips reports with another id, and fails if the report is too short or its value lies outside 0
 // to full scale.

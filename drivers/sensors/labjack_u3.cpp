@@ -22,7 +22,7 @@ constexpr std::uint16_t kLabjackProductId = 0x0003;
 constexpr std::uint8_t kCommandEndpoint = 0x01;
 constexpr std::uint8_t kAnswerEndpoint = 0x82;
 
-// Far slower than the firmware can answer.
+// Time between two requests. The firmware can answer far faster.
 constexpr Duration kLabjackPeriod = std::chrono::milliseconds(4);
 constexpr int kLabjackAttempts = 5;
 constexpr std::int32_t kLabjackFullScale = 0xFFF0;

@@ -32,7 +32,7 @@ bool is_labjack_u3(DeviceInfo const&);
 // model, the serial number, the channel, and the calibration constants of that input from the U3's
 // memory.
 //
-// Fails with a user error if the device cannot be opened, and as the device's if it does not
+// Fails with a user error if the device cannot be opened, and with a device error if it does not
 // reply as a U3.
 Result<std::unique_ptr<ReportSource>> open_labjack_u3(DeviceInfo info);
 

@@ -24,11 +24,11 @@ using DeskReport = std::array<std::byte, kDeskReportBytes>;
 
 constexpr std::byte kDeskStatus { 0x04 };       // Feature report of the desk's status.
 constexpr std::byte kDeskStatusLength { 0x38 }; // Second byte of a valid status.
-// All bytes from this offset on are zero until the desk is ready.
+// From this offset on, all bytes of the status are zero until the desk is ready.
 constexpr std::size_t kDeskFirstValueAt = 2;
 constexpr std::size_t kDeskHeightAt = 4;
 
-// The cable's maximum polling rate is not documented.
+// Polling interval. The cable's maximum polling rate is not documented.
 constexpr Duration kLinakPeriod = 20ms;
 constexpr int kLinakAttempts = 3;
 constexpr int kLinakInitialisations = 3;

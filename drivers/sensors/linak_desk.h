@@ -33,9 +33,8 @@ bool is_linak_desk(DeviceInfo const&);
 // even after the initialisation: it must then be moved to its lowest position with its own keys.
 Result<std::unique_ptr<ReportSource>> open_linak_desk(DeviceInfo info);
 
-// Opens the cable over any link in which a one-byte packet requests that feature report, and a
-// longer one sets a feature report (open_hid_feature_link()). Fails if the desk does not know its
-// height.
+// Opens the cable over any link in which a one-byte packet requests a feature report, and a longer
+// one sets it (open_hid_feature_link()). Fails if the desk does not know its height.
 Result<std::unique_ptr<ReportSource>> open_linak_desk(DeviceInfo info,
                                                       std::unique_ptr<PacketLink> link);
 

@@ -30,22 +30,25 @@ constexpr std::byte kDone { 0x00 };
 constexpr std::byte kChange { 0x80 };
 constexpr std::byte kConverterFunction {
     0x02
-};                                      // Pin function of GP1 to GP3: input of the converter.
-constexpr std::size_t kReferenceAt = 5; // Offset in the command that changes the settings.
+}; // Pin function of GP1 to GP3: input of the converter.
+// Offset of the reference in the command that changes the settings.
+constexpr std::size_t kReferenceAt = 5;
 constexpr std::size_t kChangePinsAt = 7;
 constexpr std::size_t kSetPinsAt = 8;
-constexpr std::size_t kConfiguredPinsAt = 22; // Offset in the reply with the settings.
+// Offset of the pin settings in the reply with the settings.
+constexpr std::size_t kConfiguredPinsAt = 22;
 constexpr std::size_t kPins = 4;
-constexpr std::size_t kReadingsAt
-    = 50; // Offset of the readings in the status reply: GP1, GP2, GP3.
+// Offset of the readings in the status reply: GP1, GP2, GP3.
+constexpr std::size_t kReadingsAt = 50;
 
-// The fastest host controllers transfer 500 commands and replies a second.
+// Polling interval. The fastest host controllers transfer 500 commands and replies a second.
 constexpr Duration kMcp2221aPeriod = std::chrono::milliseconds(2);
 constexpr int kMcp2221aAttempts = 5;
 constexpr std::int32_t kMcp2221aFullScale = 1023;
 constexpr std::string_view kPinMark = ", GP";
 
-// Bits 2 and 1 select the voltage; bit 0 selects it instead of the supply.
+// Returns the bits of a reference: bits 2 and 1 select an internal voltage; bit 0 selects it
+// instead of the supply.
 std::byte reference_bits(Mcp2221aReference reference)
 {
     auto const index = static_cast<unsigned>(reference);

@@ -19,7 +19,7 @@ enum class Mcp2221aReference {
     Volts1024,
     Volts2048,
     Volts4096
-}; // The supply, or an internal 1.024 V, 2.048 V or 4.096 V.
+}; // Voltage reference: the supply, or an internal 1.024 V, 2.048 V or 4.096 V.
 
 struct Mcp2221aOptions {
     int pin = 1; // Pin of the wiper: GP1, GP2 or GP3.
@@ -44,7 +44,7 @@ bool is_mcp2221a(DeviceInfo const&);
 // The name in info() contains the pin, which make_mcp2221a_decoder() reads, and, if the reference
 // is a known voltage, the volts per count (drivers/sensors/sensor_volts.h).
 //
-// Fails with a user error if the node cannot be opened, and as the device's if the chip does
+// Fails with a user error if the node cannot be opened, and with a device error if the chip does
 // not reply as an MCP2221A.
 Result<std::unique_ptr<ReportSource>> open_mcp2221a(DeviceInfo info);
 

@@ -21,8 +21,8 @@ namespace tractus::drivers {
 
 // Conversion of a sensor's numbers into counts, set in DeviceInfo::settings.
 struct NumberFormat {
-    // Counts of the greatest number. "max=4095" or "max=500.00" also sets the decimals that are
-    // kept: with two decimals, 23.75 is 2375 counts.
+    // Count that stands for the greatest number. "max=4095" or "max=500.00" also sets the decimals
+    // that are kept: with two decimals, 23.75 is 2375 counts.
     std::int32_t full_scale = 4095;
     int decimals = 0;
 };
@@ -41,7 +41,8 @@ std::unique_ptr<HeightDecoder> make_number_decoder(NumberFormat format);
 // its kind, its address and, after an @, its settings.
 std::string number_line_path(std::string_view kind, DeviceInfo const& info);
 
-// Returns the settings of a device of that kind, live or from a log; no value for any other device.
+// Returns the settings of a device of the given kind, live or from a log; no value for other
+// devices.
 std::optional<std::string> number_line_settings(std::string_view kind, DeviceInfo const& info);
 
 } // namespace tractus::drivers

@@ -10,9 +10,9 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr Duration kAnswerTime = 50ms; // Devices take about 4 ms.
+constexpr Duration kAnswerTime = 50ms; // Longest wait for a reply; devices take about 4 ms.
 constexpr Duration kSilenceLimit = 1s;
-constexpr int kMaxStale = 128; // More packets than a kernel queue can hold.
+constexpr int kMaxStale = 128; // Most packets dropped at once: more than a kernel queue can hold.
 
 // Drops late replies, which would be taken for the reply to the next command. Returns true if one
 // of them shows that the settings were changed.

@@ -22,7 +22,7 @@ Result<std::optional<RawReport>> exchange(PacketLink& link, std::span<std::byte 
 
 // Describes how a sensor that sends only on request is polled.
 struct Polling {
-    std::vector<std::byte> command {}; // Requests one reading.
+    std::vector<std::byte> command {}; // Packet that requests one reading.
     PacketTest is_reply {};            // True for a packet that is the reply to `command`.
     Duration period {};                // Time between two requests; replies may be slower.
 

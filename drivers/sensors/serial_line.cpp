@@ -149,8 +149,8 @@ private:
     SerialPort port_;
     std::deque<RawReport> lines_; // Complete lines waiting to be read.
     RawReport line_ {};           // Line being received.
-    bool is_whole_ = false;       // The line was received from its beginning.
-    bool is_too_long_ = false;    // The line exceeds a report.
+    bool is_whole_ = false;       // True if line_ was received from its beginning.
+    bool is_too_long_ = false;    // True if line_ exceeds a report.
     std::uint64_t too_long_ = 0;
 };
 

@@ -35,7 +35,7 @@ Result<std::unique_ptr<ReportSource>> open_serial_line(DeviceInfo info);
 // True if a device, live or from a log, is a serial height sensor.
 bool is_serial_line(DeviceInfo const& info);
 
-// Makes the decoder of a serial sensor's reports; `info` must satisfy is_serial_line(). Fails, with
+// Makes the decoder of a serial sensor's reports; `info` must satisfy is_serial_line(). Fails with
 // a user error if the settings in a log are invalid.
 Result<std::unique_ptr<HeightDecoder>> make_serial_line_decoder(DeviceInfo const& info);
 

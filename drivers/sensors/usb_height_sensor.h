@@ -18,9 +18,9 @@ namespace tractus::drivers {
 // Options of the station's own height sensor; members without a value leave the sensor's setting
 // unchanged.
 struct UsbHeightSensorOptions {
-    std::optional<std::uint16_t> period_us {}; // Time between readings.
+    std::optional<std::uint16_t> period_us {}; // Time between readings in microseconds.
     std::optional<std::uint8_t>
-        samples_per_frame {}; // Number of readings, 1 to kMaxHeightFrameSamples.
+        samples_per_frame {}; // Number of readings per frame, 1 to kMaxHeightFrameSamples.
     std::optional<HeightReference> reference {};
 };
 
@@ -33,9 +33,9 @@ Result<UsbHeightSensorOptions> parse_usb_height_sensor_options(std::string_view 
 // stream, discards earlier frames, and starts it. A report is one transfer, normally one frame.
 // Destroying the source stops the sensor.
 //
-// Fails with a user error if the sensor cannot be opened or refuses the options, and as the
-// device's if it is no such sensor or has another protocol version. A read fails, as the device's
-// fault, when the sensor was unplugged, whatever error libusb reports.
+// Fails with a user error if the sensor cannot be opened or refuses the options, and with a device
+// error if it is another device or has another protocol version. A read fails with a device error
+// when the sensor was unplugged, regardless of the error that libusb reports.
 Result<std::unique_ptr<ReportSource>> open_usb_height_sensor(DeviceInfo info);
 
 // Communication with the project's own height sensor. Requests go to the sensor's USB interface.

@@ -36,7 +36,7 @@ public:
         return mutex;
     }
 
-    // Requires the mutex to be locked.
+    // Recreates the context if no device is open. Requires the mutex to be locked.
     static void begin()
     {
         if (open_count == 0)

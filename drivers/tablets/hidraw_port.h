@@ -11,15 +11,17 @@
 
 namespace tractus::drivers {
 
-// Returns the index of the tablet's interface that accepts a report: `own` if its descriptor
-// declares the report or no other does, else the one that declares it.
+// Kinds of reports that the host sends to a tablet.
 enum class HostReportKind { Feature, Output };
+
+// Returns the index of the tablet's interface that accepts a report: the interface whose descriptor
+// declares the report, preferably `own`; also `own` if no descriptor declares it.
 std::size_t find_receiver(std::vector<DeviceInfo> const& interfaces, std::size_t own,
                           HostReportKind kind, std::uint8_t report_id);
 
-// Communicates with a tablet through the kernel's hidraw nodes: the node it is opened for, or
-// another one of the same tablet if that accepts a report. String descriptors, which hidraw cannot
-// read, are requested from the USB device itself, whatever its driver.
+// Communicates with a tablet through the kernel's hidraw nodes: the node for which it is opened, or
+// another node of the same tablet for reports that only the other one accepts. String descriptors,
+// which hidraw cannot read, are requested from the USB device itself, regardless of its driver.
 class HidrawPort final : public TabletPort {
 public:
     // `all` lists all HID devices of the computer.

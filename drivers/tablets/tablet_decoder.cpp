@@ -28,7 +28,8 @@ struct NodeReports {
 
 NodeReports reports_of(HidReportDescriptor const& descriptor)
 {
-    // Vendor-defined pages, and usages that no page defines.
+    // True for usages without a known meaning: those of vendor-defined pages, and number 0 of any
+    // page.
     auto const says_nothing
         = [](HidUsage usage) { return usage >= 0xFF00'0000 || (usage & 0xFFFF) == 0; };
     NodeReports result;

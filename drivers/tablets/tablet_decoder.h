@@ -26,7 +26,7 @@ TabletShape tablet_shape(DeviceInfo const& info, TabletMatch const& match);
 //   the family's format;
 // - all other reports (mice, keys, touches) are not about a pen.
 //
-// When the pen continues in reports of the other kind, it leaves first.
+// When the pen continues in reports of the other kind, it is first reported as leaving.
 //
 // Fails like make_descriptor_decoder() if the node carries no pen data and with a user error if
 // its format is not known.

@@ -60,7 +60,7 @@ std::optional<Candidate> weigh(Tablet const& tablet, TabletIdentifier const& ide
     return candidate;
 }
 
-// Removes all candidates that are not better, provided that some are.
+// Keeps only the candidates for which `is_better` holds, if there are any.
 template<typename Predicate> void prefer(Candidates& candidates, Predicate is_better)
 {
     if (std::any_of(candidates.begin(), candidates.end(), is_better))
@@ -127,7 +127,7 @@ void tell_pads_from_pens(Candidates& candidates, LongestReports const& longest)
     prefer(candidates, is_pad);
 }
 
-// Removes rows for unknown products if the length of their reports differs from the device's.
+// Removes table rows for unknown products if the length of their reports differs from the device's.
 void tell_unknown_products(Candidates& candidates, LongestReports const& longest)
 {
     std::erase_if(candidates, [&](auto const& candidate) {

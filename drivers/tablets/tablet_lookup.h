@@ -16,8 +16,8 @@ struct TabletMatch {
     Tablet const* tablet = nullptr;
     TabletIdentifier const* identifier = nullptr;
 
-    // Number of other models, of another size or format, that match equally well. 0 if it is this
-    // model, or one whose reports cannot be distinguished.
+    // Number of other models, of another size or format, that match equally well. 0 if it is
+    // certainly this model, or one that sends the same reports.
     std::size_t alternatives = 0;
 
     // Proportions of the active area; no value if matching models differ in them.

@@ -72,8 +72,8 @@ inline constexpr std::string_view kPadFamily = "pad";
 // Returns all known tablets, in the order of drivers/tablets/tablets.txt.
 std::span<Tablet const> known_tablets();
 
-// Parses the format that drivers/tablets/tablets.txt explains. Fails, as the station's fault, with
-// the line's number.
+// Parses the format that drivers/tablets/tablets.txt explains. Fails with a station error that
+// names the line's number.
 Result<std::vector<Tablet>> parse_tablets(std::string_view text);
 
 } // namespace tractus::drivers

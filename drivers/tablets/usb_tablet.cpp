@@ -26,7 +26,7 @@ Result<std::vector<std::byte>> read_report_descriptor(std::string const& usb_add
     constexpr unsigned kTimeout_ms = 1000;
     auto device = TRY(UsbDevice::open(usb_address));
     TRY(device.claim(interface_number));
-    std::array<unsigned char, 4096> buffer {}; // The maximum that Linux reads.
+    std::array<unsigned char, 4096> buffer {}; // The size is the greatest that Linux reads.
     int const size = libusb_control_transfer(
         device.handle(), kFromInterface, LIBUSB_REQUEST_GET_DESCRIPTOR, kReportDescriptor,
         static_cast<std::uint16_t>(interface_number), buffer.data(), buffer.size(), kTimeout_ms);

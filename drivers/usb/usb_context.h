@@ -43,7 +43,7 @@ public:
     // none or it may not be opened; the message says what to do.
     static Result<UsbDevice> open(std::string_view address);
 
-    // A moved-from object has no device and may only be destroyed or assigned to.
+    // A moved-from object has no device; it may only be destroyed or assigned to.
     UsbDevice(UsbDevice&&) noexcept;
     UsbDevice& operator=(UsbDevice&&) noexcept;
     ~UsbDevice();
@@ -51,8 +51,8 @@ public:
     libusb_context* context() const { return context_.get(); }
     libusb_device_handle* handle() const { return handle_; }
 
-    // Claims an interface exclusively, and detaches the kernel's driver if one is bound. Fails,
-    // with a user error if another program has claimed it.
+    // Claims an interface exclusively, and detaches the kernel's driver if one is bound. Fails with
+    // a user error if another program has claimed it.
     Result<void> claim(int interface_number);
 
     // Returns the bytes of a string descriptor in US English without its two-byte header; texts are
@@ -73,8 +73,8 @@ private:
     std::vector<int> claimed_;
 };
 
-// Opens the device at `info.location`, "usb:1-2.3". Fails like UsbDevice::open() and, as the user's
-// fault, for another kind of address.
+// Opens the device at `info.location`, "usb:1-2.3". Fails like UsbDevice::open(), and with a user
+// error for another kind of address.
 Result<UsbDevice> open_usb_device(DeviceInfo const& info);
 
 } // namespace tractus::drivers

@@ -57,7 +57,7 @@ Result<std::optional<RawReport>> UsbLink::read(Duration timeout)
 {
     RawReport report;
     int size = 0;
-    // A timeout of 0 would mean no limit to libusb.
+    // libusb takes a timeout of 0 as no limit.
     auto const timeout_ms
         = std::max<std::int64_t>(std::chrono::ceil<std::chrono::milliseconds>(timeout).count(), 1);
     int const code = libusb_bulk_transfer(device_.handle(), pipes_.in_endpoint,

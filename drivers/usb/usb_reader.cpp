@@ -19,8 +19,8 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr std::size_t kTransfers = 8;
-constexpr std::size_t kTransferBytes
-    = sizeof(RawReport::storage); // A multiple of the packet size at every speed.
+// Size of a transfer, a multiple of the packet size at every speed.
+constexpr std::size_t kTransferBytes = sizeof(RawReport::storage);
 constexpr Duration kCancelLimit = 1s;
 
 struct FreeTransfer {

@@ -34,7 +34,7 @@ void free_bulk(void* memory, std::size_t bytes)
 {
     if (bytes < kLargeBytes)
         return ::operator delete(memory);
-    // Not the sized form: clang 14 provides that only with -fsized-deallocation.
+    // The unsized form is used: clang 14 provides the sized one only with -fsized-deallocation.
     ::operator delete (memory, std::align_val_t { kHugePageBytes });
 }
 

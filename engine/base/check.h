@@ -7,8 +7,8 @@ namespace tractus::detail {
 } // namespace tractus::detail
 
 // CHECK guards against programming errors, in every build: if the condition is false it prints the
-// condition and its place, then aborts. Errors that a device, a file or a user can cause are never
-// a CHECK but a Result.
+// condition and its source position, then aborts. Errors that a device, a file or a user can cause
+// are reported by a Result instead.
 #define CHECK(condition)                                                                           \
     do {                                                                                           \
         if (!(condition)) [[unlikely]]                                                             \

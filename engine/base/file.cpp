@@ -21,7 +21,7 @@ Result<void> read_file_in_pieces(fs::path const& path, std::size_t max_bytes,
     auto const type = fs::status(path, ignored).type();
     if (type == fs::file_type::directory)
         return fail(Fault::User, fmt::format("cannot read {}: it is a folder", path.string()));
-    // /dev/zero, for one, never ends.
+    // Devices such as /dev/zero may never end.
     if (type == fs::file_type::character || type == fs::file_type::block)
         return fail(Fault::User, fmt::format("cannot read {}: it is a device", path.string()));
     std::ifstream in(path, std::ios::binary);
@@ -166,7 +166,7 @@ static Result<void> write_and_rename(fs::path const& path, fs::path const& writt
     if (auto result = write(out); !result) {
         out.close();
         if (!out.good())
-            // The error of the disk explains more than the error of the writer.
+            // The disk's error explains more than the writer's.
             return failed(errno);
         discard();
         return result;

@@ -48,8 +48,8 @@ Result<void> check_writable(std::filesystem::path const& path);
 Result<void> write_file(std::filesystem::path const& path,
                         std::function<Result<void>(std::ostream&)> const& write);
 
-// Flushes the folder entries that a rename of `path` changed to the disk. A folder that cannot be
-// flushed, as on some file systems, is not an error.
+// Flushes to the disk the folder entries that a rename of `path` has changed. A folder that cannot
+// be flushed, as on some file systems, is not an error.
 void flush_name_to_disk(std::filesystem::path const& path);
 
 // Flushes a file's contents to the disk, renames it from `from` to `to`, replacing a file of that

@@ -21,14 +21,14 @@ namespace tractus {
 // object is destroyed, or when a newer request arrives after it has run for kPatience; its result
 // is discarded.
 //
-// The thread that shows ink is never interrupted for it (urgency.h).
+// The computation never interrupts the thread that shows ink (urgency.h).
 //
 // All functions here must be called from one thread; `make` runs on the other thread. Data that a
 // request refers to must not change.
 template<typename Wanted, typename Made> class NewestJob {
 public:
-    // How long a computation runs before a newer request may stop it. Long enough that somebody who
-    // moves a slider still sees every result that takes less.
+    // How long a computation runs before a newer request may stop it: long enough that the user of
+    // a slider sees every result that takes less time.
     static constexpr std::chrono::milliseconds kPatience { 200 };
 
     // `make` is called with the request, and with a std::stop_token if it accepts one.
@@ -113,7 +113,7 @@ private:
         }
     }
 
-    // Without a thread of its own, the computation runs in the caller, which has to wait.
+    // Runs the computation in the caller, which has to wait, if there is no other thread.
     void catch_up(Lock& lock)
     {
         if (!thread_.joinable() && wanted_)
@@ -138,8 +138,8 @@ private:
         is_at_work_ = false;
         changed_.notify_all();
         lock.unlock();
-        // Discards the result that was never taken, or that was stopped. This may take long for a
-        // large result, so nobody waits for it: the lock is released.
+        // Frees a result that was never taken, or that of a stopped computation. Freeing a large
+        // result may take long, so the lock is released meanwhile.
         made.reset();
         lock.lock();
     }

@@ -43,7 +43,7 @@ RandomBlocks random_blocks(std::uint64_t seed, std::uint32_t stream,
     auto key0 = static_cast<std::uint32_t>(seed);
     auto key1 = static_cast<std::uint32_t>(seed >> 32);
     for (int round = 0; round < 10; ++round) {
-#pragma GCC unroll 1 // Written out eight times, g++ makes no vectors of it.
+#pragma GCC unroll 1 // g++ does not vectorise this loop if it is fully unrolled.
         for (std::size_t i = 0; i < RandomBlocks::kCount; ++i) {
             std::uint64_t const product0 = kMultiplier0 * counter0[i];
             std::uint64_t const product1 = kMultiplier1 * counter2[i];

@@ -10,8 +10,8 @@ namespace tractus {
 // key for each use (plant, branch, step) instead of sharing one generator.
 struct RandomKey {
     std::uint64_t seed = 0;
-    std::uint32_t stream = 0;    // What the numbers are used for: a constant of the caller.
-    std::uint32_t substream = 0; // The plant, branch, … that the numbers are for.
+    std::uint32_t stream = 0;    // Purpose of the numbers: a constant that the caller chooses.
+    std::uint32_t substream = 0; // Number of the plant, branch, … that uses the numbers.
 };
 
 // Returns the four random words at position `index` of the stream `key`: Philox4x32-10 (Salmon,

@@ -32,7 +32,7 @@ public:
 template<typename T> class SharedVector {
 public:
     using value_type = T;
-    using Source = std::shared_ptr<ElementSource<T> const>; // Shared between copies.
+    using Source = std::shared_ptr<ElementSource<T> const>; // Shared by all copies of a vector.
 
     SharedVector() = default;
     SharedVector(std::vector<T> elements) // NOLINT(google-explicit-constructor): is one.
@@ -149,7 +149,7 @@ private:
         std::vector<T> elements;
         Source const source;
         std::mutex reading;
-        std::atomic<bool> is_in_memory { false }; // Once true, nothing here changes any more.
+        std::atomic<bool> is_in_memory { false }; // Once this is true, no member changes any more.
     };
 
     static std::vector<T> const& nothing()

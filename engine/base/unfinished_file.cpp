@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Takes decimal digits from the end of a name; nullopt if there are none.
+// Removes decimal digits from the end of a name and returns their value; nullopt if there are none.
 std::optional<long> take_number(std::string_view& name)
 {
     auto const before = name.find_last_not_of("0123456789");
@@ -42,7 +42,8 @@ bool take_ending(std::string_view& name, std::string_view ending)
     return true;
 }
 
-// The process in a name of unfinished_path(), or of a database's journal beside it.
+// Returns the process id in a name made by unfinished_path(), or in the name of a journal of a
+// database with such a name.
 std::optional<pid_t> process_in(std::string_view name)
 {
     for (auto const* const journal : { "-wal", "-shm", "-journal" })
@@ -50,7 +51,7 @@ std::optional<pid_t> process_in(std::string_view name)
             break;
     if (!take_ending(name, ".part"))
         return std::nullopt;
-    take_ending(name, ".part"); // A copy of a database on its way to a temporary name.
+    take_ending(name, ".part"); // Accepts "….part.part": a temporary copy of a database.
     if (!take_number(name) || !take_ending(name, "-"))
         return std::nullopt;
     auto const process = take_number(name);
@@ -149,7 +150,7 @@ void UnfinishedFile::remove_all_and_die(int signal)
 
 void remove_unfinished_file_on_signals()
 {
-    static_cast<void>(UnfinishedFile::places()); // Made before a handler needs them.
+    static_cast<void>(UnfinishedFile::places()); // Creates the table before a handler needs it.
     for (int const signal : { SIGINT, SIGTERM, SIGHUP })
         if (std::signal(signal, UnfinishedFile::remove_all_and_die) == SIG_IGN)
             // The signal was ignored before the program started, for example by nohup: keep

@@ -6,11 +6,10 @@
 
 namespace tractus {
 
-// Temporary name beside `target` that no other writer uses, in this process or another:
-// "NAME.PROCESS-COUNT.part". Before the first one in a folder, temporary files are removed from it
-// that killed processes left there: those of processes that no longer exist, if they have not
-// changed for a day, since the process may be another computer's. Databases' journals are removed
-// with them.
+// Returns a temporary name beside `target` that no other writer uses, in this process or another:
+// "NAME.PROCESS-COUNT.part". The first call for a folder also removes temporary files that killed
+// processes left there, together with journals of databases: those of processes that no longer
+// exist, if they are older than a day, since the process may run on another computer.
 std::filesystem::path unfinished_path(std::filesystem::path const& target);
 
 // Registers a temporary file while it is unfinished, for the signal handler that removes it when

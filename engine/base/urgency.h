@@ -6,7 +6,7 @@ namespace tractus {
 enum class Urgency {
     Now,  // Due in this frame: threads that read devices or show the pen's ink.
     Soon, // Needed a few frames later: does not preempt threads of urgency Now.
-    // When there is time, such as growing plants: also yields the processor to all other threads.
+    // Work for idle times, such as growing plants: also yields the processor to all other threads.
     Later,
 };
 

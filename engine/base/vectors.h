@@ -28,7 +28,7 @@ constexpr double degrees(double radians)
 
 // Returns the rotation from the direction of `from` to the direction of `to`, both non-zero
 // (Eigen's FromTwoVectors). Compiled in one place since it contains a matrix decomposition. For
-// unit vectors use least_rotation() (engine/stroke/frames.h), which needs none.
+// unit vectors use least_rotation() (engine/stroke/frames.h), which needs no decomposition.
 Quat rotation_between(Vec3 const& from, Vec3 const& to);
 
 } // namespace tractus

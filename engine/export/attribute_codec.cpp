@@ -39,7 +39,7 @@ Sixteen zigzag(Sixteen const& differences)
     return (differences + differences) ^ negative;
 }
 
-// Number of values that are at least `least`.
+// Counts the values that are at least `least`.
 std::size_t count_from(Sixteen const& values, int least)
 {
     auto const ones = std::bit_cast<TwoWords>(
@@ -74,7 +74,7 @@ std::uint8_t* pack_four_bits(Sixteen const& values, std::uint8_t* to)
     return to;
 }
 
-// Appends in full the values that did not fit in their bits.
+// Appends, with 8 bits each, the values that are at least `least` and so did not fit in their bits.
 std::uint8_t* append_from(Sixteen const& values, int least, std::uint8_t* to)
 {
     std::array<std::uint8_t, kGroup> all;
@@ -86,8 +86,8 @@ std::uint8_t* append_from(Sixteen const& values, int least, std::uint8_t* to)
     return to;
 }
 
-// Appends a group in its smallest encoding, whose number is stored in `way`. May overwrite up to 15
-// bytes beyond the end.
+// Appends a group in its smallest encoding, and stores that encoding's number in `way`. May
+// overwrite up to 15 bytes beyond the end.
 std::uint8_t* append_group(Sixteen const& values, unsigned& way, std::uint8_t* to)
 {
     auto const words = std::bit_cast<TwoWords>(values);
@@ -111,8 +111,8 @@ std::uint8_t* append_group(Sixteen const& values, unsigned& way, std::uint8_t* t
     return to + kGroup;
 }
 
-// One byte of every element of a block, preceded by that of the element before the block. The last
-// one is repeated up to a whole group.
+// One byte of every element of a block, preceded by that byte of the element before the block. The
+// byte of the last element is repeated until a group of 16 is full.
 struct Column {
     std::array<std::uint8_t, 1 + kMaxInBlock> bytes;
 };
@@ -148,8 +148,8 @@ struct Block {
     std::size_t groups() const { return (count + kGroup - 1) / kGroup; }
 };
 
-// Fills four columns with bytes `k` to `k` + 3 of all elements, except for the element before the
-// block.
+// Fills four columns with bytes `k` to `k` + 3 of all elements of the block, but not of the element
+// before it.
 void fill_columns(Block const& block, std::size_t k, std::array<Column, 4>& columns)
 {
     for (std::size_t group = 0; group < block.groups(); ++group) {
@@ -181,7 +181,8 @@ std::uint8_t* append_column(Column const& column, std::size_t groups, std::uint8
     return to;
 }
 
-// Maximum size of a block, including the bytes that append_group() may overwrite.
+// Maximum compressed size of `count` elements in blocks of `block`, including the bytes that
+// append_group() may overwrite.
 std::size_t most_bytes(std::size_t count, std::size_t element_bytes, std::size_t block)
 {
     auto const blocks = (count + block - 1) / block;
@@ -214,7 +215,7 @@ void compress_attributes(std::span<std::byte const> elements, std::size_t elemen
             end = append_column(columns[k % 4], block.groups(), end);
         }
     }
-    // The tail: the first element, against which the first difference is zero.
+    // The tail of the stream: padding, then the first element, from which the decoder starts.
     auto const padding = element_bytes < kMinTail ? kMinTail - element_bytes : 0;
     end = std::fill_n(end, padding, std::uint8_t { 0 });
     end = std::copy_n(from, element_bytes, end);

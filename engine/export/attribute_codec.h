@@ -8,8 +8,8 @@
 namespace tractus::exports {
 
 // Compresses elements of `element_bytes` (a multiple of four, at most 256) by mode ATTRIBUTES of
-// glTF's extension EXT_meshopt_compression. The output has the size that meshoptimizer's own
-// encoder achieves, in a third of the time. Replaces the contents of `to`.
+// glTF's extension EXT_meshopt_compression. The output is as small as that of meshoptimizer's own
+// encoder, in a third of the time. Replaces the contents of `to`.
 void compress_attributes(std::span<std::byte const> elements, std::size_t element_bytes,
                          BulkVector<std::byte>& to);
 

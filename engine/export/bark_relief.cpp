@@ -39,8 +39,8 @@ public:
                 * 0x1p-32);
     }
 
-    // Returns 0 to 1. `x` and `y` from -1 to 1, `v` in periods; `shift`: offset along the axis, in
-    // cells.
+    // Returns the noise at a point, 0 to 1. `x` and `y`: -1 to 1; `v`: position along the axis, in
+    // periods; `shift`: offset along the axis, in cells.
     double at(double x, double y, double v, double shift = 0) const
     {
         double const middle = 0.5 * side_;
@@ -100,7 +100,7 @@ public:
         find_means();
     }
 
-    // Periodic beyond the edges.
+    // Height of a pixel; beyond the edges the picture is repeated.
     double at(int column, int row) const { return heights_[index(column, row)]; }
 
     // Mean of the heights in a square around a pixel.
@@ -114,7 +114,7 @@ private:
         return wrapped(row) * kRelief_px + wrapped(column);
     }
 
-    // Box filter along the rows, then along the columns.
+    // Computes the means with a box filter along the rows, then along the columns.
     void find_means()
     {
         constexpr int kReach = 12;
@@ -152,7 +152,7 @@ std::uint8_t byte_of(double value)
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
 }
 
-// `color(column, row)` returns red, green and blue, 0 to 1.
+// Makes a picture pixel by pixel: `color(column, row)` returns red, green and blue, 0 to 1.
 template<typename Color> TextureSlot paint_colors(Color const& color)
 {
     std::vector<std::uint8_t> pixels;
@@ -168,7 +168,7 @@ template<typename Color> TextureSlot paint_colors(Color const& color)
 
 Vec3 normal_color(int column, int row)
 {
-    constexpr double kBump = 0.055; // The same value as in the renderer.
+    constexpr double kBump = 0.055; // Depth of the relief, as in the renderer's shader.
     auto const& heights = relief();
     double const per_step = 0.5 * kRelief_px * kBump;
     double const slope_u = per_step * (heights.at(column + 1, row) - heights.at(column - 1, row));

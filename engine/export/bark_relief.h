@@ -8,7 +8,7 @@ namespace tractus::exports {
 // The bark relief of the renderer, baked into tileable pictures: u runs once around the branch, v
 // the same distance along the axis. Made on first use; always the same.
 
-// Lightness of the bark, multiplied with its colour.
+// Lightness of the bark, by which its colour is multiplied.
 GreyPicture bark_color_picture();
 
 // Normal map (glTF 2.0 section 3.9.3: green points towards -v).

@@ -25,8 +25,8 @@ FourFloats with_signs(FourFloats const& sizes, FourFloats const& signs)
     return signs < 0 ? -sizes : sizes;
 }
 
-// Projects onto an octahedron, with its lower half folded over the upper one. Each result contains
-// the two coordinates, 1, and `w`.
+// Projects vectors onto an octahedron whose lower half is folded over the upper one. Each result
+// contains the two coordinates, 1, and `w`, one byte each.
 FourInts octahedral_bytes(TurnedVectors const& v, FourInts const& w)
 {
     FourFloats const scale = kOne / (magnitudes(v.x) + magnitudes(v.y) + magnitudes(v.z));

@@ -60,7 +60,7 @@ Result<CompressedView> view_from(Json const& json, std::size_t index)
     return view;
 }
 
-// Replaces the JSON of a file.
+// Returns a .glb file with another JSON chunk; `rest` is what follows the JSON in the file.
 std::string with_json(std::string_view glb, std::string_view rest, std::string json)
 {
     json.resize((json.size() + 3) / 4 * 4, ' ');
@@ -128,8 +128,8 @@ Result<CompressedElements> elements_of(CompressedView const& view, tinygltf::Mod
     return elements;
 }
 
-// Checks the total decompressed size: otherwise views could share compressed bytes, and a small
-// file could require any amount of memory.
+// Checks that the views together have no more compressed bytes than the buffers. If views could
+// share bytes, a small file could require any amount of memory.
 Result<void> check_total(std::vector<CompressedView> const& views, tinygltf::Model const& model)
 {
     std::uint64_t left = 0;
@@ -143,7 +143,7 @@ Result<void> check_total(std::vector<CompressedView> const& views, tinygltf::Mod
     return {};
 }
 
-// Source and target of decompressing a view.
+// The compressed elements of a view, and where they go in the additional buffer, in bytes.
 struct Decompression {
     CompressedElements from {};
     std::uint64_t start = 0;

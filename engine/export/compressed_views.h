@@ -16,8 +16,8 @@ namespace tractus::exports {
 
 // A buffer view compressed by EXT_meshopt_compression, as described in the file.
 struct CompressedView {
-    std::size_t view = 0;   // Index of the view.
-    std::size_t buffer = 0; // Buffer that holds the compressed bytes.
+    std::size_t view = 0;   // Index of the buffer view.
+    std::size_t buffer = 0; // Index of the buffer that holds the compressed bytes.
     std::uint64_t offset = 0;
     std::uint64_t bytes = 0;
     std::uint64_t stride = 0;

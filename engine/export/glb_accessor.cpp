@@ -25,7 +25,7 @@ auto fail_at(int accessor, char const* reason)
                 fmt::format("cannot read the glTF file: accessor {} {}", accessor, reason));
 }
 
-// Saturating addition.
+// Adds two sizes; the sum saturates instead of overflowing.
 std::uint64_t sum(std::uint64_t a, std::uint64_t b)
 {
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;
@@ -74,7 +74,7 @@ template<typename Number> Number load(unsigned char const* bytes)
     return number;
 }
 
-// Normalised numbers are converted as in glTF 2.0 section 3.11.
+// Reads a number; normalised integers are converted to -1…1 or 0…1 (glTF 2.0 section 3.11).
 template<typename Number> float load_number(unsigned char const* bytes, bool normalized)
 {
     auto const value = static_cast<float>(load<Number>(bytes));

@@ -94,7 +94,7 @@ std::size_t add_zeros(GltfJson& json, NumberFormat const& format, std::size_t co
     return json.accessors.add(accessor);
 }
 
-// Converts to doubles, so that the decimal number written is exactly the float.
+// Limits are converted to doubles, so that the decimal numbers written are exactly the floats.
 Json limits_json(Vec3f const& low, Vec3f const& high)
 {
     return { { "min", json_numbers(low.cast<double>().eval()) },

@@ -21,8 +21,8 @@ struct GlbColumn {
     NumberFormat format {};
     std::size_t count = 0;
     GlbStream::Block block {};
-    // For a compressed block: its offset in the fallback buffer, which exists only after
-    // decompression.
+    // For a compressed block: offset of the decompressed elements in the fallback buffer, which
+    // exists only after decompression.
     std::optional<std::uint64_t> decompressed_start {};
 
     std::uint64_t element_bytes() const { return static_cast<std::uint64_t>(format.element_bytes); }
@@ -36,7 +36,7 @@ GlbColumn open_column(GlbStream& stream, NumberFormat const& format, std::size_t
 GlbColumn open_compressed_column(GlbStream& stream, GltfJson& json, NumberFormat const& format,
                                  std::size_t count, std::size_t compressed_bytes);
 
-// Adds a buffer view with the additional members in `more`. Returns its index.
+// Adds a buffer view of the block, with the additional members in `more`. Returns its index.
 std::size_t add_view(GltfJson& json, GlbStream::Block const& block,
                      Json const& more = Json::object());
 
@@ -49,11 +49,11 @@ std::size_t add_accessor(GltfJson& json, GlbColumn const& column, int target,
 std::size_t add_zeros(GltfJson& json, NumberFormat const& format, std::size_t count,
                       Json const& more = Json::object());
 
-// Returns the limits that an accessor of positions must state, for `more`.
+// Returns the members "min" and "max" that an accessor of positions must have; pass them as `more`.
 Json limits_json(Vec3f const& low, Vec3f const& high);
 
-// Columns of triangles: positions, normals, texture coordinates, indices, and tangents unless they
-// are empty. Further columns may follow.
+// Number of columns of triangles: positions, normals, texture coordinates, indices, and tangents,
+// which may be empty. Further columns may follow.
 constexpr std::size_t kTriangleColumns = 5;
 
 // Adds the accessors of triangles, whose positions lie within the piece's limits. Returns the

@@ -12,9 +12,10 @@
 namespace tractus::exports {
 namespace {
 
-// Index 65,535 is excluded, since it restarts strips (glTF 2.0 section 3.7.2.1).
+// Maximum number of vertices for 16-bit indices. Index 65,535 is excluded, since it restarts strips
+// (glTF 2.0 section 3.7.2.1).
 constexpr std::size_t kMaxShortVertices = 65535;
-// Most vertices of a branch have equal wind data, so these compress well: expected factor.
+// Expected compression factor of wind data, high since most vertices of a branch have equal data.
 constexpr std::uint64_t kWindCompression = 8;
 
 auto fail_large(PlacedMesh const& placed)
@@ -45,7 +46,7 @@ std::uint64_t triangle_bytes(mesh::MeshExtent const& extent, SurfaceFormat const
         + rounded_up(extent.indices * static_cast<std::uint64_t>(format.indices().element_bytes));
 }
 
-// Expected compressed size, from the average of exported trees and collections of plants.
+// Expected compressed size of triangles, from the average of exported trees and plant collections.
 std::uint64_t compressed_triangle_bytes(mesh::MeshExtent const& extent, SurfaceFormat const& format)
 {
     return extent.vertices * (format.tangents ? 11 : 9) + extent.indices;
@@ -81,13 +82,13 @@ void encode_prototype(TriangleView const& triangles, SurfaceFormat format, bool 
                       EncodedPiece& piece)
 {
     if (compressed)
-        format.short_indices = false; // As the codec requires.
+        format.short_indices = false; // The codec requires 32-bit indices.
     encode_triangles(triangles, format, piece);
     if (compressed)
         compress_triangles(format, {}, piece);
 }
 
-// Lists the minimum coverage of all levels.
+// Lists the minimum coverages of a plant and of its levels of detail.
 Json coverages(PlacedMesh const& placed)
 {
     auto of_levels = Json::array({ json_number(placed.min_coverage) });
@@ -174,7 +175,7 @@ Result<void> GlbFile::begin_level(LevelInFile const& level, MeshPieces const& pl
     return {};
 }
 
-// The binary chunk.
+// Writing to the binary chunk.
 
 GlbColumn GlbFile::open(NumberFormat const& format, std::size_t count, std::size_t stream,
                         EncodedPiece const& piece)
@@ -229,7 +230,7 @@ void GlbFile::write(Columns& columns, EncodedPiece const& piece)
             stream_.write(columns[i].block, piece.streams[i]);
 }
 
-// Surfaces.
+// Writing surfaces.
 
 Json GlbFile::add_primitive(Columns const& columns, EncodedPiece const& limits,
                             std::size_t material)
@@ -240,7 +241,7 @@ Json GlbFile::add_primitive(Columns const& columns, EncodedPiece const& limits,
     return primitive;
 }
 
-// Each compressed piece becomes a primitive of its own.
+// Writes a piece of a surface. Each compressed piece becomes a primitive of its own.
 Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, EncodedPiece const& piece)
 {
     auto const& surface = plant_->surfaces()[index];
@@ -250,7 +251,7 @@ Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, Encoded
             : materials_.add_picture(plant_->picture_png());
     if (!piece.is_finite)
         return fail_infinite("a coordinate");
-    // Pieces of a mesh with many unused vertices may have no triangles.
+    // A compressed piece of a mesh with many unused vertices may have no triangles.
     bool const has_triangles = !is_compressed() || piece.extent.indices > 0;
     if (!open_ && has_triangles) {
         auto const& extent = is_compressed() ? piece.extent : surface.extent;
@@ -279,9 +280,9 @@ Result<void> GlbFile::check() const
     return stream_.check();
 }
 
-// Organs.
+// Writing organs.
 
-// Equal prototypes with equal materials are written once.
+// Returns the index of a prototype's mesh. Equal prototypes with equal materials are written once.
 Result<std::size_t> GlbFile::prototype_index(mesh::TriangleMesh const& prototype)
 {
     auto const& material = plant_->material(prototype.material);
@@ -317,7 +318,7 @@ Result<std::size_t> GlbFile::prototype_index(mesh::TriangleMesh const& prototype
     return index;
 }
 
-// Each compressed piece becomes a node of its own.
+// Writes some instances of an organ. Each compressed piece becomes a node of its own.
 Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiece const& piece)
 {
     auto const& organ = plant_->organs()[index];
@@ -359,7 +360,7 @@ void GlbFile::add_instanced_node(Columns const& columns)
 void GlbFile::add_organ_nodes(std::size_t mesh, std::span<mesh::InstanceTransform const> instances,
                               std::span<mesh::WindVertex const> wind)
 {
-    Json node; // Reused, so that its members are allocated once.
+    Json node; // Reused for all organs, so that its members are allocated once.
     node["mesh"] = mesh;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         auto const placed = to_gltf(instances[i]);
@@ -372,7 +373,7 @@ void GlbFile::add_organ_nodes(std::size_t mesh, std::span<mesh::InstanceTransfor
     }
 }
 
-// Nodes.
+// Writing nodes.
 
 void GlbFile::add_child(Json const& node)
 {
@@ -398,8 +399,8 @@ void GlbFile::add_surfaces(Json& node)
                 { "scale", json_numbers(Vec3::Constant(vertices.step_m).eval()) } });
 }
 
-// The coarser levels are not part of the scene: programs without the extension show the finest
-// level.
+// Coarser levels are not part of the scene, so that programs without the extension MSFT_lod show
+// the finest level.
 void GlbFile::end_level()
 {
     Json node;

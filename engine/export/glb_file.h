@@ -19,7 +19,7 @@ namespace tractus::exports {
 
 // Number formats of a plant's pieces.
 struct PlantFormat {
-    SurfaceFormat vertices {}; // For surfaces, except for the size of indices.
+    SurfaceFormat vertices {}; // Format of surfaces, except for the size of indices.
     InstanceFormat instances {};
 
     SurfaceFormat of(MeshPieces const& plant, MeshPieces::Surface const& surface) const;
@@ -33,7 +33,7 @@ std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options);
 // One level of detail of a plant being written.
 struct LevelInFile {
     PlacedMesh const* placed = nullptr;
-    std::size_t number = 0; // 0: the plant itself; then its levels of detail.
+    std::size_t number = 0; // 0: the plant itself; 1 and more: its coarser levels, finest first.
 
     MeshSource const& source() const
     {
@@ -90,21 +90,22 @@ private:
     std::uint64_t json_room_;
     GltfJson json_;
     GltfMaterials materials_;
-    std::map<std::string, std::size_t> prototypes_; // Prototype indices, by material and arrays.
+    // Index in the JSON's meshes of each prototype, by its material and the bytes of its arrays.
+    std::map<std::string, std::size_t> prototypes_;
     GlbSummary summary_;
     std::uint64_t json_bytes_ = 0;
 
-    // The level that is being written.
+    // State of the level that is being written.
     LevelInFile level_;
     MeshPieces const* plant_ = nullptr;
     PlantFormat format_;
     Json primitives_;
     std::vector<std::size_t> children_;
     Json finest_; // The plant's node, to which the coarser levels are still to be added.
-    std::vector<std::size_t> coarser_;      // Nodes of the coarser levels.
+    std::vector<std::size_t> coarser_;      // Node indices of the plant's coarser levels.
     std::optional<Columns> open_;           // The surface or organ whose pieces are being written.
-    EncodedPiece limits_;                   // Limits of its positions so far.
-    std::optional<std::size_t> open_index_; // Index of its material or prototype.
+    EncodedPiece limits_;                   // Limits of the positions in open_ so far.
+    std::optional<std::size_t> open_index_; // Index of the surface's material or the organ's mesh.
 };
 
 } // namespace tractus::exports

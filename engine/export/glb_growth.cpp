@@ -21,7 +21,7 @@ constexpr NumberFormat kVectors {};
 constexpr NumberFormat kNumbers { ComponentType::Float, 1, false, 4 };
 constexpr std::size_t kVerticesAtOnce = 16 << 10;
 
-// Displacements of vertices or normals in glTF's frame, divided into consecutive pieces.
+// Displacements of a surface's vertices or normals, in glTF's frame, and their limits.
 struct Steps {
     BulkVector<Vec3f> steps;
     Vec3f low = Vec3f::Zero();
@@ -64,7 +64,7 @@ public:
 
     Result<void> write();
 
-    // Returns no value if the JSON exceeds its space.
+    // Fills in the headers and the JSON. Returns no value if the JSON exceeds its space.
     Result<std::optional<GlbSummary>> finish();
     std::uint64_t json_bytes() const { return json_bytes_; }
 
@@ -81,12 +81,12 @@ private:
     GltfJson json_;
     GlbStream stream_;
     GltfMaterials materials_;
-    Json primitives_ = Json::array(); // One for each surface.
+    Json primitives_ = Json::array(); // One primitive for each surface.
     Json names_ = Json::array();      // Names of the morph targets.
     GlbSummary summary_;
     std::uint64_t json_bytes_ = 0;
 
-    // Reused from age to age.
+    // Buffers for one age, reused from age to age.
     std::vector<mesh::AgedMesh::Vertices> vertices_;
     Steps positions_;
     Steps normals_;
@@ -194,8 +194,8 @@ GlbColumn FilmWriter::add_numbers(std::span<float const> values)
     return column;
 }
 
-// Animates the weights: at the time of each age its own target has weight 1; at the last one, all
-// weights are 0.
+// Animates the weights of the morph targets: at the time of each age its own target has weight 1;
+// at the last age, all weights are 0.
 void FilmWriter::add_animation()
 {
     auto const count = film_.ages.size();
@@ -231,8 +231,8 @@ Result<std::optional<GlbSummary>> FilmWriter::finish()
     return std::optional(summary_);
 }
 
-// Checks the total size: the displacements of every vertex at every age, and an allowance for JSON
-// and pictures.
+// Checks the size of the file: the displacements of every vertex at every age, and an allowance for
+// JSON and pictures.
 Result<void> check_size(GrowthFilm const& film)
 {
     constexpr double kRoom = 16 << 20; // Bytes for JSON and pictures.

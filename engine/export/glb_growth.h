@@ -11,9 +11,9 @@ namespace tractus::exports {
 
 // A plant at successive ages, for an animation of its growth.
 struct GrowthFilm {
-    std::string name = "plant"; // UTF-8; invalid bytes become replacement characters.
+    std::string name = "plant"; // Name in UTF-8; invalid bytes become replacement characters.
     mesh::AgedMesh const* mesh = nullptr;
-    std::vector<double> ages {}; // Ascending; the last is the age of mesh->whole().
+    std::vector<double> ages {}; // Ages of the plant, ascending; the last is that of mesh->whole().
     double seconds = 10;         // Duration from the first age to the last; above 0.
 
     // Returns the plant at an age, as for AgedMesh::at(). Called for each age except the last, in

@@ -10,7 +10,8 @@ namespace tractus::exports {
 
 namespace {
 
-constexpr std::size_t kMaxLines = std::size_t { 1 } << 24; // Limit after expanding instances.
+// Maximum number of lines after expanding instances.
+constexpr std::size_t kMaxLines = std::size_t { 1 } << 24;
 
 // Returns the vertices of a primitive in the order of its lines, in glTF's frame.
 Result<std::vector<Vec3>> vertices_in_order(tinygltf::Model const& model,

@@ -19,7 +19,8 @@
 namespace tractus::exports {
 namespace {
 
-constexpr std::size_t kMaxVertices = std::size_t { 1 } << 26; // Limit after expanding instances.
+// Maximum number of vertices after expanding instances.
+constexpr std::size_t kMaxVertices = std::size_t { 1 } << 26;
 
 void compute_normals(mesh::TriangleMesh& mesh)
 {
@@ -35,7 +36,7 @@ void compute_normals(mesh::TriangleMesh& mesh)
     }
 }
 
-// Normalises; a zero normal becomes +z.
+// Normalises normals; a zero normal becomes +z.
 void normalize(std::span<Vec3f> normals)
 {
     for (auto& normal : normals) {
@@ -205,7 +206,7 @@ private:
         surface.material = part.material;
         auto const base = static_cast<std::uint32_t>(surface.positions_mm.size());
         Eigen::Matrix3d const linear = place.linear();
-        // Transforms normals, and flips them if the transform mirrors.
+        // The cofactors transform normals, which are flipped below if the transform mirrors.
         Eigen::Matrix3d cofactors;
         cofactors << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
             linear.col(0).cross(linear.col(1));

@@ -10,7 +10,7 @@ static_assert(std::endian::native == std::endian::little, "glTF is little-endian
 
 namespace {
 
-// glTF 2.0 section 4.4.
+// Constants of the binary file layout (glTF 2.0 section 4.4).
 constexpr std::uint32_t kMagic = 0x46546C67;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;

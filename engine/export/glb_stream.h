@@ -17,12 +17,12 @@ class GlbStream {
 public:
     // A block of the binary chunk, filled from its beginning.
     struct Block {
-        std::uint64_t start = 0; // Offset in the chunk; a multiple of four.
+        std::uint64_t start = 0; // Offset of the block in the binary chunk; a multiple of four.
         std::uint64_t size = 0;
         std::uint64_t written = 0;
     };
 
-    // `json_room`: a multiple of four.
+    // `json_room`: size of the JSON chunk in bytes; a multiple of four.
     GlbStream(std::ostream& out, std::uint64_t json_room);
 
     // Reserves space at the end of the binary chunk.
@@ -31,11 +31,11 @@ public:
     // Appends to a block. Writes to several open blocks may alternate.
     void write(Block& block, std::span<std::byte const> bytes);
 
-    // Fills in the headers and the JSON, which must fit in its space; all blocks must be full.
+    // Fills in the headers and the JSON, which must fit in its chunk; all blocks must be full.
     // Fails if the stream has failed.
     Result<void> finish(std::string_view json);
 
-    Result<void> check() const; // Fails if the stream has failed.
+    Result<void> check() const; // Fails if writing to the stream has failed.
 
     std::uint64_t binary_bytes() const { return binary_bytes_; }
     std::uint64_t file_bytes() const;
@@ -51,7 +51,7 @@ private:
     std::uint64_t json_room_;
     std::streamoff start_;
     std::uint64_t at_ = 0;  // Current position of the stream, from start_.
-    std::uint64_t end_ = 0; // End of what has been written.
+    std::uint64_t end_ = 0; // End of the data written so far, from start_.
     std::uint64_t binary_bytes_ = 0;
 };
 

@@ -15,7 +15,7 @@ namespace tractus::exports {
 namespace {
 
 constexpr std::size_t kInstancesAtOnce = 16 << 10;
-// Other plants are expected to have at least this share of the size of the first.
+// Every other plant is expected to have at least this share of the first plant's size.
 constexpr double kLikelyShare = 0.8;
 
 std::unique_ptr<MeshPieces const> pieces_for(MeshSource const& source, GlbOptions const& options)
@@ -30,8 +30,8 @@ std::unique_ptr<MeshPieces const> pieces_for(MeshSource const& source, GlbOption
                                                              : MeshPieces::Cut::OneSurface);
 }
 
-// A level of a plant being written. Shared by its pieces in progress; the last of them frees it, so
-// that plants already written take no memory.
+// A level of a plant being written. It is shared by its pieces in progress; the last of them frees
+// it, so that plants already written take no memory.
 struct PlantOnItsWay {
     LevelInFile level;
     std::unique_ptr<MeshPieces const> pieces;
@@ -49,7 +49,7 @@ struct Unit {
     std::size_t piece_count = 0;
     bool begins_level = false;
 
-    // Reused for one unit after another.
+    // Memory that is reused for one unit after another.
     MeshPieces::Buffer buffer {};
     std::vector<mesh::WindVertex> wind {};
     EncodedPiece encoded {};
@@ -57,10 +57,10 @@ struct Unit {
     bool is_last() const { return piece + 1 == piece_count; }
 };
 
-// Enumerates the units in order. Grows and plans each plant when needed.
+// Enumerates the units of work of all plants in order. Grows and plans each plant when needed.
 class Units {
 public:
-    // `first`: pieces of the first plant, if there is one.
+    // `first`: pieces of the first plant, which are then not made again; null if there is no plant.
     Units(std::span<PlacedMesh const> plants, GlbOptions const& options,
           std::unique_ptr<MeshPieces const> first)
         : plants_(plants)
@@ -106,7 +106,7 @@ private:
         return true;
     }
 
-    // Number of pieces of the current surface or organ.
+    // Returns the number of pieces of the current surface or organ.
     std::size_t piece_count() const
     {
         auto const& pieces = *plant_->pieces;
@@ -192,7 +192,7 @@ Result<void> write(Unit const& unit, GlbFile& file)
     return {};
 }
 
-// Makes pieces on all threads and writes them in order.
+// Encodes the pieces of plants on all threads and writes them in order.
 Result<void> write_plants(Units units, GlbOptions const& options, GlbFile& file)
 {
     std::vector<Unit> slots(static_cast<std::size_t>(thread_count()) + 1);
@@ -214,9 +214,9 @@ Result<void> write_plants(Units units, GlbOptions const& options, GlbFile& file)
 struct FirstPlant {
     std::unique_ptr<MeshPieces const> pieces {};
     std::uint64_t bytes = 0;
-    std::uint64_t compressed_bytes = 0; // Size if it were compressed.
+    std::uint64_t compressed_bytes = 0; // Size of the plant if it were compressed.
     std::uint64_t json_bytes = 0;
-    std::uint64_t shared_json_bytes = 4000; // JSON of materials and prototypes.
+    std::uint64_t shared_json_bytes = 4000; // Size of the JSON of materials and prototypes.
 };
 
 // Numbers of primitives for surfaces and of nodes for instances; if compressed, one for each piece.
@@ -230,7 +230,7 @@ std::pair<std::size_t, std::size_t> counts_in_json(MeshPieces const& pieces,
         primitives += surface.piece_count;
     std::size_t nodes = 0;
     for (auto const& organ : pieces.organs())
-        nodes += 2 + organ.instances.size() / kInstancesAtOnce; // Includes the prototype.
+        nodes += 2 + organ.instances.size() / kInstancesAtOnce; // One of the two: the prototype.
     return { primitives, nodes };
 }
 
@@ -262,8 +262,8 @@ FirstPlant measure_first(PlacedMesh const& placed, GlbOptions const& options)
     return first;
 }
 
-// Estimates the space for the JSON from the first plant. If it is too small the file is written a
-// second time.
+// Estimates the size of the JSON from the first plant. If the estimate is too small, the file is
+// written a second time.
 std::uint64_t guess_json_bytes(std::span<PlacedMesh const> plants, FirstPlant const& first)
 {
     std::uint64_t bytes = first.shared_json_bytes;
@@ -280,7 +280,8 @@ auto fail_large(std::size_t plants, double bytes, std::string_view about)
                             plants, about, bytes / 0x1p30));
 }
 
-// Checks the total size of the plants; those that are functions are assumed to be like the first.
+// Checks the total size of the plants. All except uncompressed meshes in memory are assumed to be
+// like the first.
 Result<void> check_size(std::span<PlacedMesh const> plants, FirstPlant const& first,
                         GlbOptions const& options)
 {

@@ -15,7 +15,7 @@ constexpr std::uint64_t kMaxGlbBytes = 0xFFFFFFFF;
 
 struct GlbSummary {
     std::uint64_t bytes = 0;     // Size of the whole file.
-    std::uint64_t triangles = 0; // As drawn: counting every instance, the finest level only.
+    std::uint64_t triangles = 0; // Triangles of the finest levels, with those of every instance.
     // Approximate size with Vertices::Compressed; set for before_writing() only.
     std::uint64_t compressed_bytes = 0;
 };
@@ -65,8 +65,8 @@ struct GlbOptions {
     Textures textures = Textures::Embedded;
     Vertices vertices = Vertices::Float;
 
-    // Called before anything is written with the expected summary: an estimate as if all plants
-    // were like the first, without JSON and textures.
+    // Called with the expected summary before anything is written. It is an estimate as if all
+    // plants were like the first, without JSON and textures.
     std::function<void(GlbSummary const& expected)> before_writing {};
 };
 
@@ -88,7 +88,7 @@ struct GlbOptions {
 Result<GlbSummary> write_glb(std::ostream& out, std::span<PlacedMesh const> plants,
                              GlbOptions const& options = {});
 
-// Size of a mesh in such a file, without JSON and textures; approximate if it is compressed.
+// Size of a mesh in a .glb file, without JSON and textures; approximate if it is compressed.
 std::uint64_t glb_bytes(mesh::Mesh const& mesh, GlbOptions const& options = {});
 
 } // namespace tractus::exports

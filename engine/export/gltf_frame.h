@@ -43,7 +43,7 @@ inline mesh::InstanceTransform to_gltf(mesh::InstanceTransform const& instance)
              { s.x(), s.z(), s.y() } };
 }
 
-// The inverse of to_gltf().
+// Converts an instance from glTF's frame: the inverse of to_gltf().
 inline mesh::InstanceTransform from_gltf(mesh::InstanceTransform const& instance)
 {
     auto const& r = instance.rotation;

@@ -14,8 +14,8 @@ Json json_number(double value)
     return value;
 }
 
-// The library writes doubles only, so this uses the double nearest to the float's shortest decimal
-// form.
+// The JSON library writes doubles only, so a float becomes the double nearest to its shortest
+// decimal form.
 Json json_number(float value)
 {
     if (!std::isfinite(value))

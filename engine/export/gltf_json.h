@@ -9,7 +9,7 @@
 
 namespace tractus::exports {
 
-// Keeps members in the order of insertion.
+// A JSON value that keeps the members of objects in the order of insertion.
 using Json = nlohmann::ordered_json;
 
 // Returns a number that reads back as the same double or float; a float has no digits that only a
@@ -50,7 +50,7 @@ struct GltfJson {
     std::vector<std::size_t> scene; // The scene's root nodes.
     JsonArray nodes, meshes, materials, textures, images, samplers, accessors, buffer_views,
         animations;
-    // Names of extensions that a reader must support, and of those it may ignore.
+    // Names of extensions that a reader must support, and of those that it may ignore.
     std::set<std::string> required_extensions;
     std::set<std::string> optional_extensions;
     // Size of the fallback buffer, which is declared but not stored: compressed views refer to

@@ -7,14 +7,15 @@
 
 namespace tractus::exports {
 
-// Conversion of an sRGB value to linear light and back (IEC 61966-2-1); 0 to 1.
+// Convert an sRGB value to linear light and back (IEC 61966-2-1); both from 0 to 1.
 double linear_from_srgb(double srgb);
 double srgb_from_linear(double linear);
 
 // Converts a colour to linear light, clamped to 0 to 1.
 Vec3 linear_color(Vec3f const& srgb);
 
-// Name of a material kind in the extras of a glTF material, and the inverse.
+// Convert a material kind to its name in the extras of a glTF material, and back; no value for an
+// unknown name.
 std::string_view material_kind_name(Material::Kind kind);
 std::optional<Material::Kind> parse_material_kind(std::string_view word);
 

@@ -31,8 +31,8 @@ private:
     GltfJson& json_;
     GlbStream& stream_;
     bool has_textures_;
-    std::map<std::string, std::size_t> textures_; // By the picture's bytes.
-    std::map<std::string, std::size_t> indices_;  // By the material's JSON.
+    std::map<std::string, std::size_t> textures_; // Texture indices, by the picture's bytes.
+    std::map<std::string, std::size_t> indices_;  // Material indices, by the material's JSON.
 };
 
 } // namespace tractus::exports

@@ -13,7 +13,8 @@ namespace tractus::exports {
 
 namespace {
 
-constexpr std::size_t kMaxPlaces = std::size_t { 1 } << 24; // Limit for all meshes together.
+// Maximum number of instances of all meshes together.
+constexpr std::size_t kMaxPlaces = std::size_t { 1 } << 24;
 constexpr int kDeepestJson = 64;
 constexpr std::string_view kInstancing = "EXT_mesh_gpu_instancing";
 
@@ -24,7 +25,7 @@ std::uint32_t u32_at(std::string_view bytes, std::size_t offset)
     return value;
 }
 
-// Counts the nesting depth in advance, since the parser is recursive.
+// True if the JSON is nested too deeply for the recursive parser.
 bool is_too_deep(std::string_view json)
 {
     int depth = 0;
@@ -86,7 +87,7 @@ Result<void> load_json(std::string_view bytes, tinygltf::Model& model)
     return {};
 }
 
-// Fails if a required extension is unknown; those that only change appearance may be ignored.
+// Fails if the file requires an unknown extension, unless that only changes the appearance.
 Result<void> check_extensions(tinygltf::Model const& model)
 {
     for (auto const& name : model.extensionsRequired) {
@@ -110,7 +111,7 @@ public:
     {
     }
 
-    // Uses the default scene; without scenes, all root nodes.
+    // Visits the default scene; without scenes, all root nodes.
     Result<void> collect()
     {
         for (auto const node : roots())
@@ -201,8 +202,8 @@ private:
         return {};
     }
 
-    // Reads an accessor of the extension's attributes. Returns no value if there is none of that
-    // name.
+    // Reads one attribute of EXT_mesh_gpu_instancing, one element per instance. The result is empty
+    // if there is none of that name.
     template<std::size_t Components>
     Result<std::vector<std::array<float, Components>>> attribute(tinygltf::Value const& extension,
                                                                  char const* name)

@@ -7,7 +7,7 @@
 namespace tractus::exports {
 namespace {
 
-// Limit on the expansion: 256 bytes that are all equal take four bytes of headers.
+// Maximum ratio of decompressed to compressed size: 256 equal bytes take four bytes of headers.
 constexpr std::uint64_t kMaxExpansion = 64;
 constexpr std::uint64_t kMaxStride = 256;
 
@@ -43,7 +43,7 @@ char const* flaw_in_indices(CompressedElements const& elements)
     bool const are_triangles = elements.mode == CodecMode::Triangles;
     if (are_triangles && elements.count % 3 != 0)
         return "holds a part of a triangle";
-    // Each element takes at least one byte.
+    // Each index or triangle takes at least one byte.
     if (elements.count / (are_triangles ? 3 : 1) > elements.bytes.size())
         return "claims more elements than it can hold";
     return nullptr;

@@ -27,9 +27,9 @@ struct CompressedElements {
     std::span<std::byte const> bytes {};
 };
 
-// Returns the reason why such elements cannot be decompressed, whatever the bytes, as the end of a
-// sentence; null if there is none. Their decompressed size is then at most 64 times the compressed
-// size.
+// Returns a reason why elements of these dimensions cannot be decompressed, regardless of their
+// bytes, as the end of a sentence. Returns null if there is none: then the decompressed size is at
+// most 64 times the compressed size.
 char const* find_flaw(CompressedElements const& elements);
 
 // Decompresses elements for which find_flaw() is null into `to`, of count * stride bytes. Safe for

@@ -11,7 +11,8 @@ namespace tractus::exports {
 namespace {
 
 constexpr std::size_t kPieceVertices = 12 << 10;
-// Number of plan pieces per mesh: about as many as 16-bit indices can address.
+// Number of planned pieces in a mesh of its own (Cut::OwnMeshes): its vertices are about as many as
+// 16-bit indices can address.
 constexpr std::size_t kPiecesOfOwnMesh = 4;
 
 // A range of an organ's copies.
@@ -27,7 +28,7 @@ Copies copies_in(std::size_t count, std::size_t piece, std::size_t piece_count)
 
 // Transforms an organ's normals to the plant's frame.
 struct NormalTurn {
-    // Uses the cofactors of the scale, which, unlike its inverse, exist if a scale is zero.
+    // Uses the cofactors of the scale, which, unlike its inverse, exist even if a scale is zero.
     explicit NormalTurn(mesh::InstanceTransform const& instance)
         : rotation(instance.rotation.toRotationMatrix())
         , is_mirrored(instance.scale.prod() < 0)
@@ -45,7 +46,7 @@ struct NormalTurn {
     }
 
     Eigen::Matrix3f rotation;
-    bool is_mirrored; // If true, the orientation of triangles is reversed, too.
+    bool is_mirrored; // True: the organ is mirrored, so its triangles must be reversed, too.
     Vec3f factors;
 };
 
@@ -120,9 +121,9 @@ MeshPieces::MeshPieces(MeshSource const& source, Organs organs, Tangents tangent
         merge_organs();
 }
 
-// A surface in memory is cut anywhere, even through the triangles of a vertex, so all its tangents
-// are computed at once, when a piece is first requested: callers that only need a file's size do
-// not request any.
+// Returns the tangents of a surface in memory. The surface is cut anywhere, even through the
+// triangles of a vertex, so all its tangents are computed at once, when a piece is first requested:
+// callers that only need a file's size do not request any.
 std::span<Eigen::Vector4f const> MeshPieces::tangents_of_mesh(std::size_t surface) const
 {
     std::call_once(mesh_tangents_found_, [&] {
@@ -176,7 +177,7 @@ void MeshPieces::add_surface(MaterialId material, mesh::MeshExtent const& extent
     surfaces_.push_back({ material, extent, piece_count });
 }
 
-// Adds a surface for materials that have none yet.
+// Appends the pieces of organs to the surfaces with their materials, or to new surfaces.
 void MeshPieces::merge_organs()
 {
     auto const organs = all_organs();
@@ -210,7 +211,8 @@ std::span<mesh::InstancedMesh const> MeshPieces::organs() const
     return is_merged_ ? std::span<mesh::InstancedMesh const>() : all_organs();
 }
 
-// Finds the last run that begins at or before the piece, since a run may be empty.
+// Returns the run that contains the piece: the last one that begins at or before it, since runs may
+// be empty.
 MeshPieces::Run const& MeshPieces::run_of(std::size_t surface, std::size_t piece) const
 {
     auto const& runs = runs_[surface];

@@ -11,15 +11,15 @@
 
 namespace tractus::exports {
 
-// A part of a surface, in whatever memory. Indices count from the surface's first vertex; the first
-// vertex of this part has the index `first_vertex`.
+// A part of a surface, whose memory belongs to others. Indices count from the surface's first
+// vertex; the first vertex of this part has the index `first_vertex`.
 struct TriangleView {
     std::span<Vec3f const> positions_mm;
     std::span<Vec3f const> normals;
     std::span<Vec2f const> texture_coordinates;
     std::span<std::uint32_t const> indices;
     std::uint32_t first_vertex = 0;
-    std::span<Eigen::Vector4f const> tangents {}; // From find_tangents(); empty if not needed.
+    std::span<Eigen::Vector4f const> tangents {}; // As from find_tangents(); empty if not needed.
 };
 
 TriangleView view_of(mesh::TriangleMesh const& mesh, std::uint32_t first_vertex = 0);
@@ -51,16 +51,16 @@ public:
         std::size_t piece_count = 0;
     };
     std::span<Surface const> surfaces() const { return surfaces_; }
-    std::span<mesh::InstancedMesh const> organs() const; // Empty if they are merged.
+    std::span<mesh::InstancedMesh const> organs() const; // Empty if organs are merged.
     Material const& material(MaterialId id) const;
-    std::uint64_t triangle_count() const; // As drawn: counting every instance.
-    // Writes the wind data of a piece's vertices into `buffer`; does nothing if there are none.
+    std::uint64_t triangle_count() const; // Number of triangles, with those of every instance.
+    // wind() writes the wind data of a piece's vertices into `buffer`: nothing if !has_wind().
     bool has_wind() const { return wind_.has_value(); }
     void wind(std::size_t surface, std::size_t piece, std::vector<mesh::WindVertex>& buffer) const;
     // Returns the wind data of an organ's instances.
     std::span<mesh::WindVertex const> organ_wind(std::size_t organ) const;
 
-    // A billboard's picture in PNG, for all of its surfaces; empty if this is no billboard.
+    // Picture of a billboard in PNG, for all of its surfaces; empty if the source is no billboard.
     std::string const& picture_png() const { return picture_png_; }
     // Box around all surfaces, computed without making their triangles.
     Bounds bounds_mm() const;
@@ -79,10 +79,10 @@ public:
     TriangleView piece(std::size_t surface, std::size_t piece, Buffer& buffer) const;
 
 private:
-    // Consecutive pieces of a surface that come from the same source.
+    // Consecutive pieces of a surface that come from one surface of the source or from one organ.
     struct Run {
         enum class Of { Surface, Organ } of = Of::Surface;
-        std::size_t index = 0; // Index of the surface in the plan or mesh, or of the organ.
+        std::size_t index = 0; // Index of that surface in the plan or mesh, or of the organ.
         std::size_t first_piece = 0;
         std::size_t piece_count = 0;
         mesh::MeshExtent start {}; // Extent of everything before the run in the surface.
@@ -99,8 +99,8 @@ private:
     }
     Run const& run_of(std::size_t surface, std::size_t piece) const;
     TriangleView triangles_of(Run const& run, std::size_t piece, Buffer& buffer) const;
-    // Index of the first piece of the plan that belongs to a piece here; for the number of pieces,
-    // `planned_pieces`.
+    // Index of the first piece of plan_ that belongs to `piece`, or `planned_pieces`, the number of
+    // plan_'s pieces, if `piece` is past the last one.
     std::size_t planned_piece(std::size_t piece, std::size_t planned_pieces) const;
     std::size_t piece_vertices() const;
     TriangleView mesh_piece(Run const& run, std::size_t piece) const;
@@ -113,16 +113,17 @@ private:
     std::optional<mesh::Mesh> made_;
     std::string picture_png_;
     std::optional<Plant> grown_;
-    mesh::Mesh const* mesh_ = nullptr; // Either the mesh is set,
-    Plant const* plant_ = nullptr;     // or the plant, with its plan and organs.
+    // Either mesh_ is set, or plant_ with plan_ and organs_.
+    mesh::Mesh const* mesh_ = nullptr;
+    Plant const* plant_ = nullptr;
     std::optional<mesh::MeshPlan> plan_;
     std::vector<mesh::InstancedMesh> organs_;
     std::optional<mesh::WindKey> wind_;
-    std::vector<std::vector<mesh::WindVertex>> organ_wind_; // By organ shape of the plant.
+    std::vector<std::vector<mesh::WindVertex>> organ_wind_; // Wind data, by organ shape and copy.
     std::vector<Surface> surfaces_;
-    std::vector<std::vector<Run>> runs_; // By surface, in order.
+    std::vector<std::vector<Run>> runs_; // Runs of each surface, in order.
     mutable std::once_flag mesh_tangents_found_;
-    // By surface of mesh_; empty for most.
+    // Tangents of each surface of mesh_; empty for surfaces without a normal map.
     mutable std::vector<BulkVector<Eigen::Vector4f>> mesh_tangents_;
     bool is_merged_ = false;
     bool has_own_meshes_ = false;

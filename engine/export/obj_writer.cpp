@@ -15,7 +15,7 @@
 namespace tractus::exports {
 namespace {
 
-// Names in OBJ files end at a space.
+// Returns a name as one word, since names in OBJ files end at a space.
 std::string name_word(std::string const& name)
 {
     std::string word = name.empty() ? "unnamed" : name;
@@ -126,7 +126,7 @@ private:
     Eigen::Isometry3d place_ = Eigen::Isometry3d::Identity();
     MaterialNames names_;
     std::string used_;
-    std::size_t next_ = 1; // OBJ numbers vertices from 1 throughout the file.
+    std::size_t next_ = 1; // Number of the next vertex; OBJ counts from 1 throughout the file.
 };
 
 Result<void> check(std::ostream& out)
@@ -168,7 +168,7 @@ public:
     void add(std::string const& name, Material const& material)
     {
         auto const& color = material.base_color;
-        // The usual Blinn-Phong exponent for a roughness: 2 / roughness^4 - 2.
+        // Ns is the usual Blinn-Phong exponent for a roughness: 2 / roughness^4 - 2.
         double const alpha = std::max(0.05, double { material.roughness } * material.roughness);
         out_ << fmt::format("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\nKs 0.04 0.04 0.04\nNs {:.2f}\n"
                             "Pr {:.4f}\nPm 0\nillum 2\n",
@@ -185,7 +185,7 @@ public:
         }
         if (textures.normal) {
             auto const picture = add_picture(name + "-normal", textures.normal->bytes);
-            // The keyword that Blender reads.
+            // Blender reads the normal map from map_Bump.
             out_ << "norm " << picture << "\nmap_Bump " << picture << '\n';
         }
     }

@@ -25,12 +25,12 @@ struct MtlPicture {
 };
 
 // Writes the materials of the same plants as a .mtl file: colours, roughness (Pr, Pm and Ns) and
-// pictures. Returns the pictures; their names begin with `stem`, and without a stem none are
-// written. Plants given as functions are made again.
+// pictures. Returns the pictures, whose names begin with `stem`; if `stem` is empty there are none.
+// Plants given as functions are made again.
 //
-// Translucency and occlusion are left out, since MTL does not support them. A colour picture
-// contains the material's own colour, since not every reader multiplies the two. Fails if the
-// stream fails.
+// Translucency and occlusion are left out, since MTL does not support them. A colour picture is
+// multiplied by the material's own colour, since not every reader does that. Fails if the stream
+// fails.
 Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants,
                                           std::string_view stem = {});
 

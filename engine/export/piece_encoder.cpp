@@ -58,7 +58,7 @@ void encode_normals(std::span<Vec3f const> normals, EncodedPiece& piece)
     }
 }
 
-// Rounds half away from zero; unlike std::round() it is inlined.
+// Rounds to the nearest integer, halves away from zero; unlike std::round() it is inlined.
 std::int32_t rounded(float value)
 {
     return static_cast<std::int32_t>(value + std::copysign(0.5f, value));
@@ -83,7 +83,7 @@ public:
         return round_to_integer_bits(number) & 0xFFFF;
     }
 
-    // Limits of the numbers written.
+    // Least and greatest of the numbers written (`low`, `high`).
     float low() const { return std::nearbyint(std::min({ low_[0], low_[1], low_[2], low_[3] })); }
     float high() const
     {
@@ -163,7 +163,8 @@ Codec filtered_by(SurfaceFormat const& format, Codec codec)
     return format.filtered ? codec : Codec::Attributes;
 }
 
-// Indices are not converted: the codec takes 32-bit ones.
+// Encodes normals, texture coordinates and tangents for the filters. Indices are not converted: the
+// codec takes 32-bit ones.
 void encode_filtered(TriangleView const& triangles, SurfaceFormat const& format,
                      EncodedPiece& piece)
 {
@@ -217,9 +218,9 @@ SurfaceFormat quantized_format(Bounds const& bounds_mm)
     if (bounds_mm.empty() || !size_mm.allFinite() || !(size_mm.maxCoeff() > 0))
         return format;
     Vec3 const center_mm = 0.5 * (bounds_mm.min_mm + bounds_mm.max_mm);
-    // Rounded to float, because vertices are stored relative to the rounded origin.
+    // The origin is rounded to float, because vertices are encoded relative to the rounded origin.
     format.origin_m = to_gltf(center_mm).cast<float>().cast<double>();
-    // Slightly more than the size requires, so that rounding stays within 16 bits.
+    // The step is slightly larger than the size requires, so that rounding stays within 16 bits.
     format.step_m = 0.001 * size_mm.maxCoeff() / (2 * (double { kMaxShort } - 1));
     return format;
 }
@@ -289,7 +290,7 @@ void encode_instances(std::span<mesh::InstanceTransform const> instances,
             *scale++ = placed.scale[k];
         }
         for (int k = 0; k < 4; ++k) {
-            float const value = placed.rotation.coeffs()[k]; // x, y, z, w.
+            float const value = placed.rotation.coeffs()[k]; // In the order x, y, z, w.
             auto const at = 4 * i + static_cast<std::size_t>(k);
             if (format.quantized)
                 short_rotation[at] = static_cast<std::int16_t>(

@@ -30,23 +30,23 @@ struct NumberFormat {
     ComponentType type = ComponentType::Float;
     int components = 3;
     bool normalized = false;
-    int element_bytes = 12; // A multiple of four, except for indices.
+    int element_bytes = 12; // Size of an element; a multiple of four, except for indices.
     Codec codec = Codec::Attributes;
 };
 
 // Number formats of a surface's vertices.
 struct SurfaceFormat {
-    // 16-bit positions and 8-bit normals, as KHR_mesh_quantization allows.
+    // True: 16-bit positions and 8-bit normals, as KHR_mesh_quantization allows; false: floats.
     bool quantized = false;
-    // Normals, tangents and texture coordinates are encoded for the filters of
+    // True if normals, tangents and texture coordinates are encoded for the filters of
     // EXT_meshopt_compression; only if quantized.
     bool filtered = false;
     // In metres, glTF's frame: a quantised position is origin_m + step_m * number. The step is the
     // same for all components, so that normals are unaffected.
     Vec3 origin_m = Vec3::Zero();
     double step_m = 1;
-    bool short_indices = false; // Indices have 16 bits.
-    bool tangents = false;      // There are tangents, for a normal map.
+    bool short_indices = false; // True: indices have 16 bits, otherwise 32.
+    bool tangents = false;      // True: vertices have tangents, for a normal map.
 
     NumberFormat positions() const;
     NumberFormat normals() const;
@@ -66,7 +66,7 @@ struct EncodedPiece {
     bool is_finite = true;
     // Numbers of vertices and indices; instances count as vertices.
     mesh::MeshExtent extent {};
-    // Limits of the positions as written; low is above high if there are none.
+    // Limits of the positions as written; low is above high if there are no positions.
     Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity());
     Vec3f high = -low;
 
@@ -82,7 +82,7 @@ void encode_triangles(TriangleView const& triangles, SurfaceFormat const& format
 
 // Number formats for the transforms of organs: translations, rotations, scales.
 struct InstanceFormat {
-    bool quantized = false; // 16-bit rotations, as EXT_mesh_gpu_instancing permits.
+    bool quantized = false; // True: 16-bit rotations, as EXT_mesh_gpu_instancing permits.
 
     static NumberFormat translations();
     NumberFormat rotations() const;

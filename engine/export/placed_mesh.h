@@ -16,7 +16,8 @@ namespace tractus::exports {
 // never all in memory.
 struct PlantToMesh {
     // The plant, or a function that grows it when needed, so that only a few plants are in memory
-    // at a time. The functions are called one after another, but possibly on different threads.
+    // at a time. The functions of several plants are called one after another, but possibly on
+    // different threads.
     std::variant<Plant const*, std::function<Plant()>> plant = static_cast<Plant const*>(nullptr);
     mesh::MeshOptions options {};
     // If given, vertices and organs get wind data (wind.h); in .glb files only.
@@ -31,25 +32,27 @@ using MeshSource = std::variant<mesh::Mesh const*, std::function<mesh::Mesh()>, 
 // A level of detail of a plant.
 struct DetailLevel {
     MeshSource mesh = static_cast<mesh::Mesh const*>(nullptr);
-    double min_coverage = 0; // As PlacedMesh::min_coverage; less than that of the level before.
+    // Share of the screen's area below which the next level replaces this one, as
+    // PlacedMesh::min_coverage; less than that of the level before.
+    double min_coverage = 0;
 };
 
 // One plant of an exported file: a name, a position, and its triangles.
 struct PlacedMesh {
-    std::string name = "plant";      // UTF-8; invalid bytes become replacement characters.
+    std::string name = "plant";      // Name in UTF-8; invalid bytes become replacement characters.
     Vec3 position_mm = Vec3::Zero(); // Position of the plant's origin, world frame.
-    double rotation_rad = 0;         // About the world's +z, counter-clockwise from above.
+    double rotation_rad = 0;         // Rotation about the world's +z, counter-clockwise from above.
 
     MeshSource mesh = static_cast<mesh::Mesh const*>(nullptr);
 
-    // Levels of detail that replace the plant if it covers less than `min_coverage` of the
-    // screen's area, 0 to 1; from the finest to the coarsest. In .glb files only.
+    // Levels of detail, from the finest to the coarsest, that replace the plant if it covers less
+    // than `min_coverage` of the screen's area, 0 to 1. In .glb files only.
     std::vector<DetailLevel> details {};
     double min_coverage = 0;
 };
 
-// Returns the triangles of `source`. If they have to be made they are stored in `made`, and reused
-// if it is filled already. The mesh of a billboard comes without its picture.
+// Returns the triangles of `source`. If they have to be made they are stored in `made`; if that has
+// a value already, it is returned. The mesh of a billboard comes without its picture.
 mesh::Mesh const& mesh_of(MeshSource const& source, std::optional<mesh::Mesh>& made);
 
 } // namespace tractus::exports

@@ -29,7 +29,7 @@ void append_chunk(std::string& bytes, std::string_view type, std::string_view da
     append_u32_be(bytes, libdeflate_crc32(0, bytes.data() + start, bytes.size() - start));
 }
 
-using Bytes = std::unique_ptr<std::uint8_t[]>; // Unlike a vector, not initialised.
+using Bytes = std::unique_ptr<std::uint8_t[]>; // Unlike a vector, it is not initialised.
 
 std::size_t row_bytes(PngPicture const& picture)
 {
@@ -58,8 +58,8 @@ Bytes filtered_rows(PngPicture const& picture)
     return rows;
 }
 
-// Output of deflate, from zlib or libdeflate. libdeflate is several times as fast at level 1; its
-// best level takes longer than it is worth.
+// Compressed rows, from zlib (Small) or libdeflate (Fast). libdeflate is several times as fast at
+// level 1; its best level takes longer than it is worth.
 struct Packed {
     Bytes bytes;
     std::size_t size = 0;
@@ -92,7 +92,7 @@ Packed pack_fast(std::uint8_t const* rows, std::size_t size)
     return { std::move(bytes), packed };
 }
 
-// ISO/IEC 15948 section 11.2.2.
+// Colour type of a PNG file (ISO/IEC 15948 section 11.2.2).
 char colour_type(int channels)
 {
     return channels == 1 ? '\x00' : channels == 3 ? '\x02' : '\x06';
@@ -110,9 +110,9 @@ std::string png_bytes(PngPicture const& picture)
     std::string header;
     append_u32_be(header, static_cast<std::uint32_t>(picture.width));
     append_u32_be(header, static_cast<std::uint32_t>(picture.height));
-    header += '\x08'; // Bit depth.
+    header += '\x08'; // Bit depth of each channel.
     header += colour_type(picture.channels);
-    header.append(3, '\0'); // Deflate, default filters, not interlaced.
+    header.append(3, '\0'); // Compression by deflate, default filters, not interlaced.
 
     std::string bytes = "\x89PNG\r\n\x1a\n";
     append_chunk(bytes, "IHDR", header);

@@ -8,12 +8,12 @@ namespace tractus::exports {
 
 // A picture with 8 bits per channel: rows from the top, pixels from the left, channels interleaved.
 struct PngPicture {
-    int width = 0;    // At least 1.
-    int height = 0;   // At least 1.
+    int width = 0;    // Width in pixels; at least 1.
+    int height = 0;   // Height in pixels; at least 1.
     int channels = 1; // 1: grey; 3: red, green, blue; 4: with alpha, not premultiplied.
     std::span<std::uint8_t const> pixels {};
 
-    // Fast takes a fraction of the time and makes slightly larger files.
+    // Fast compresses in a fraction of the time of Small and makes slightly larger files.
     enum class Packing { Small, Fast };
     Packing packing = Packing::Small;
 };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr char const* kTransmission = "KHR_materials_diffuse_transmission";
 
-// Null if the index is out of range.
+// Returns the item at an index, or null if the index is out of range.
 template<typename T> T const* item_of(std::vector<T> const& items, int index)
 {
     return index >= 0 && static_cast<std::size_t>(index) < items.size()
@@ -97,7 +97,7 @@ private:
         return place->second;
     }
 
-    // Null if the picture is neither PNG nor JPEG, or not in this file.
+    // Returns the picture of a texture; null if it is neither PNG nor JPEG, or not in this file.
     TextureSlot read_picture(int texture) const
     {
         auto const* const from = item_of(model_.textures, texture);
@@ -118,10 +118,10 @@ private:
     }
 
     tinygltf::Model const& model_;
-    std::map<int, TextureSlot> pictures_; // By index of the texture.
+    std::map<int, TextureSlot> pictures_; // Pictures read so far, by index of the texture.
 };
 
-// Reads two numbers from a JSON array; returns `usual` twice if there are none.
+// Reads the two numbers of a JSON array; `usual` replaces missing ones.
 Vec2f two_numbers(tinygltf::Value const& from, char const* name, float usual)
 {
     auto const& list = from.Get(name);
@@ -134,8 +134,8 @@ Vec2f two_numbers(tinygltf::Value const& from, char const* name, float usual)
 
 } // namespace
 
-// The rotation is counter-clockwise with v upwards, so clockwise in glTF's coordinates, as in
-// Khronos' reference viewer.
+// The extension's rotation is counter-clockwise with v upwards, so clockwise in glTF's texture
+// coordinates, as in Khronos' reference viewer.
 Eigen::Affine2f texture_transform(tinygltf::Material const& material)
 {
     auto const& surface = material.pbrMetallicRoughness;

@@ -14,7 +14,7 @@ namespace tractus::exports {
 
 namespace {
 
-constexpr int kLineStrip = 3; // glTF 2.0 section 5.24.4.
+constexpr int kLineStrip = 3; // Primitive mode LINE_STRIP (glTF 2.0 section 5.24.4).
 constexpr NumberFormat kPositions {};
 constexpr NumberFormat kScalars { .components = 1, .element_bytes = 4 };
 
@@ -84,7 +84,7 @@ std::string write_strokes(GlbStream& stream, std::span<Stroke const> strokes)
 Result<void> check(std::span<Stroke const> strokes)
 {
     constexpr std::uint64_t kBytesPerTip = 20;
-    constexpr std::uint64_t kBytesPerStroke = 1500; // Upper limit on the JSON.
+    constexpr std::uint64_t kBytesPerStroke = 1500; // Upper limit on the JSON of a stroke.
     std::uint64_t bytes = 0;
     for (auto const& stroke : strokes) {
         bytes += kBytesPerStroke + kBytesPerTip * stroke.tips.size();

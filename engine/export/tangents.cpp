@@ -32,7 +32,7 @@ Eigen::Vector4f tangent_of(Eigen::Vector4f const& sum, Vec3f const& normal)
 {
     Vec3f tangent = sum.head<3>() - normal * normal.dot(sum.head<3>());
     float const length = tangent.norm();
-    // Also taken if the sum is NaN.
+    // A sum without direction, or NaN, gives an arbitrary vector orthogonal to the normal.
     tangent = length > 1e-6f * sum.head<3>().norm() ? Vec3f(tangent / length)
                                                     : Vec3f(normal.unitOrthogonal());
     return { tangent.x(), tangent.y(), tangent.z(), sum.w() < 0 ? 1.0f : -1.0f };

@@ -22,7 +22,7 @@ double eased(double low, double high, double x)
 
 double leaf_level(double u, double v)
 {
-    double const side = std::abs(u - 0.5) * 2; // 0 at the midrib, 1 at the margin.
+    double const side = std::abs(u - 0.5) * 2; // From 0 at the midrib to 1 at the margin.
     double const midrib = 1 - eased(0.02, 0.05 + 0.02 * (1 - v), side);
     // Lateral veins leave the midrib at equal distances and curve towards the tip.
     constexpr double kVeins = 9;
@@ -83,7 +83,7 @@ MaterialTextures textures_of(Material const& material)
     return textures;
 }
 
-// Mean linear light of a picture, 1 for white.
+// Mean linear lightness of a picture: 0 for black, 1 for white.
 static double mean_light(GreyPicture const& picture)
 {
     double sum = 0;

@@ -33,11 +33,11 @@ MaterialTextures textures_of(Material const& material);
 // material's own colour, up to white, so that the mean lightness is the same as without a picture.
 Vec3 multiplied_color(Material const& material);
 
-// True if they include a normal map.
+// True if textures_of() the material include a normal map.
 bool has_relief(Material const& material);
 
-// Returns a PNG file of the material's colour picture, multiplied with its colour; empty if it has
-// none.
+// Returns a PNG file of the material's colour picture, multiplied with its colour; empty if the
+// material has no colour picture.
 std::string colored_picture(Material const& material);
 
 // Returns the picture as a PNG file (ISO/IEC 15948), 8-bit greyscale. Deterministic.

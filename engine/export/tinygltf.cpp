@@ -1,5 +1,5 @@
 // The only translation unit that compiles tinygltf's implementation.
 #define TINYGLTF_IMPLEMENTATION
-#include <fstream> // tinygltf's code for writing files needs it, although we never call that.
+#include <fstream> // Needed by tinygltf's code for writing files, although it is never called.
 
 #include "engine/export/tinygltf.h"

@@ -20,9 +20,9 @@ struct TurnedVectors {
 
 inline TurnedVectors turned_vectors(Vec3f const* four)
 {
-    auto const a = load_four(four->data());     // x0 y0 z0 x1
-    auto const b = load_four(four->data() + 4); // y1 z1 x2 y2
-    auto const c = load_four(four->data() + 8); // z2 x3 y3 z3
+    auto const a = load_four(four->data());     // Coordinates x0 y0 z0 x1.
+    auto const b = load_four(four->data() + 4); // Coordinates y1 z1 x2 y2.
+    auto const c = load_four(four->data() + 8); // Coordinates z2 x3 y3 z3.
     auto const x23 = __builtin_shufflevector(b, c, 2, 2, 5, 5);
     auto const y01 = __builtin_shufflevector(a, b, 1, 1, 4, 4);
     auto const y23 = __builtin_shufflevector(b, c, 3, 3, 6, 6);
@@ -48,7 +48,7 @@ void for_each_four(std::span<Vector const> vectors, Use const& use)
     use(last.data(), i, vectors.size() - i);
 }
 
-// Clamps to -most…most; NaN also becomes a value in this range.
+// Clamps values to -most…most; NaN also becomes a value in this range.
 inline FourFloats bounded(FourFloats const& values, float most)
 {
     auto const below = values < most ? values : FourFloats {} + most;

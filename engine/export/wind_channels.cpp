@@ -27,7 +27,7 @@ constexpr std::array<WindStream, 4> kTextureCoordinates { { { "TEXCOORD_1", kPai
                                                             { "TEXCOORD_4", kPair } } };
 constexpr std::array<WindStream, 1> kColours { { { "COLOR_0", kColour } } };
 
-// Fills one stream: `values` returns an Eigen vector for each vertex.
+// Fills one wind stream of a piece: `values` returns an Eigen vector for each vertex.
 template<typename Values>
 void fill_stream(std::span<mesh::WindVertex const> wind, std::size_t stream, EncodedPiece& piece,
                  Values const& values)

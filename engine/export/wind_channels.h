@@ -27,7 +27,7 @@ std::span<WindStream const> wind_streams(GlbOptions::Wind channels);
 void encode_wind(std::span<mesh::WindVertex const> wind, GlbOptions::Wind channels,
                  EncodedPiece& piece);
 
-// Returns the values of Wind::Attributes as the extras of a node.
+// Returns wind data as the extras of a node, with the names of Wind::Attributes.
 Json wind_extras(mesh::WindVertex const& wind);
 
 } // namespace tractus::exports

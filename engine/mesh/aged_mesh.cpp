@@ -52,14 +52,14 @@ void append_organ(TriangleMesh const& prototype, Organ const& organ, TriangleMes
 
 // Change of a segment from the full-grown plant to the given age.
 struct AgedMesh::Carrier {
-    // Base of the segment in the full-grown plant; `to_mm`: at the given age.
+    // Base of the segment in the full-grown plant; `to_mm`: its base at the given age.
     Vec3 from_mm = Vec3::Zero();
     Vec3 to_mm = Vec3::Zero();
     Vec3 direction = Vec3::Zero(); // Direction of the full-grown segment.
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     double length_mm = 0; // Length of the full-grown segment.
-    double share = 0;     // Share of that length that has grown.
-    // Radii at the base and tip, full-grown; `radius_mm`: at the given age.
+    double share = 0;     // Share of length_mm that has grown.
+    // Radii at the base and tip of the full-grown segment; `radius_mm`: radii at the given age.
     double whole_radius_mm[2];
     double radius_mm[2];
 
@@ -71,7 +71,7 @@ struct AgedMesh::Carrier {
         double const now = (1 - along) * radius_mm[0] + along * radius_mm[1];
         if (whole > 0)
             return now / whole;
-        return share > 0 ? 1 : 0; // A tube of radius 0 keeps it at all ages.
+        return share > 0 ? 1 : 0; // A tube of radius 0 has this radius at all ages.
     }
 };
 
@@ -129,7 +129,8 @@ void AgedMesh::add_organs(MeshOptions const& options)
     }
 }
 
-// A segment that has not grown has no direction of its own: it rotates with the segment before it.
+// Finds the change of every segment. A segment that has not grown has no direction of its own: it
+// rotates with the segment before it.
 std::vector<AgedMesh::Carrier> AgedMesh::carriers(Plant const& young) const
 {
     std::vector<Carrier> carriers(plant_.segment_count());
@@ -163,7 +164,8 @@ std::vector<AgedMesh::Carrier> AgedMesh::carriers(Plant const& young) const
     return carriers;
 }
 
-// Adds a displacement to each vertex, so that vertices that do not move stay bit for bit the same.
+// Moves the vertices of tubes. A displacement is added to each vertex, so that vertices that do not
+// move stay bit for bit the same.
 void AgedMesh::move_rings(std::size_t surface, std::span<Carrier const> carriers,
                           Vertices& to) const
 {
@@ -221,7 +223,7 @@ void AgedMesh::move_organs(std::size_t surface, Plant const& young, Vertices& to
             auto const instance = transform_of(organ);
             for (std::size_t v = 0; v < prototype.positions_mm.size(); ++v) {
                 to.positions_mm[first_vertex + v] = placed(instance, prototype.positions_mm[v]);
-                // A leaf unfolds in proportion, so the normals are those of its full size.
+                // An organ unfolds in proportion, so its normals are those of its full size.
                 to.normals[first_vertex + v]
                     = placed_normal(instance, plant_.organs[number].scale, prototype.normals[v]);
             }

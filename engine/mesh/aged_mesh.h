@@ -23,7 +23,7 @@ public:
     // make_mesh().
     explicit AgedMesh(Plant const& whole, MeshOptions const& options = {});
 
-    // The mesh of the full-grown plant. Organs are part of the surfaces, as tubes are: none is
+    // The mesh of the full-grown plant. Organs are part of the surfaces, as tubes are; no organ is
     // instanced.
     Mesh const& whole() const { return whole_; }
 
@@ -63,8 +63,8 @@ private:
 
     Plant const& plant_;
     Mesh whole_;
-    std::vector<TriangleMesh> prototypes_; // By organ shape; empty for shapes that are not used.
-    std::vector<Parts> parts_;             // By surface of whole_.
+    std::vector<TriangleMesh> prototypes_; // Mesh of each organ shape; empty for unused shapes.
+    std::vector<Parts> parts_;             // Rings, polygons and organs of each surface of whole_.
 };
 
 } // namespace tractus::mesh

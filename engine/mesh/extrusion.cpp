@@ -35,7 +35,7 @@ Vec3 outline_at(Plant const& plant, NodeSection const& section, double share)
 // One cross-section, in the plant's frame.
 struct Ring {
     std::vector<Vec3> points_mm;
-    std::vector<Vec3> along; // Derivative of the point with respect to the contour parameter.
+    std::vector<Vec3> along; // Direction of the outline at each point, not normalised.
 };
 
 Ring ring_at(Plant const& plant, Extrusion const& extrusion, std::size_t index)
@@ -65,7 +65,7 @@ Ring ring_at(Plant const& plant, Extrusion const& extrusion, std::size_t index)
             placed(outline_at(plant, section, after) - outline_at(plant, section, before)));
     }
     if (!extrusion.is_sheet)
-        ring.points_mm.back() = ring.points_mm.front(); // Makes the seam exact to the last bit.
+        ring.points_mm.back() = ring.points_mm.front(); // Leaves no gap at the seam.
     return ring;
 }
 
@@ -77,7 +77,8 @@ double perimeter_mm(Ring const& ring)
     return length;
 }
 
-// The rings of a part, and, if the axis continues there, one more beyond each end, for the normals.
+// The rings of a part. Where the axis continues beyond an end of the part, there is one more ring,
+// for the normals.
 struct Rings {
     std::vector<Ring> rings;
     std::size_t first_station = 0;
@@ -95,7 +96,7 @@ Vec3 normal_at(Rings const& rings, Extrusion const& extrusion, std::size_t stati
     double const length = normal.norm();
     if (length > 1e-12)
         return normal / length;
-    // The section is a single point, or the contour's derivative is zero.
+    // Otherwise the section is a single point, or the direction of its outline is zero.
     Vec3 const out = rings.of(station).points_mm[i] - extrusion.stations[station].center_mm;
     return out.norm() > 1e-9 ? Vec3(out.normalized()) : extrusion.stations[station].normal;
 }
@@ -134,7 +135,7 @@ void write_layer(Rings const& rings, Extrusion const& extrusion, TubePart const&
         }
 }
 
-// The outline of an end cap, counter-clockwise seen from outside.
+// Returns the outline of an end cap, counter-clockwise seen from outside.
 std::vector<Vec3> cap(Ring const& ring, bool is_base)
 {
     std::vector<Vec3> points(ring.points_mm.begin(), ring.points_mm.end() - 1);
@@ -170,7 +171,7 @@ void add_stations(Plant const& plant, Axis const& axis, std::vector<Extrusion::S
     }
 }
 
-// Tangents bisect the bends; normals are made orthogonal to them.
+// Computes the frames of stations: tangents bisect the bends, normals are made orthogonal to them.
 void frame_stations(std::vector<Extrusion::Station>& stations)
 {
     for (std::size_t i = 0; i < stations.size(); ++i) {

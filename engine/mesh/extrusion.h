@@ -21,16 +21,17 @@ struct Extrusion {
         double radius_mm;
         double arc_mm;
         SegmentId segment; // The segment between the previous station and this one.
-        NodeId node;       // The node that gives the section.
+        NodeId node;       // The node whose NodeSection the station has.
     };
 
-    std::vector<Station> stations; // Empty, or at least two.
+    std::vector<Station> stations; // Cross-sections from base to tip: none, or at least two.
     std::uint32_t sides = 0;
     bool is_sheet = false;
     bool has_caps = false;
 };
 
-// Fills `extrusion`, replacing its contents. Depends only on the other arguments.
+// Prepares an axis for meshing. Replaces the contents of `extrusion`; the result depends only on
+// the other arguments.
 void trace_extrusion(Plant const& plant, Axis const& axis, MeshOptions const& options,
                      Extrusion& extrusion);
 

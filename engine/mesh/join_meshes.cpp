@@ -13,7 +13,7 @@ void append_triangles(TriangleMesh& mesh, Vec3f const& moved_mm, MaterialId firs
         position_mm += moved_mm;
 }
 
-// One more than the highest shape index in use.
+// Returns one more than the highest index of an organ shape in the mesh.
 std::uint16_t shape_count(Mesh const& mesh)
 {
     std::uint16_t count = 0;

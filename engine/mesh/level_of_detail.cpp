@@ -18,8 +18,8 @@ constexpr std::uint32_t kTwigs = 0x7477;
 constexpr std::uint32_t kOrgans = 0x6F72;
 constexpr std::uint32_t kPolygons = 0x706F;
 
-// Detail smaller than this share of the plant's size is considered invisible. It is divided by the
-// square root of the share of triangles, since a coarser plant is displayed smaller.
+// Detail smaller than this share of the plant's size is considered invisible. The share is divided
+// by the square root of the share of triangles, since a coarser plant is displayed smaller.
 constexpr double kUnseen = 0.001;
 // Maximum number of nodes that one straight segment may replace.
 constexpr std::uint32_t kLongestRun = 16;
@@ -30,7 +30,7 @@ double chance(std::uint32_t stream, std::size_t index)
     return random_block({ .stream = stream }, index)[0] / 0x1p32;
 }
 
-// Volume of the segment that ends at a node of an axis, or of all segments between two nodes.
+// Volume of a straight truncated cone between two nodes of an axis.
 double volume_between(Plant const& plant, NodeId from, NodeId to)
 {
     double const length = (plant.node_position_mm[to] - plant.node_position_mm[from]).norm();
@@ -66,7 +66,8 @@ std::size_t tube_triangles(Plant const& plant, MeshOptions const& options)
     return std::accumulate(of_axes.begin(), of_axes.end(), std::size_t { 0 });
 }
 
-// All axes in the order in which they are kept, most important first; each comes after its parent.
+// Returns all axes in order of importance, so that the last are removed first; each axis comes
+// after its parent.
 std::vector<AxisId> order_of_staying(Plant const& plant)
 {
     std::vector<double> worth(plant.axes.size());
@@ -94,8 +95,8 @@ std::vector<AxisId> order_of_staying(Plant const& plant)
     return order;
 }
 
-// A plant reduced to its axes, and for each segment of the original the segment that replaces it:
-// for a removed twig, the segment it was attached to.
+// A plant reduced to some of its axes, and for each segment of the original the segment that
+// replaces it: for segments of a removed twig, the segment that the twig was attached to.
 struct Branches {
     Plant plant;
     std::vector<SegmentId> new_segment;
@@ -115,7 +116,7 @@ public:
     {
     }
 
-    // `stays`: by axis; the parent of an axis that stays must stay.
+    // Returns the plant with the axes marked in `stays`; their parents must be marked, too.
     Branches branches(std::vector<char> const& stays);
 
 private:
@@ -125,7 +126,7 @@ private:
 
     Plant const& plant_;
     double unseen_mm_;
-    std::vector<char> bears_; // By segment: an axis that stays is attached to it.
+    std::vector<char> bears_; // For each segment: 1 if an axis that stays is attached to it.
 };
 
 // True if a node, counted from the base of the axis, has to stay regardless of its position.
@@ -137,8 +138,8 @@ bool Coarsener::is_needed(Axis const& axis, std::uint32_t node) const
     return bears_[before] || plant_.segment_material[before] != plant_.segment_material[before + 1];
 }
 
-// True if the nodes between two nodes lie on the straight line between them, within the visible
-// tolerance.
+// True if all nodes between `from` and `to` lie on the straight line between these two, and have
+// the radii of a straight tube, within the visible tolerance.
 bool Coarsener::runs_straight(NodeId from, NodeId to) const
 {
     auto const& start = plant_.node_position_mm[from];
@@ -217,7 +218,8 @@ Branches Coarsener::branches(std::vector<char> const& stays)
     return made;
 }
 
-// Thickens all axes except the thickest by a common factor, so that the total volume is `volume`.
+// Thickens all axes except that of greatest volume by a common factor, so that the total volume is
+// `volume`.
 void keep_volume(Plant& coarse, double volume)
 {
     std::vector<double> volumes;
@@ -238,7 +240,7 @@ void keep_volume(Plant& coarse, double volume)
     }
 }
 
-// Keeps as many axes as give about `budget` triangles.
+// Returns the plant with as many axes as give at most, and nearly, `budget` triangles.
 Branches coarser_branches(Plant const& plant, Coarsener& coarsener, MeshOptions const& options,
                           double budget)
 {
@@ -271,14 +273,14 @@ Branches coarser_branches(Plant const& plant, Coarsener& coarsener, MeshOptions 
         }
         if (triangles <= budget && (count == plant.axes.size() || triangles > 0.95 * budget))
             break;
-        // Removed nodes make axes cheaper than expected, thicker axes more expensive.
+        // Removed nodes give axes fewer triangles than expected, thicker axes give more.
         within *= 0.98 * budget / std::max(triangles, 1.0);
     }
     return best;
 }
 
-// Chooses the given share of `things`: those with the smallest random number, in their original
-// order.
+// Chooses the given share of `things` (indices of organs or polygons): those with the smallest
+// random numbers, in ascending order.
 std::vector<std::size_t> those_that_stay(std::span<std::size_t const> things, std::uint32_t stream,
                                          double share)
 {
@@ -297,7 +299,7 @@ std::vector<std::size_t> those_that_stay(std::span<std::size_t const> things, st
     return staying;
 }
 
-// Linear scale factor for the remaining things so that they have the total area of all.
+// Linear scale factor that gives the remaining organs or polygons the total area of all.
 double growth_by_area(double all, double staying)
 {
     return staying > 0 ? std::sqrt(all / staying) : 1;
@@ -368,7 +370,7 @@ void thin_polygons(Plant const& plant, double share, Branches& coarse)
         auto& polygon = coarse.plant.polygons.emplace_back(plant.polygons[i]);
         polygon.segment = coarse.now(polygon.segment);
         polygon.first_vertex = static_cast<std::uint32_t>(coarse.plant.polygon_vertices_mm.size());
-        // Scaled about the point of attachment, as organs grow.
+        // The polygon is scaled about its first vertex, the point of attachment, as organs grow.
         for (auto const& corner : corners)
             coarse.plant.polygon_vertices_mm.push_back(corners[0] + growth * (corner - corners[0]));
     }

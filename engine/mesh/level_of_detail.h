@@ -13,15 +13,15 @@ namespace tractus::mesh {
 // and the remaining ones enlarged so that the total area is preserved (Cook, Halstead, Planck, Ryu
 // 2007, "Stochastic simplification of aggregate detail"). Organs of removed twigs stay and are
 // attached to the parent branch. Nodes whose removal does not visibly change the course of a branch
-// are removed, too. The thickest axis, the trunk, always stays, at its own radius.
+// are removed, too. The axis of greatest volume, the trunk, always stays, at its own radius.
 
 // Returns the mesh options for a plant of coarser_plant(): tubes with fewer sides and rings, each
 // section with the area of its circle; for shares of a quarter and less, also open ends and organs
-// as cards. `share` as below.
+// as cards. `share` as for coarser_plant().
 MeshOptions coarser_options(MeshOptions const& options, double share);
 
 // Returns a plant whose mesh with coarser_options() has at most `share` of the triangles of `plant`
-// meshed with `options`, and not many fewer. It exceeds this only if the trunk alone has more.
+// meshed with `options`, and not many fewer. The limit is exceeded only if the trunk alone does so.
 // `share`: above 0, at most 1. `plant` as for make_mesh(). Deterministic.
 Plant coarser_plant(Plant const& plant, MeshOptions const& options, double share);
 

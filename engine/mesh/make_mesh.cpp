@@ -29,7 +29,7 @@ Mesh make_mesh(Plant const& plant, MeshOptions const& options, std::stop_token c
     return mesh;
 }
 
-// Gives the card of a leaf with a picture the texture coordinates of the leaf's corners.
+// Sets the texture coordinates of the card of a cut-out leaf, so that it shows the leaf's picture.
 static void place_in_picture(OrganShape const& shape, TriangleMesh& card)
 {
     double const length = box_of(*shape.cut).max().y();

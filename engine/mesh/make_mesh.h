@@ -20,7 +20,8 @@ struct MeshOptions {
     int subdivision = 4;
 
     // How much a lateral axis widens at its base, as a share of its own radius, up to the radius of
-    // its parent. 0 for no collar. The thinnest axes (those with `min_sides`) have no collar.
+    // its parent. 0 for no collar. If axes have different numbers of sides, laterals with only
+    // `min_sides` have no collar.
     double collar = 0.45;
 
     // Whether tubes are closed: tips by domes, and bases without a parent by flat faces. Open ends
@@ -29,14 +30,13 @@ struct MeshOptions {
     enum class Ends { Closed, Open };
     Ends ends = Ends::Closed;
 
-    // How a tube of few sides approximates a round one: with its corners on the circle (OnCircle),
-    // or scaled up so that the section has the area of the circle and the tube its volume
-    // (SameArea).
+    // How a tube of few sides approximates a round one. OnCircle: the corners of a section are on
+    // the circle. SameArea: it is scaled up to the area of the circle, so that the volume is right.
     enum class Sections { OnCircle, SameArea };
     Sections sections = Sections::OnCircle;
 
-    // Whether thin organs (of two-sided materials) are replaced by cards if these have fewer
-    // triangles (organ_card.h).
+    // Whether thin organs (of two-sided materials) are replaced by cards (organ_card.h), where a
+    // card has fewer triangles.
     enum class Organs { Full, Cards };
     Organs organs = Organs::Full;
 };

@@ -10,7 +10,7 @@
 
 namespace tractus::mesh {
 
-constexpr double kSameNode_mm = 1e-4; // Nodes closer together than this are merged.
+constexpr double kSameNode_mm = 1e-4; // Nodes of an axis closer together than this are merged.
 
 // Triangles of one material, in millimetres; in the plant frame (tubes, polygons) or the organ
 // frame (prototypes). The vertex arrays have equal sizes. Three indices per triangle,
@@ -38,17 +38,17 @@ struct InstanceTransform {
 // The mesh of one organ shape and the transforms of all its copies in a plant.
 struct InstancedMesh {
     TriangleMesh prototype;
-    std::vector<InstanceTransform> instances; // In the order of the plant's organs.
+    std::vector<InstanceTransform> instances; // One per copy, in the order of the plant's organs.
     std::uint16_t shape = 0; // Index of the shape in the plant's list of organ shapes.
 };
 
 // A plant as triangles: the input of renderers and exporters.
 struct Mesh {
-    std::vector<Material> materials;    // Indexed by MaterialId.
+    std::vector<Material> materials;    // All materials, indexed by MaterialId.
     std::vector<TriangleMesh> surfaces; // Tubes and polygons; at most one surface per material.
     std::vector<InstancedMesh> organs;  // One entry per organ shape that the plant uses.
 
-    // Number of triangles as drawn, counting each instance.
+    // Number of triangles, with those of every instance.
     std::size_t triangle_count() const;
 };
 

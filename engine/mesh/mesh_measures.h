@@ -20,12 +20,12 @@ Vec3f placed(InstanceTransform const& instance, Vec3f const& point);
 // Bounding box of all vertices; empty if there are none.
 Bounds bounds(TriangleMesh const& mesh);
 
-// Bounding box of everything the mesh draws; instances count by the corners of their prototype's
-// box.
+// Bounding box of all surfaces and instances. Of an instance, the corners of its prototype's box
+// are included.
 Bounds bounds(Mesh const& mesh);
 
-// The greatest dot product of any drawn point with `direction`; instances count by the corners of
-// their prototype's box. Minus infinity if nothing is drawn.
+// The greatest dot product of `direction` with any vertex of a surface, or any corner of the box of
+// an instance's prototype. Minus infinity for an empty mesh.
 double reach(Mesh const& mesh, Vec3 const& direction);
 
 } // namespace tractus::mesh

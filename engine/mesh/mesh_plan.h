@@ -38,12 +38,12 @@ public:
         MeshExtent extent {};
         std::vector<Item> items {};
         std::size_t tube_count = 0; // Number of items that are tubes.
-        // The first item of each piece, and at the end the number of items.
+        // Index of each piece's first item; last, the number of items.
         std::vector<std::uint32_t> pieces {};
 
         std::size_t piece_count() const { return pieces.size() - 1; }
-        // Extent of everything before a piece; if `piece` is the number of pieces, of the whole
-        // surface.
+        // Extent of everything before a piece. If `piece` is the number of pieces: extent of the
+        // whole surface.
         MeshExtent start_of(std::size_t piece) const;
         MeshExtent extent_of(std::size_t piece) const;
     };
@@ -51,11 +51,11 @@ public:
     // The surfaces in the order of materials; none is empty.
     std::span<Surface const> surfaces() const { return surfaces_; }
 
-    // A box around all triangles, computed without making them. It may be too large by up to one
-    // radius.
+    // A box around all triangles, computed without making them. It may be too large by up to the
+    // radius of a tube.
     Bounds const& bounds_mm() const { return bounds_mm_; }
 
-    // Makes one piece. `place` points to where the piece begins and must have room for its extent.
+    // Makes one piece. It is written to `place`, where there must be room for its extent.
     // Indices count from the surface's first vertex if place.vertex is start_of(piece).vertices.
     void make_piece(Surface const& surface, std::size_t piece, TrianglePlace place) const;
 
@@ -73,7 +73,7 @@ public:
         std::uint32_t vertex_count = 0;
     };
 
-    // Appends the rings of one piece in the order of their vertices. Polygons have none.
+    // Appends the rings of one piece in the order of their vertices. Polygons have no rings.
     void find_rings(Surface const& surface, std::size_t piece, std::vector<Ring>& rings) const;
 
 private:
@@ -87,8 +87,8 @@ private:
     Bounds bounds_mm_;
     std::vector<Surface> surfaces_;
 
-    // The stations of blocks of consecutive axes, traced once, and the spine of each axis, which is
-    // empty if its sections are not round.
+    // The stations of blocks of consecutive axes, traced once. spines_ has the spine of each axis,
+    // which refers to them; it is empty for an axis whose sections are not round.
     std::vector<std::vector<SpineStation>> stations_;
     std::vector<Spine> spines_;
 };

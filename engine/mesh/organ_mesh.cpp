@@ -23,7 +23,8 @@ void add_triangles(TriangleMesh& mesh, std::initializer_list<std::uint32_t> indi
     mesh.indices.insert(mesh.indices.end(), indices);
 }
 
-// The midrib: straight along +y for the petiole, then bent down (towards -z) along a circular arc.
+// The midrib of an organ: straight along +y for the petiole, then bent down (towards -z) along a
+// circular arc.
 struct Midrib {
     double straight_mm;
     double bent_mm;
@@ -57,7 +58,7 @@ double end_width(double x, double sharpness)
     return std::pow(std::sin(0.5 * kPi * std::clamp(x, 0.0, 1.0)), power);
 }
 
-// Half the blade's width relative to its maximum, at `share` of the way from base to tip.
+// Width of the blade relative to its maximum, at `share` of the distance from base to tip.
 double outline(OrganShape const& shape, double share)
 {
     double const widest = std::clamp(shape.widest, 0.02, 0.98);
@@ -71,8 +72,8 @@ double outline(OrganShape const& shape, double share)
     return width * (1 - std::clamp(shape.lobes, 0.0, 0.95) * (1 - lobe));
 }
 
-// Positions of the blade's rows of vertices: in an entire blade closer together at its ends, where
-// the outline curves most.
+// Positions of a blade's rows of vertices, from 0 at the base to 1 at the tip. In a blade without
+// lobes they are closer together at its ends, where the outline curves most.
 std::vector<double> blade_rows(OrganShape const& shape)
 {
     int const lobes = std::clamp(shape.lobe_count, 0, 16);
@@ -220,7 +221,7 @@ struct ProfilePoint {
 };
 
 // Revolves a profile, given from bottom to top, about +y. The first and last profile points are on
-// the axis; each side has its own vertex there, for the texture.
+// the axis; each of the `sides` has its own vertex there, for the texture.
 void revolve(TriangleMesh& mesh, std::span<ProfilePoint const> profile, std::uint32_t sides)
 {
     auto const vertex = [&](ProfilePoint const& point, double turn) {
@@ -235,7 +236,7 @@ void revolve(TriangleMesh& mesh, std::span<ProfilePoint const> profile, std::uin
         rings.push_back(static_cast<std::uint32_t>(mesh.positions_mm.size()));
         for (std::uint32_t j = 0; j <= sides; ++j)
             vertex(point, static_cast<double>(j) / sides);
-        // Makes the seam exact to the last bit.
+        // The last vertex of the ring repeats the first one exactly, for a seam without gaps.
         mesh.positions_mm.back() = mesh.positions_mm[rings.back()];
     }
     for (std::size_t i = 1; i < rings.size(); ++i)

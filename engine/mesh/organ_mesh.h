@@ -17,7 +17,7 @@ namespace tractus::mesh {
 // Ball: an ellipsoid from the origin to `length_mm` along +y, `width_mm` across.
 // Leaf: the triangles of its cut-out, scaled to `length_mm` before bending; `width_mm` and
 //        `petiole_mm` are ignored. Texture coordinates are positions in the picture.
-// Surface: see surface_mesh.h, also for `lies`; `subdivision` as in MeshOptions.
+// Surface: see surface_mesh.h, also for `lies`. `subdivision` as in MeshOptions.
 //
 // Negative lengths count as 0; an organ without length or width has no triangles.
 TriangleMesh organ_mesh(OrganShape const& shape, int subdivision = 4,

@@ -67,7 +67,8 @@ std::vector<std::uint32_t> clip_ears(std::vector<Vec2> const& points)
     return triangles;
 }
 
-// Direction of the texture's v: from the first vertex to the one farthest from it.
+// Direction in which the texture coordinate v increases: from the first vertex to the one farthest
+// from it.
 Vec3 long_direction(std::span<Vec3 const> vertices, Vec3 const& normal)
 {
     Vec3 longest = Vec3::Zero();

@@ -40,7 +40,8 @@ void for_each_ring(Extrusion const& extrusion, TubePart const& part, std::size_t
             use(i, width);
             vertices -= width;
         }
-    // The remaining vertices are end caps; if there are two, they have equally many.
+    // The remaining vertices are those of the end caps. If there are two caps, each has half of
+    // them.
     bool const has_tip = part.last + 1 == extrusion.stations.size();
     auto const base = part.first > 0 ? 0 : has_tip ? vertices / 2 : vertices;
     if (base > 0)

@@ -21,7 +21,7 @@ constexpr double kStraight_cosine = 0.878;
 struct Parent {
     double radius_mm;
     Vec3 direction;
-    bool continued; // The axis continues its parent from the parent's end: a sympodial fork.
+    bool continued; // True if the axis continues its parent from the parent's end (sympodial fork).
 };
 
 void collect_nodes(Plant const& plant, Axis const& axis, std::vector<SpineBuffers::Node>& nodes)
@@ -60,13 +60,14 @@ int sides_for(std::vector<SpineBuffers::Node> const& nodes, MeshOptions const& o
                       std::min(options.min_sides, options.max_sides), options.max_sides);
 }
 
-// Circumradius of a regular polygon with the area of the unit circle.
+// Circumradius of a regular polygon that has the area of the unit circle.
 double same_area_radius(int sides)
 {
     return std::sqrt(2 * kPi / (sides * std::sin(2 * kPi / sides)));
 }
 
-// Returns no value if the axis stands on the ground, or its base is away from its parent.
+// Returns the segment to which an axis is attached. No value if the axis is on the ground, or its
+// base lies outside the parent's wood.
 std::optional<Parent> find_parent(Plant const& plant, Axis const& axis)
 {
     if (axis.parent_axis == kNone)
@@ -114,8 +115,8 @@ public:
     }
 
 private:
-    // An axis that continues its parent leaves in the parent's direction and bends into its own, so
-    // that the two limbs of a fork separate gradually.
+    // Tangent at the base of the axis. An axis that continues its parent leaves in the parent's
+    // direction and bends into its own, so that the two limbs of a fork separate gradually.
     Vec3 base_tangent(std::optional<Parent> const& parent) const
     {
         Vec3 const& own = nodes_[0].direction;
@@ -130,8 +131,8 @@ private:
         return cosine < (rounding_ ? kRoundable_cosine : kStraight_cosine);
     }
 
-    // Tangent at a node: without rounding the bisector of its segments; with rounding closer to the
-    // direction of the shorter segment, as on a circle through the three nodes.
+    // Tangent at a node. Without rounding it bisects the two segments; with rounding it is closer
+    // to the direction of the shorter one, as on a circle through the three nodes.
     Vec3 tangent_at(std::size_t node) const
     {
         auto const& before = nodes_[node - 1];
@@ -150,8 +151,8 @@ private:
         stations_.push_back(station);
     }
 
-    // Adds the stretch from node `i` to the next: a cubic Hermite curve in as many pieces as its
-    // turn requires.
+    // Adds the stations from node `i` to the next: on a cubic Hermite curve, in as many pieces as
+    // its bend requires.
     void add_stretch(std::size_t i, Vec3 const& start, Vec3 const& end)
     {
         auto const& from = nodes_[i];
@@ -226,11 +227,11 @@ void insert_station(std::vector<SpineStation>& stations, double arc_mm, double s
 // that continues its parent starts with the parent's slope.
 struct Collar {
     double base_radius_mm; // Radius at the parent's centre line.
-    double level_mm;       // Arc length over which the base radius is kept.
-    double fall_mm;        // Length over which the radius decreases to the axis' own.
-    bool soft;             // The decrease begins gently, too.
+    double level_mm;       // Arc length from the base over which the base radius is kept.
+    double fall_mm;        // Arc length after that over which it decreases to the axis' radius.
+    bool soft;             // True if the decrease not only ends but also begins gently.
 
-    // Share of the swelling that is left at an arc length, from 1 to 0.
+    // Share of the swelling that is left at an arc length from the base, from 1 to 0.
     double share(double arc_mm) const
     {
         double const x = std::clamp((arc_mm - level_mm) / fall_mm, 0.0, 1.0);

@@ -18,10 +18,10 @@ struct SpineStation {
 
 // An axis prepared for meshing: bends rounded, collar widened, coincident nodes merged.
 struct Spine {
-    // Empty, or at least two; owned by the SpineBuffers of the caller.
+    // Cross-sections from base to tip: none, or at least two. Owned by the caller's SpineBuffers.
     std::span<SpineStation const> stations;
     int sides = 0;
-    bool closed_base = false; // The axis has no parent: its first section is filled.
+    bool closed_base = false; // True: the base has a flat cap (only if the axis has no parent).
     enum class Tip { Dome, Point, Open };
     Tip tip = Tip::Dome;
 };
@@ -38,7 +38,7 @@ struct SpineBuffers {
         double radius_mm;
         SegmentId segment; // The segment that ends at this node.
     };
-    std::vector<Node> nodes {}; // Scratch space.
+    std::vector<Node> nodes {}; // Nodes of the axis, with coinciding ones merged; scratch space.
 };
 
 // Returns the spine of `axis`, with its stations in `room`, whose contents are replaced.

@@ -12,9 +12,9 @@ namespace tractus::mesh {
 namespace {
 
 constexpr int kMaxStrips = 24;
-// Deviation allowed at subdivision 1, as a share of the surface's size.
+// Allowed deviation of the triangles from the surface at subdivision 1, as a share of its size.
 constexpr double kFlatness = 0.064;
-// Vertices this close, as a share of the surface's size, coincide.
+// Vertices closer together than this share of the surface's size coincide.
 constexpr double kSameVertex = 1e-5;
 
 Eigen::AlignedBox3d box_of(OrganShape const& shape)
@@ -26,8 +26,8 @@ Eigen::AlignedBox3d box_of(OrganShape const& shape)
     return box;
 }
 
-// Number of strips from the curvature: a cubic deviates from its chords by at most 6 / 8 of its
-// second differences, divided by the square of the number of chords.
+// Number of strips into which every patch is divided, from the curvature: a cubic deviates from its
+// chords by at most 6 / 8 of its second differences, divided by the square of the number of chords.
 int strip_count(OrganShape const& shape, double size, int subdivision)
 {
     double bend = 0;
@@ -51,7 +51,7 @@ struct Grid {
     int strips = 1;
     std::vector<Vec3> positions;
     std::vector<Vec3> normals;
-    // By vertex: the coinciding vertex of a neighbouring patch, if there is one.
+    // For each vertex, a coinciding vertex of a neighbouring patch, or the vertex itself.
     std::vector<std::size_t> same_as;
 
     std::size_t at(std::size_t patch, int i, int j) const
@@ -81,8 +81,8 @@ struct Grid {
     }
 };
 
-// Unit normal at (s, t). If rows of control points coincide the surface has no normal there; the
-// normal a little further inside is used.
+// Unit normal of a patch at (s, t). Where rows of control points coincide the patch has no normal;
+// that of a point a little further inside is used.
 Vec3 unit_normal(BezierPatch const& patch, double s, double t, double size)
 {
     for (double const inward : { 0.0, 0.01, 0.1, 0.5 }) {
@@ -111,7 +111,8 @@ Grid sample(OrganShape const& shape, int strips, double size)
     return grid;
 }
 
-// Calls `use(vertex, the neighbour's vertex)` for each vertex on each seam.
+// Calls `use(vertex, other)` for each vertex on each seam; `other`: the neighbouring patch's vertex
+// at the same place of the seam.
 template<typename Use> void for_each_seam_vertex(OrganShape const& shape, Grid const& grid, Use use)
 {
     constexpr std::array<std::size_t, 4> kOpposite { BezierPatch::Below, BezierPatch::Above,
@@ -128,7 +129,7 @@ template<typename Use> void for_each_seam_vertex(OrganShape const& shape, Grid c
 
 void join_seams(OrganShape const& shape, Grid& grid, double size)
 {
-    // Adds the patches' own normals, so that the sums do not depend on the order of the seams.
+    // Sums only the normals of single patches, so that the order of the seams does not matter.
     auto normals = grid.normals;
     for_each_seam_vertex(shape, grid, [&](std::size_t vertex, std::size_t other) {
         normals[vertex] += grid.normals[other];
@@ -146,13 +147,13 @@ void join_seams(OrganShape const& shape, Grid& grid, double size)
             grid.normals[i] = normals[i] / length;
 }
 
-// Position of each patch in a grid of patches.
+// A rectangular grid of patches: its size, and the position of each patch in it.
 struct PatchRows {
     struct Place {
         int row = 0;
         int column = 0;
     };
-    std::vector<Place> places; // By patch.
+    std::vector<Place> places; // Position of each patch.
     int rows = 0;
     int columns = 0;
 };
@@ -224,7 +225,7 @@ public:
 private:
     PatchRows rows_;
     int strips_ = 1;
-    bool is_turned_ = false; // Rows of patches run along the organ instead of across it.
+    bool is_turned_ = false; // True if rows of patches run along the organ instead of across it.
     bool is_u_back_ = false;
     bool is_v_back_ = false;
 };
@@ -241,7 +242,8 @@ public:
     {
     }
 
-    // Writes the triangles of one side; those of the back have the opposite orientation.
+    // Writes the triangles of one side of the surface; those of the back have the opposite
+    // orientation.
     void write(std::size_t patch_count, bool is_back)
     {
         std::fill(index_.begin(), index_.end(), kUnwritten);
@@ -291,7 +293,7 @@ private:
     Eigen::AlignedBox3d const& box_;
     std::optional<PatchTexture> texture_;
     TriangleMesh& mesh_;
-    std::vector<std::uint32_t> index_; // Index in the mesh, by merged vertex.
+    std::vector<std::uint32_t> index_; // Index in the mesh of each vertex of the grid.
 };
 
 } // namespace

@@ -8,9 +8,9 @@ namespace tractus::mesh {
 // How texture coordinates are assigned to a surface.
 enum class TextureMapping {
     OnBox, // By position in the surface's bounding box: u across, v along the organ.
-    // By patch, if the patches form a grid, whose outer sides are those of the texture. u runs to
-    // the right and v along the organ, regardless of the orientation of the patches. Falls back to
-    // OnBox if the patches form no grid.
+    // By patch: the sides of the grid of patches are those of the texture. u runs to the right and
+    // v along the organ, regardless of the orientation of the patches. Falls back to OnBox if the
+    // patches form no grid.
     OnPatches,
 };
 

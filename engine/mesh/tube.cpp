@@ -8,7 +8,7 @@ namespace tractus::mesh {
 namespace {
 
 constexpr int kMaxSides = 64;
-// Steeper slopes come from sections that nearly coincide, and are clamped.
+// Maximum slope of a tube. Steeper slopes come from sections that nearly coincide, and are clamped.
 constexpr double kSteepest = 4;
 
 // Twelve floats: four points, or three SIMD vectors.
@@ -17,12 +17,12 @@ using Lanes = Eigen::Array<float, kLanes, 1>;
 
 // Tables shared by all rings with one number of sides. The first corner is repeated as the last.
 struct Circle {
-    // Each value three times, for x, y and z.
+    // Cosine and sine of each corner's angle, each value three times, for x, y and z.
     std::array<float, 3 * (kMaxSides + 1)> cosines;
     std::array<float, 3 * (kMaxSides + 1)> sines;
     std::array<float, kMaxSides + 1> shares; // Share of the circumference at each corner.
-    std::array<Vec2f, kMaxSides> middles;    // Middle of each side.
-    // Two triangles per side, counted from the first corner of the lower ring.
+    std::array<Vec2f, kMaxSides> middles;    // Direction of the middle of each side.
+    // Vertex indices of two triangles per side, from the first corner of the lower ring.
     std::array<std::uint32_t, 6 * kMaxSides> quads;
 };
 
@@ -80,7 +80,7 @@ void write_corners(Circle const& circle, std::size_t count, Vec3f const& center,
             + circle.sines[i] * ys[static_cast<Eigen::Index>(k)];
 }
 
-// Number of rings of a dome between the end of the tube and its apex; 0 for thin tubes.
+// Number of rings of a dome between the end of the tube and the dome's apex; 0 for thin tubes.
 constexpr int kMaxDomeRings = 2;
 int dome_rings(int sides)
 {
@@ -110,7 +110,7 @@ Vec3 carry(Vec3 const& normal, Vec3 const& from, Vec3 const& to)
     return flat * (1.5 - 0.5 * flat.squaredNorm());
 }
 
-// Writes the parts of a tube in sequence.
+// Writes the rings and ends of a tube in sequence.
 class Writer {
 public:
     Writer(TrianglePlace& place, int sides)
@@ -147,9 +147,9 @@ public:
         place_.index += 6 * std::size_t { sides_ };
     }
 
-    // Writes an apex above the last ring, duplicated for each side so that each has its texture
-    // coordinates. `side_share`: weight of the side's direction in the normals, 1 for a cone, 0 for
-    // a dome.
+    // Writes an apex above the last ring, as one vertex per side so that each side has its own
+    // texture coordinates. `side_share`: weight of the side's direction in the normals: 1 for a
+    // cone, 0 for a dome.
     void apex(Section const& section, float side_share)
     {
         auto const ring = place_.vertex - (sides_ + 1);
@@ -204,14 +204,15 @@ private:
     Circle const& circle_;
 };
 
-// A ring of a dome of unit radius at `share` of the quarter circle from its foot to its apex.
+// A ring of a dome of unit radius, relative to the dome's foot.
 struct DomeStep {
     float height;
     float radius;
     float slope;
-    float v; // Added to the texture coordinate v of the foot.
+    float v; // Difference of the texture coordinate v.
 };
 
+// Returns the ring at `share` of the quarter circle from the dome's foot to its apex.
 DomeStep dome_step(double share)
 {
     double const angle = 0.5 * kPi * share;

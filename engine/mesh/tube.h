@@ -20,7 +20,7 @@ struct Section {
     Vec3f binormal; // tangent x normal.
     Vec3f tangent;
     float radius_mm; // 0 for a point.
-    float slope;     // Change of radius per length along the axis.
+    float slope;     // Change of the radius per unit of length along the axis.
     float v;         // Texture coordinate: arc length in units of the local circumference.
 };
 
@@ -31,8 +31,8 @@ void frame_sections(Spine const& spine, std::vector<Section>& sections);
 // Returns the numbers of vertices and indices that write_tube() writes.
 MeshExtent tube_extent(Spine const& spine, TubePart const& part);
 
-// Writes one part of a tube, including its cap if it is the first or last part. Parts that do not
-// overlap may be written concurrently.
+// Writes one part of a tube, with the base cap if it is the first part, and the tip if it is the
+// last one. Parts that do not overlap may be written concurrently.
 void write_tube(Spine const& spine, std::span<Section const> sections, TubePart const& part,
                 TrianglePlace& place);
 

@@ -9,7 +9,7 @@ namespace tractus::mesh {
 
 namespace {
 
-constexpr std::uint32_t kPhases = 0x7068; // Random stream of the phases.
+constexpr std::uint32_t kPhases = 0x7068; // Random stream of the phases of axes.
 
 // Hash of a branch's tip position: unlike its index, it is the same in every level of detail.
 std::uint64_t name_of(Vec3 const& tip_mm)

@@ -26,8 +26,8 @@ Vec3 blend(std::array<Vec3, 16> const& control, std::array<double, 4> const& acr
     return sum;
 }
 
-// Row i holds the weights that give the i-th Bézier point of a cubic from the four points of the
-// basis.
+// Matrix from the four control points of a cubic in another basis to its Bézier points: row i holds
+// the weights for the i-th Bézier point.
 using BasisMatrix = std::array<std::array<double, 4>, 4>;
 
 constexpr BasisMatrix kFromBSpline { { { 1.0 / 6, 4.0 / 6, 1.0 / 6, 0 },
@@ -35,7 +35,7 @@ constexpr BasisMatrix kFromBSpline { { { 1.0 / 6, 4.0 / 6, 1.0 / 6, 0 },
                                        { 0, 2.0 / 6, 4.0 / 6, 0 },
                                        { 0, 1.0 / 6, 4.0 / 6, 1.0 / 6 } } };
 
-// Catmull-Rom: tangents are half the chord between the two neighbours.
+// A Catmull-Rom spline: the tangent at a point is half the chord between its two neighbours.
 constexpr BasisMatrix kFromCardinal {
     { { 0, 1, 0, 0 }, { -1.0 / 6, 1, 1.0 / 6, 0 }, { 0, 1.0 / 6, 1, -1.0 / 6 }, { 0, 0, 1, 0 } }
 };

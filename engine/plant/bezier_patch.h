@@ -13,13 +13,13 @@ struct BezierPatch {
     static constexpr std::uint16_t kNoPatch = 0xffff;
     enum Side { Above, Below, Left, Right }; // The sides s = 0, s = 1, t = 0 and t = 1.
 
-    std::array<Vec3, 16> control; // Row by row.
-    // The adjacent patch at each side, by Side: an index into the same list of patches, or
+    std::array<Vec3, 16> control; // Control points, row by row.
+    // The adjacent patch at each side, by Side: its index in the list that contains this patch, or
     // kNoPatch.
     std::array<std::uint16_t, 4> neighbors { kNoPatch, kNoPatch, kNoPatch, kNoPatch };
 
     Vec3 at(double s, double t) const;
-    // Not normalised: dS/ds x dS/dt, zero where the surface has no tangent plane.
+    // Returns the normal dS/ds x dS/dt, not normalised; zero where there is no tangent plane.
     Vec3 normal_at(double s, double t) const;
 };
 

@@ -23,12 +23,13 @@ std::uint32_t axis_key(std::string_view name)
 
 std::size_t segment_count(PathAddress const& path)
 {
-    // Numbers from here on mark the key of an axis or the prefix of a part.
+    // Addresses that begin with this or a higher number have the key of an axis or the prefix of a
+    // part.
     constexpr std::uint32_t kMinName = 0xFFFFFFFE;
     if (path.first.empty() || path.first.front() >= kMinName || path.last.empty()
         || path.last.front() >= kMinName)
         return 0;
-    std::size_t count = 0; // Number of segments on complete axes between the two ends.
+    std::size_t count = 0; // Number of segments from the base of the first one's axis to the last.
     for (auto i = path.first.size(); i <= path.last.size(); i += 2)
         count += path.last[i - 1] + std::size_t { 1 };
     return count - std::min(count, std::size_t { path.first.back() });
@@ -61,7 +62,8 @@ std::vector<AxisId>::const_iterator AddressIndex::first_on(Plant const& plant,
         [&](AxisId axis, SegmentId segment) { return plant.axes[axis].parent_segment < segment; });
 }
 
-// `share`: position on the segment itself, 0 to 1, used if its axis has a key.
+// Returns the address of a segment. `share`: position on the segment, 0 to 1, used if its axis has
+// a key.
 SegmentAddress AddressIndex::address_at(Plant const& plant, SegmentId segment, double share) const
 {
     SegmentAddress backwards;
@@ -105,8 +107,8 @@ SegmentAddress AddressIndex::address_of(Plant const& plant, SegmentId segment) c
     return address_at(plant, segment, 0.5);
 }
 
-// Uses positions slightly inside both ends of the path, so that a path over a whole axis still
-// covers the whole axis when that is divided into other segments.
+// On axes with keys, uses positions slightly inside both ends of the path, so that a path over a
+// whole axis still covers the whole axis when that is divided into other segments.
 PathAddress AddressIndex::address_of(Plant const& plant, std::vector<SegmentId> const& path) const
 {
     CHECK(!path.empty());

@@ -22,8 +22,8 @@ namespace tractus {
 using SegmentAddress = std::vector<std::uint32_t>;
 constexpr std::uint32_t kKeyedAxis = 0xFFFFFFFF;
 
-// A key for each axis of a plant, by which the plant's source identifies it; 0 for an axis without
-// a key. Empty if no axis has one. Axes that share a key count as having none.
+// A key for each axis of a plant, with which the plant's source identifies it; 0 for an axis
+// without a key. Empty if no axis has a key. Axes that share a key count as having none.
 using AxisKeys = std::vector<std::uint32_t>;
 
 // Derives a key from a name that is unique in the plant; never 0.
@@ -46,18 +46,18 @@ std::size_t segment_count(PathAddress const& path);
 std::optional<std::vector<SegmentId>> path_between(Plant const& plant, SegmentId first,
                                                    SegmentId last);
 
-// An index of a plant's axes by parent segment, which converts between segments and addresses in a
+// An index of a plant's axes by parent segment. It converts between segments and addresses in a
 // time that depends on the order of the axes and hardly on the size of the plant.
 class AddressIndex {
 public:
     AddressIndex() = default; // The index of a plant without axes.
 
-    // The same plant must be passed to the other functions.
+    // Indexes `plant`; the same plant must be passed to the other functions.
     explicit AddressIndex(Plant const& plant, AxisKeys keys = {});
 
     SegmentAddress address_of(Plant const& plant, SegmentId segment) const;
 
-    // `path` as in Association; not empty.
+    // `path`: segments from root to tip, each a child of the one before; not empty.
     PathAddress address_of(Plant const& plant, std::vector<SegmentId> const& path) const;
 
     // Returns no value if the plant has no segment at the address.
@@ -72,9 +72,9 @@ private:
     std::optional<SegmentId> find_on_keyed(Plant const& plant, SegmentAddress const& address) const;
     SegmentAddress address_at(Plant const& plant, SegmentId segment, double share) const;
 
-    std::vector<AxisId> by_parent_; // Sorted by parent segment, in the plant's order within one.
+    std::vector<AxisId> by_parent_; // All axes by parent segment, then in the plant's order.
     AxisKeys keys_;
-    std::vector<std::pair<std::uint32_t, AxisId>> by_key_; // Sorted.
+    std::vector<std::pair<std::uint32_t, AxisId>> by_key_; // Keys and their axes, sorted by key.
 };
 
 } // namespace tractus

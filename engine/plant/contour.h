@@ -12,7 +12,7 @@ namespace tractus {
 // Index into Plant::contours.
 using ContourId = std::uint16_t;
 
-// In place of a contour: the section is a circle.
+// Means that there is no contour: the section is a circle.
 constexpr ContourId kNoContour = std::numeric_limits<ContourId>::max();
 
 // The outline of an axis' cross-section, for fluted stems, ribbons, or leaf blades along a midrib.
@@ -21,9 +21,9 @@ struct Contour {
 
     std::string name;
     bool closed = true; // False: the section is a sheet, visible from both sides.
-    // kSteps + 1 points at equal parameter steps along the outline; for a closed outline the last
-    // equals the first. For a node of radius 1: x along the section's normal, y along normal x axis
-    // direction, z along the axis. A closed outline turns from x to y.
+    // kSteps + 1 points at equal parameter steps along the outline, for a node of radius 1: x along
+    // the section's normal, y along normal x axis direction, z along the axis. In a closed outline
+    // the last point equals the first, and the outline turns from x to y.
     std::vector<Vec3f> points;
 };
 

@@ -10,16 +10,16 @@
 namespace tractus {
 
 // A leaf as a flat shape of few triangles, cut along its outline and midrib so that it can be
-// folded and bent, and its place in the picture of its material.
+// folded and bent, with its position in the picture of its material.
 //
 // Frame: x to the leaf's right, y from the end of the petiole towards the tip, seen from the upper
 // side. The blade has length 1, except for the variation from leaf to leaf; the petiole is not
 // included.
 struct CutLeaf {
     std::vector<Vec2> corners;
-    std::vector<std::array<std::uint32_t, 3>> triangles; // Counter-clockwise.
+    std::vector<std::array<std::uint32_t, 3>> triangles; // Indices of corners, counter-clockwise.
     // Position of the end of the petiole in the picture, in texture coordinates (v downwards), and
-    // `length_in_picture`: the size of the unit length there.
+    // `length_in_picture`: the size of the leaf's unit length in them.
     Vec2 stem_in_picture = Vec2::Zero();
     double length_in_picture = 1;
     // Name of the leaf sheet that it comes from (engine/lsystem/view/leaf_sheet.h), and `number`:

@@ -7,7 +7,7 @@ namespace tractus {
 
 namespace {
 
-// For each axis the axis that continues it, if any, and whether it is itself a continuation.
+// For each axis, the axis that continues it, or kNone, and whether it continues another axis.
 struct Continuations {
     std::vector<AxisId> next;
     std::vector<bool> continues;
@@ -37,7 +37,7 @@ bool is_preferred(Plant const& plant, Axis const& axis, Axis const& a, Axis cons
                                 : straightness(plant, axis, a) > straightness(plant, axis, b);
 }
 
-// False if the outline changes between two nodes: there one tube ends and another begins.
+// True if both nodes have round sections, or neither: otherwise one tube ends and another begins.
 bool same_outline(Plant const& plant, NodeId a, NodeId b)
 {
     return plant.node_section.empty()
@@ -128,11 +128,11 @@ Plant join_axes(Plant plant)
     std::vector<AxisId> new_axis(plant.axes.size(), kNone);
     for (AxisId id = 0; id < plant.axes.size(); ++id) {
         if (continuations.continues[id])
-            continue; // Already part of an axis that began further down.
+            continue; // The axis is already part of one that began further down.
         auto const& old = plant.axes[id];
         Axis axis { .first_node = static_cast<NodeId>(joined.node_position_mm.size()),
                     .first_segment = static_cast<SegmentId>(joined.segment_count()) };
-        if (old.parent_axis != kNone) { // Parents come first, so both new numbers are known.
+        if (old.parent_axis != kNone) { // Parents come first, so their new numbers are known.
             axis.parent_segment = new_segment[old.parent_segment];
             axis.parent_axis = new_axis[old.parent_axis];
             axis.order = joined.axes[axis.parent_axis].order + 1;

@@ -18,7 +18,7 @@ Plant join_axes(Plant plant);
 // order; within an order by decreasing length, and equally long ones by number.
 std::vector<AxisId> axes_in_drawing_order(Plant const& plant);
 
-// For callers that have already computed the arc lengths of the axes.
+// Returns the axes in drawing order, for callers that already know the arc lengths of the axes.
 std::vector<AxisId> axes_in_drawing_order(Plant const& plant,
                                           std::span<double const> axis_length_mm);
 

@@ -31,7 +31,7 @@ public:
     std::vector<SegmentId> join()
     {
         bool const has_sections = !plant_.node_section.empty() || !part_.node_section.empty();
-        if (has_sections) // A plant without sections has round ones.
+        if (has_sections) // Nodes without a section so far get round ones.
             plant_.node_section.resize(plant_.node_position_mm.size());
         append_axes();
         if (has_sections)
@@ -50,7 +50,7 @@ private:
         return turned_mm + place_.moved_mm;
     }
 
-    // Number of visible segments of an axis.
+    // Counts the visible segments of an axis.
     std::uint32_t count_shown(Axis const& axis) const
     {
         if (axis.parent_segment != kNone && segments_[axis.parent_segment] == kNone)
@@ -112,7 +112,7 @@ private:
         }
     }
 
-    // True if a segment is visible, or kNone (the ground).
+    // True for a visible segment, and for kNone (the ground).
     bool is_shown(SegmentId segment) const
     {
         return segment == kNone || segments_[segment] != kNone;
@@ -169,9 +169,9 @@ private:
     Plant const& part_;
     PartPlace const& place_;
     std::vector<bool> const& hidden_;
-    AppearanceOffsets shift_; // Added to the numbers of the part's looks.
+    AppearanceOffsets shift_; // Added to the part's numbers of materials, shapes and contours.
     bool is_turned_;
-    std::vector<SegmentId> segments_; // By segment of the part: its number in the whole.
+    std::vector<SegmentId> segments_; // For each segment of the part, its number in the whole.
 };
 
 } // namespace

@@ -9,7 +9,7 @@
 namespace tractus {
 
 // Appends the axes, organs, polygons, materials and shapes of another plant, translated by
-// `moved_mm`. The order within both is kept.
+// `moved_mm`. The order within both plants is kept.
 void append_plant(Plant& plant, Plant const& other, Vec3 const& moved_mm);
 
 // Numbers in a plant of the first material, organ shape and contour of one of its parts.
@@ -19,7 +19,7 @@ struct AppearanceOffsets {
     ContourId contour = 0;
 };
 
-// Returns the numbers that the next part appended to the plant gets.
+// Returns the numbers that the first material, shape and contour of the next part will get.
 AppearanceOffsets next_appearance_offsets(Plant const& plant);
 
 // Placement of a plant that becomes a part of another.
@@ -33,8 +33,8 @@ struct PartPlace {
     // False: a part attached to a segment begins at that segment's end, wherever its stems' first
     // nodes were. True: its stems begin where `turn` and `moved_mm` place them.
     bool keeps_base = false;
-    // Numbers of the looks that an earlier part brought, if this part has the same materials,
-    // shapes and contours. Default: it brings its own.
+    // Offsets of an earlier part with the same materials, shapes and contours, which this part then
+    // shares. Default: those of this part are appended.
     std::optional<AppearanceOffsets> looks {};
 };
 

@@ -17,7 +17,7 @@ struct TexturePicture {
     enum class Edges { Repeat, Clamp } edges = Edges::Repeat;
 };
 
-// Shared by all copies of a material, since plants are copied often; null if there is no picture.
+// A picture, shared by all copies of a material, since plants are copied often; null: no picture.
 using TextureSlot = std::shared_ptr<TexturePicture const>;
 
 // Texture pictures that refine a material; their values are multiplied with the material's numbers.

@@ -12,7 +12,7 @@ namespace tractus {
 
 namespace {
 
-constexpr double kTipShare = 0.002; // Default tip radius as a share of the height.
+constexpr double kTipShare = 0.002; // Default radius of tips as a share of the plant's height.
 constexpr double kLargest_mm = 1e7;
 
 Result<void> check_nodes(std::string const& name, std::span<MeasuredNode const> nodes)
@@ -66,7 +66,7 @@ public:
 
 private:
     struct AxisStart {
-        std::uint32_t from = 0; // Nodes.
+        std::uint32_t from = 0; // First node of the axis; `to`: its second node.
         std::uint32_t to = 0;
         SegmentId parent_segment = kNone;
         AxisId parent_axis = kNone;
@@ -86,7 +86,7 @@ private:
         plant_.node_radius_mm.push_back(static_cast<float>(radius_mm));
     }
 
-    void follow(AxisStart start) // By value, since starts_ grows.
+    void follow(AxisStart start) // Passed by value, since starts_ grows meanwhile.
     {
         Axis axis { .first_node = static_cast<NodeId>(plant_.node_position_mm.size()),
                     .first_segment = static_cast<SegmentId>(plant_.segment_count()),
@@ -110,11 +110,11 @@ private:
     }
 
     std::span<MeasuredNode const> nodes_;
-    std::vector<std::uint32_t> next_; // By node: the next node on the same axis.
-    // By node: the first nodes of its lateral axes, in the order of the nodes.
+    std::vector<std::uint32_t> next_; // For each node, the next node on the same axis; or kNone.
+    // For each node, the second nodes of the lateral axes that begin there, in ascending order.
     std::vector<std::vector<std::uint32_t>> laterals_;
     std::vector<double> radius_mm_;
-    std::vector<SegmentId> segments_; // By node: the segment that ends there.
+    std::vector<SegmentId> segments_; // For each node, the segment that ends there.
     std::vector<AxisStart> starts_;
     Plant plant_;
 };

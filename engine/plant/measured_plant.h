@@ -18,7 +18,7 @@ struct MeasuredNode {
     bool continues = false;
     Vec3 position_mm = Vec3::Zero(); // Plant frame; the origin is arbitrary.
     std::optional<double> radius_mm {};
-    // Radius at the lower end of the segment that ends here. Used at the base of an axis only.
+    // Radius at the lower end of the segment that ends here. Used only at the base of an axis.
     std::optional<double> base_radius_mm {};
 };
 
@@ -34,13 +34,13 @@ Result<Plant> plant_from_nodes(std::string const& name, std::span<MeasuredNode c
 // A plant built from measured nodes, and the correspondence of its segments.
 struct MeasuredPlant {
     Plant plant {};
-    std::vector<SegmentId> segments {}; // By node: the segment that ends there, or kNone.
+    std::vector<SegmentId> segments {}; // Segment that ends at each measured node, or kNone.
     Vec3 base_mm = Vec3::Zero(); // Original position of the node that was moved to the origin.
 };
 Result<MeasuredPlant> measured_plant_from_nodes(std::string const& name,
                                                 std::span<MeasuredNode const> nodes);
 
-// Guesses the unit of a file: returns the factor to millimetres for metres if the whole is smaller
+// Guesses the unit of a file from its extent: returns 1000 (the unit is metres) if that is smaller
 // than 100 units, and 1 (millimetres) otherwise.
 double millimetres_per_unit(Bounds const& units);
 

@@ -29,7 +29,7 @@ void write_mtg(std::ostream& out, Plant const& plant);
 
 struct MtgPlant {
     Plant plant {};
-    // Messages for the user: what the file contains that is not in the plant.
+    // Messages for the user about contents of the file that are not in the plant.
     std::vector<std::string> warnings {};
 };
 

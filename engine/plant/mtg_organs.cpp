@@ -15,7 +15,7 @@ namespace tractus {
 namespace {
 
 constexpr double kLargestOrgan_mm = 1e7;
-// A file may name a shape for every organ, but each shape costs a mesh.
+// Maximum number of shapes: a file may name one for every organ, but each shape costs a mesh.
 constexpr std::size_t kMaxMtgShapes = 1000;
 
 // Indices into kMtgOrganColumns.
@@ -29,7 +29,7 @@ enum MtgColumn : std::size_t {
     ShapeColumn = NormalColumn + 3,
 };
 
-// In the order of OrganShape::Kind.
+// Names of the kinds of shape, in the order of OrganShape::Kind.
 constexpr std::array<std::string_view, 6> kShapeWords { "blade", "needle",  "disc",
                                                         "ball",  "surface", "leaf" };
 
@@ -43,7 +43,7 @@ MtgOrganClass class_of(Plant const& plant, OrganShape const& shape)
     return material == Material::Kind::Leaf || is_flat ? MtgOrganClass::Leaf : MtgOrganClass::Other;
 }
 
-// Returns the nearest kind of shape that a few numbers describe.
+// Returns the kind of shape that the file names, or the nearest kind that a few numbers describe.
 OrganShape::Kind nearest_kind(MtgOrganClass organ_class, std::string_view shape)
 {
     auto const word = shape.substr(0, shape.find('-'));
@@ -78,7 +78,7 @@ Material material_of(MtgOrganClass organ_class)
              .roughness = 0.6f };
 }
 
-// Length of a part as a share of the whole, or `otherwise` if that is not a valid share.
+// Returns the ratio of two lengths, or `otherwise` if it is too large or `whole` is not above 0.
 float share_of(double part, double whole, float otherwise)
 {
     constexpr double kGreatest = 1e6;
@@ -112,7 +112,8 @@ public:
     {
     }
 
-    // Must be called for all organs before the first is placed.
+    // Adds the organ's shape, or enlarges it for the organ. Must be called for all organs before
+    // the first one is placed.
     void count(MtgOrgan const& organ)
     {
         auto const [found, is_new] = ids_.try_emplace(key_of(organ));
@@ -143,7 +144,7 @@ public:
 private:
     using Key = std::pair<MtgOrganClass, std::string_view>;
 
-    // Shapes beyond the maximum share the shape without a name.
+    // Returns the key of an organ's shape. Shapes beyond the maximum share one without a name.
     Key key_of(MtgOrgan const& organ) const
     {
         Key const key { organ.kind, organ.shape };
@@ -229,7 +230,7 @@ std::optional<MtgOrgan> MtgOrganColumns::read(std::span<std::string_view const> 
     auto const vector = [&](std::size_t which) {
         return Vec3(coordinate(which), coordinate(which + 1), coordinate(which + 2));
     };
-    constexpr double kGreatest = 1e9; // Limits numbers so that their squares are finite.
+    constexpr double kGreatest = 1e9; // Limit of coordinates, so that their squares are finite.
     auto const is_vector = [&](Vec3 const& v) {
         return v.allFinite() && v.cwiseAbs().maxCoeff() < kGreatest && v.norm() > 1 / kGreatest;
     };

@@ -28,14 +28,15 @@ struct MtgOrgan {
     double length = 0;
     double width = 0;
     // Extent along the normal: the size of a ball in that direction, or how far a leaf bends out of
-    // its plane. Without a value the organ is scaled along the normal as across.
+    // its plane. No value: the organ is scaled along its normal as much as across its width.
     std::optional<double> depth {};
     double petiole = 0; // Length of the petiole, included in `length`.
-    // The kind of shape and a number that identifies the shape. Refers to the text of the file.
+    // The kind of shape and a number that identifies the shape, such as "blade-2". Refers to the
+    // text of the file.
     std::string_view shape {};
 };
 
-// Columns of organs besides XX, YY and ZZ. Segments have the column Length, too.
+// Names of the columns of organs besides XX, YY and ZZ. Segments also have the column Length.
 constexpr std::array<std::string_view, 11> kMtgOrganColumns {
     "Length",     "Width",   "Depth",   "Petiole", "DirectionX", "DirectionY",
     "DirectionZ", "NormalX", "NormalY", "NormalZ", "Shape"
@@ -49,7 +50,7 @@ char mtg_symbol(MtgOrganClass kind);
 MtgOrgan mtg_organ(Plant const& plant, Organ const& organ);
 std::string mtg_shape_name(Plant const& plant, OrganShapeId shape);
 
-// Positions of the organ columns in a file.
+// Numbers of the organ columns in a file.
 class MtgOrganColumns {
 public:
     // Finds the columns by name, from column `first` on. Returns no value if the file has no
@@ -57,7 +58,7 @@ public:
     static std::optional<MtgOrganColumns> find(std::span<std::string_view const> names,
                                                std::size_t first);
 
-    // Returns no value if the row lacks a numeric direction or length.
+    // Reads the organ of a row. Returns no value if the row lacks a numeric direction or length.
     std::optional<MtgOrgan> read(std::span<std::string_view const> cells) const;
 
 private:

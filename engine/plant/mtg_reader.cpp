@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kMaxScales = 64;
 constexpr std::size_t kMaxGraphColumns = 100'000;
-// Limit on the total number of entities that << and ++ abbreviate.
+// Maximum number of entities in a file that << and ++ abbreviate.
 constexpr long kMaxRepeats = 1'000'000;
 
 constexpr std::array<std::string_view, 5> kTopDiameters { "topdiameter", "topdia", "diameter",
@@ -32,13 +32,13 @@ constexpr std::array<std::string_view, 1> kRadii { "radius" };
 
 // The current position in the graph, to which the next entity is attached.
 struct GraphPlace {
-    std::array<bool, kMaxScales> has_entity {}; // By scale: whether there is an entity.
-    std::uint32_t node = kNone;                 // The last entity that has a position.
-    bool is_branch = false;                     // A + has been read since that entity.
+    std::array<bool, kMaxScales> has_entity {}; // For each scale, whether there is an entity.
+    std::uint32_t node = kNone;                 // Node of the last entity that has a position.
+    bool is_branch = false;                     // True if a + has been read since that entity.
 };
 
-// The last entity in a column of the file, and a branch on it named in the same column, until
-// another branch is named or the parts of this one follow.
+// The last entity in a column of the file, and the last branch on it that the same column has
+// named. The branch is forgotten when another one is named or when its own parts follow.
 struct GraphColumn {
     GraphPlace place;
     std::optional<GraphPlace> branch;
@@ -64,7 +64,7 @@ private:
     struct Entity {
         char relation = '/';
         Class kind {};
-        bool is_last = false; // Last entity of its line: the line's feature columns belong to it.
+        bool is_last = false; // True for the last entity of a line, which has the line's features.
     };
     enum class Section { None, Classes, Other, Header, Graph };
 
@@ -200,8 +200,8 @@ Result<void> MtgReader::read_header(std::string_view line)
     return {};
 }
 
-// In files with organ columns, such as those of write_mtg(), L, F and O are organs; in others they
-// may be internodes.
+// Finds the organ columns. In files that have them, such as those of write_mtg(), the classes L, F
+// and O are organs; in others they may be internodes.
 void MtgReader::find_organ_columns(std::vector<std::string_view> const& names)
 {
     if (!organs_.find_columns(names, entity_columns_))
@@ -247,8 +247,8 @@ Result<void> MtgReader::read_entities(std::string_view line)
     return {};
 }
 
-// Continues a line that begins with ^ from the entity above it. + names a branch there; what
-// follows in the same column is attached to the same entity as the branch.
+// Continues from the entity above a line that begins with ^. A + names a branch on that entity;
+// further entities in the same column are attached to the same entity as the branch.
 Result<void> MtgReader::go_on(std::size_t column, std::span<Entity const> entities,
                               std::vector<std::string_view> const& cells)
 {
@@ -285,7 +285,8 @@ Result<MtgReader::Class> MtgReader::take_label(std::string_view& code, std::opti
     return found->second;
 }
 
-// Expands abbreviations: "/A1/U2<U3<<U9" is A1, U2, U3, and U4 to U9.
+// Returns the entities of a code, expanding abbreviations: "/A1/U2<U3<<U9" is A1, U2, U3, and U4 to
+// U9.
 Result<std::vector<MtgReader::Entity>> MtgReader::entities_in(std::string_view code)
 {
     std::vector<Entity> result;

@@ -43,9 +43,9 @@ constexpr std::string_view kHeader = "# Lengths, diameters and positions are in 
                                      "TopDiameter\tREAL\n"
                                      "BottomDiameter\tREAL\n";
 
-// Columns of segments after XX, YY and ZZ; organs share the first.
+// Names of the columns of segments after XX, YY and ZZ; organs share the first, Length.
 constexpr std::string_view kSegmentColumns = "Length\tTopDiameter\tBottomDiameter";
-// Columns that only organs have.
+// Names of the columns that only organs have.
 constexpr auto kOwnColumns = std::span(kMtgOrganColumns).subspan<1>();
 
 // Rounds a component of a unit vector.
@@ -75,7 +75,7 @@ public:
             (plant.organs[i].segment == kNone ? on_ground_ : organs_[plant.organs[i].segment])
                 .push_back(i);
         trunk_column_ = trunks_.size() > 1 ? 1 : 0;
-        columns_ = trunk_column_ + orders + 2; // Organs are one column further to the right.
+        columns_ = trunk_column_ + orders + 2; // The last one is for organs of the highest order.
     }
 
     void write()
@@ -92,8 +92,8 @@ public:
     }
 
 private:
-    // Writes a trunk with all that it bears, with an explicit stack of axes and their progress
-    // instead of recursion, since plants can be deep.
+    // Writes a trunk with its branches and organs, using an explicit stack of axes and their
+    // progress instead of recursion, since plants can be deep.
     void write_trunk(AxisId trunk)
     {
         std::vector<std::pair<AxisId, std::uint32_t>> open;
@@ -114,7 +114,7 @@ private:
             write_segment(axis, segment++);
             for (auto const organ : organs_[id])
                 write_organ(column_of(axis) + 1, organ);
-            // The last axis is pushed first, so that the top of the stack is written first.
+            // Laterals are pushed last to first, so that the first one is written first.
             auto const& standing = standing_[id];
             if (!standing.empty())
                 write_standing(standing, open);
@@ -129,8 +129,8 @@ private:
             open.emplace_back(*i, 0);
     }
 
-    // Several trunks are components of the plant, in a column of their own; ^ means the entity
-    // above in the same column, which is the plant where there is one trunk.
+    // Writes the entity of an axis. Several trunks are components of the plant, in a column of
+    // their own. A single trunk is in the plant's column, where ^ refers to the plant above it.
     void begin_axis(AxisId id, char relation)
     {
         bool const continues_plant = relation == '/' && trunk_column_ == 0;
@@ -192,10 +192,10 @@ private:
     std::ostream& out_;
     Plant const& plant_;
     std::vector<AxisId> trunks_;                // Axes on the ground.
-    std::vector<std::vector<AxisId>> standing_; // By segment: the axes attached to its end.
+    std::vector<std::vector<AxisId>> standing_; // Axes attached to the end of each segment.
     std::vector<std::vector<std::size_t>> organs_;
     std::vector<std::size_t> on_ground_; // Organs on the ground that have not been written yet.
-    std::uint32_t trunk_column_ = 0;     // Column of the trunks.
+    std::uint32_t trunk_column_ = 0;     // Column of the entities of trunks, from 0.
     std::uint32_t columns_ = 0;          // Number of columns for entities.
 };
 

@@ -6,10 +6,10 @@ namespace tractus {
 // months are ascending, each from 1 to 13.
 struct OrganCalendar {
     bool is_evergreen = false; // The organ is present all year; the months are ignored.
-    double opens = 4;          // Bud burst.
-    double grown = 5.5;        // Fully grown.
-    double turns = 9;          // Beginning of senescence.
-    double bare = 11.3;        // The last organ of this kind has fallen.
+    double opens = 4;          // Month of bud burst.
+    double grown = 5.5;        // Month in which the organ is fully grown.
+    double turns = 9;          // Month in which senescence begins.
+    double bare = 11.3;        // Month in which the last organ of this kind has fallen.
 
     bool operator==(OrganCalendar const&) const = default;
 };

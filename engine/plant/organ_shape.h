@@ -33,8 +33,8 @@ struct OrganShape {
     std::string name = "leaf";
     Kind kind = Kind::Blade;
     MaterialId material = 0;
-    double length_mm = 50; // From the attachment to the tip, including the petiole.
-    double width_mm = 25;  // Greatest width.
+    double length_mm = 50; // Length from the attachment to the tip, including the petiole.
+    double width_mm = 25;  // Greatest width of the organ.
     double petiole_mm = 0; // Length of the petiole, below the blade; Blade only.
     // Position of the greatest width along the blade, from 0 (base) to 1 (tip); Blade only.
     double widest = 0.4;
@@ -49,10 +49,10 @@ struct OrganShape {
     double curl_rad = 0.4;
     // For Surface only; length_mm and width_mm are then the size of the bounding box along y and x.
     std::vector<BezierPatch> patches {};
-    // For Surface only: the back has its own triangles, as opaque materials require.
+    // For Surface only: true if the back has its own triangles, as opaque materials require.
     bool has_back = false;
-    // For Leaf only, where it is required. Shared by all copies of a shape, since plants are copied
-    // often.
+    // The leaf's cut-out: required for Leaf, unused for other kinds. Shared by all copies of a
+    // shape, since plants are copied often.
     std::shared_ptr<CutLeaf const> cut {};
     // When the organ is present during the year. Default: the calendar for its kind and material
     // (engine/scene/season.h).

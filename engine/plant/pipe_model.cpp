@@ -7,7 +7,7 @@ namespace tractus {
 void apply_pipe_model(Plant& plant, double exponent, double tip_radius_mm)
 {
     double const tip = std::pow(tip_radius_mm, exponent);
-    // By segment: sum of r^exponent over its lateral axes.
+    // For each segment, the sum of r^exponent over its lateral axes.
     std::vector<double> borne(plant.segment_count());
     // Children come after their parents, so in reverse order every axis is finished before its
     // parent.

@@ -39,7 +39,7 @@ struct Organ {
     Vec3 position_mm = Vec3::Zero();
     // Rotation from the organ frame (organ_shape.h) to the plant frame.
     Quat orientation = Quat::Identity();
-    Vec3f scale = Vec3f::Ones(); // Along the axes of the organ frame.
+    Vec3f scale = Vec3f::Ones(); // Scale factors along the axes of the organ frame.
 };
 
 // A filled polygon drawn by the turtle; flat or nearly so, with at least three vertices.
@@ -87,16 +87,16 @@ bool has_contour(Plant const& plant, Axis const& axis);
 // Returns the axis of a segment, in O(log axes).
 AxisId axis_of(Plant const& plant, SegmentId segment);
 
-// The two nodes of a segment. nodes_of() takes O(log axes): loops over an axis should use its node
-// range.
+// The two end nodes of a segment. nodes_of() takes O(log axes), so loops over an axis should use
+// its node range instead.
 struct SegmentNodes {
     NodeId base = 0;
     NodeId tip = 0;
 };
 SegmentNodes nodes_of(Plant const& plant, SegmentId segment);
 
-// Returns the segment below this one: the previous one on its axis, or the one that its axis is
-// attached to. kNone at the base of the plant.
+// Returns the segment below `segment`: the previous one on its axis or, for the first one, the one
+// that its axis is attached to; kNone if the axis is on the ground.
 SegmentId parent_segment(Plant const& plant, SegmentId segment);
 
 // Arc length of an axis.
@@ -113,8 +113,8 @@ struct Bounds {
 // Bounding box of the nodes and the organs' points of attachment. Empty for an empty plant.
 Bounds bounds(Plant const& plant);
 
-// Aborts with CHECK if `plant` violates an invariant above. For the tests of everything that makes
-// plants.
+// Aborts with CHECK if `plant` violates an invariant of Plant. For the tests of everything that
+// makes plants.
 void check_plant(Plant const& plant);
 
 } // namespace tractus

@@ -13,11 +13,11 @@ namespace tractus {
 
 // Prefix of addresses in a part of a plant, where the part was once a separate plant: four numbers
 // for each level of nesting, outermost first. It is followed by the address within the part. Empty
-// for the plant that the others were added to.
+// for the original plant, to which the others were added.
 using PartPrefix = SegmentAddress;
 constexpr std::uint32_t kPartOfPlant = 0xFFFFFFFE;
 
-// `id` identifies the part and is unique within the plant.
+// Returns the prefix of the part with the number `id`, which is unique within the plant.
 PartPrefix part_prefix(std::uint64_t id);
 
 // Returns the id of the outermost part, or 0 for an address outside all parts.
@@ -37,10 +37,10 @@ PathAddress without_part(PartPrefix const& prefix, PathAddress const& address);
 // One of the plants that a plant was composed of.
 struct PlantPart {
     PartPrefix prefix {};
-    std::shared_ptr<Plant const> plant {}; // Includes what is hidden in the whole.
+    std::shared_ptr<Plant const> plant {}; // The part, with branches that are hidden in the whole.
     AddressIndex index {};
-    // By segment of the part: its number in the whole, or kNone if it is hidden. In the whole these
-    // are contiguous and in the same order, after those of the preceding parts.
+    // For each segment of the part, its number in the whole, or kNone if it is hidden. These
+    // numbers are ascending and without gaps, after those of the preceding parts.
     std::vector<SegmentId> in_whole {};
 };
 
@@ -51,8 +51,8 @@ class PlantAddresses {
 public:
     PlantAddresses() = default; // Addresses of a plant without axes.
 
-    // Addresses of a plant that is not composed. The same plant must be passed to the other
-    // functions.
+    // Addresses of a plant that is not composed of others. The same plant must be passed to the
+    // other functions.
     explicit PlantAddresses(Plant const& plant, AxisKeys keys = {})
         : whole_(plant, std::move(keys))
     {
@@ -63,13 +63,13 @@ public:
 
     SegmentAddress address_of(Plant const& plant, SegmentId segment) const;
 
-    // `path` as in Association; not empty.
+    // `path`: segments from root to tip, each a child of the one before; not empty.
     PathAddress address_of(Plant const& plant, std::vector<SegmentId> const& path) const;
 
     // Returns no value if there is no segment at the address, or it is hidden.
     std::optional<SegmentId> find_segment(Plant const& plant, SegmentAddress const& address) const;
 
-    // Returns no value if an end is missing, or if both are no longer on one way from root to tip.
+    // Returns no value if an end is missing, or if the last one no longer descends from the first.
     std::optional<std::vector<SegmentId>> find_path(Plant const& plant,
                                                     PathAddress const& address) const;
 
@@ -79,7 +79,7 @@ public:
 private:
     struct ShownPart : PlantPart {
         SegmentId first = 0; // First segment of the whole that belongs to this part.
-        // The segment numbers within the part, for the segments of the whole from `first` on.
+        // For each segment of the whole from `first` on, its number within the part.
         std::vector<SegmentId> own {};
     };
 

@@ -45,7 +45,7 @@ PlyType const* find_ply_type(std::string_view name)
 struct PlyProperty {
     std::string name;
     PlyType const* type = nullptr;
-    // Type of the element count of a list property; null if it is not a list.
+    // Type of the element count of a list property; null if the property is not a list.
     PlyType const* count_type = nullptr;
 };
 struct PlyElement {
@@ -93,7 +93,7 @@ private:
     Format format_ = Format::Ascii;
     std::vector<PlyElement> elements_;
     std::vector<Vec3> vertices_; // Positions in the file's units.
-    std::vector<double> radii_;  // By vertex; empty if the file has no radii.
+    std::vector<double> radii_;  // Radius of each vertex; empty if the file has no radii.
     std::vector<std::array<double, 2>> edges_;
 };
 
@@ -177,7 +177,7 @@ Result<double> PlyReader::scalar(PlyType const& type)
                           : as(std::int32_t {});
 }
 
-// Elements with other names are skipped.
+// Reads an element: vertices and edges are kept, elements with other names are skipped.
 Result<void> PlyReader::read_element(PlyElement const& element)
 {
     std::array<std::string_view, 4> constexpr kVertex { "x", "y", "z", "radius" };
@@ -232,13 +232,13 @@ Result<Plant> PlyReader::plant() const
     if (pieces.empty())
         return error("there are no edges in it: export the skeleton, not its surface or points");
     auto plant = TRY(plant_from_lines(name_, pieces));
-    if (radii_.size() == vertices_.size()) // Otherwise only some of the vertices have a radius.
+    if (radii_.size() == vertices_.size()) // Radii are ignored unless every vertex has one.
         set_radii(plant, scale);
     return plant;
 }
 
-// Finds each node's vertex by its position: a joint has the position of the first of its vertices,
-// relative to the plant's first node at the origin.
+// Sets the radius of each node to that of its vertex, found by position: a joint has the position
+// of the first of its vertices, relative to the plant's first node at the origin.
 void PlyReader::set_radii(Plant& plant, double scale) const
 {
     std::map<std::array<double, 3>, double> radius_at;

@@ -24,8 +24,8 @@ Result<void> check_picture_size(std::int64_t width, std::int64_t height, std::in
                             width, height, most_pixels / kMillion));
 }
 
-// Bytes that a PNG's rows have at least, and at most where they are interlaced or end with some
-// bytes too many, as a few programs' do.
+// Minimum and maximum number of bytes of a PNG's rows. The maximum allows for interlaced rows and
+// for some superfluous bytes at their end, which a few programs write.
 struct RowBytes {
     std::uint64_t least = 0;
     std::uint64_t most = 0;
@@ -41,8 +41,8 @@ static RowBytes row_bytes(std::string_view png, std::uint64_t width, std::uint64
     return { least, 2 * least + 16 * height + 65536 };
 }
 
-// Inflates the image data (the IDAT chunks), keeping nothing; returns the number of bytes, or one
-// that is larger than `most` as soon as that is passed.
+// Inflates the image data (the IDAT chunks) without keeping it, and returns the number of bytes.
+// Stops as soon as the number exceeds `most`.
 static std::uint64_t inflated_bytes(std::string_view png, std::uint64_t most)
 {
     z_stream stream {};
@@ -58,7 +58,7 @@ static std::uint64_t inflated_bytes(std::string_view png, std::uint64_t most)
             png_get_uint_32(reinterpret_cast<png_const_bytep>(png.data()) + at),
             png.size() - at - kAroundData);
         if (png.substr(at + 4, 4) == "IDAT") {
-            // zlib does not change what it reads.
+            // zlib does not change its input.
             stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(png.data() + at + 8));
             stream.avail_in = static_cast<uInt>(size);
             do {
@@ -67,15 +67,15 @@ static std::uint64_t inflated_bytes(std::string_view png, std::uint64_t most)
                 result = inflate(&stream, Z_NO_FLUSH);
                 count += piece.size() - stream.avail_out;
             } while (result == Z_OK && stream.avail_out == 0 && count <= most);
-            result = result == Z_BUF_ERROR ? Z_OK : result; // It needs the next chunk.
+            result = result == Z_BUF_ERROR ? Z_OK : result; // zlib needs the next chunk.
         }
         at += size + kAroundData;
     }
     return count;
 }
 
-// Fails if the file holds less than the pixels that it claims, for which memory would be allocated,
-// or far more, which libpng would inflate to its end.
+// Fails if the file holds fewer pixels than it claims, since memory would be allocated for them, or
+// far more data, since libpng would inflate all of it.
 static Result<void> check_data(std::string_view png, std::uint64_t width, std::uint64_t height)
 {
     auto const [least, most] = row_bytes(png, width, height);
@@ -135,7 +135,7 @@ std::string upside_down_png(PixelRows const& rows)
     png.format = has_alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
     png.flags = PNG_IMAGE_FLAG_FAST;
     PngImage const freed(&png, png_image_free);
-    // A negative stride starts at the last row.
+    // With a negative stride libpng starts at the last row.
     auto const stride = -static_cast<png_int_32>(PNG_IMAGE_ROW_STRIDE(png));
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
     std::string bytes(size, '\0');

@@ -10,10 +10,11 @@
 
 namespace tractus {
 
-// Fails with a user error if a picture has no pixels, or more than `most_pixels`.
+// Fails with a user error if a picture has no pixels or more than `most_pixels`.
 Result<void> check_picture_size(std::int64_t width, std::int64_t height, std::int64_t most_pixels);
 
-// Allocates 4 bytes per pixel, 4-byte aligned; the memory must stay valid while they are written.
+// Allocates 4 bytes per pixel, aligned to 4 bytes; the memory must stay valid until
+// read_png_pixels() returns.
 using PixelAllocator = std::function<std::uint8_t*(int width, int height)>;
 
 // Reads the pixels of a PNG file (ISO/IEC 15948) of any kind: rows from the top; red, green, blue

@@ -27,7 +27,7 @@ enum QsmColumn : std::size_t {
     AxisY,
     AxisZ,
     Parent,
-    Extension, // In all versions of TreeQSM the order is the same up to here.
+    Extension, // In all versions of TreeQSM the columns have the same order up to this one.
     Branch,
     EndX,
     EndY,
@@ -68,7 +68,7 @@ constexpr std::array kQsmNames {
 };
 
 struct QsmCylinder {
-    Vec3 start = Vec3::Zero(); // In the file's units.
+    Vec3 start = Vec3::Zero(); // Lengths and positions are in the file's units.
     Vec3 end = Vec3::Zero();
     double radius = 0;
     double id = 0;
@@ -133,7 +133,8 @@ private:
     std::vector<QsmCylinder> cylinders_;
 };
 
-// TreeQSM's own column names each stand for three columns, in the known order.
+// Reads the names of the columns. A file with TreeQSM's own names, each of which stands for three
+// columns, keeps the default order.
 Result<void> QsmReader::read_names(std::vector<std::string_view> const& cells)
 {
     std::array<std::optional<std::size_t>, QsmColumnCount> named;
@@ -216,7 +217,7 @@ std::vector<std::size_t> QsmReader::parents() const
     return result;
 }
 
-// By cylinder: whether it continues the axis of its parent.
+// Returns, for each cylinder, whether it continues the axis of its parent.
 std::vector<bool> QsmReader::continued(std::span<std::size_t const> parents) const
 {
     bool const has_extensions

@@ -15,7 +15,7 @@ namespace tractus {
 
 namespace {
 
-// A joint of the skeleton and its neighbours along the lines.
+// A joint of the skeleton, and the joints to which lines connect it.
 struct SkeletonJoint {
     Vec3 place_mm;
     std::vector<std::uint32_t> neighbours;
@@ -64,7 +64,7 @@ private:
 
     Cell cell_of(Vec3 const& place_mm) const
     {
-        // Positions beyond this are clamped to the outermost cells.
+        // Positions beyond this number of cells are clamped to the outermost cells.
         constexpr double kFarthest = 0x1p62;
         Vec3 const cell = (place_mm / tolerance_mm_).array().floor().max(-kFarthest).min(kFarthest);
         return { static_cast<std::int64_t>(cell.x()), static_cast<std::int64_t>(cell.y()),
@@ -75,7 +75,7 @@ private:
     std::unordered_map<Cell, std::vector<std::uint32_t>, Hash> cells_;
 };
 
-// The joints as a forest: the parent of each, and the longest way from each to a tip.
+// The joints as a forest: the parent of each, and the longest path from each to a tip.
 class Forest {
 public:
     explicit Forest(std::vector<SkeletonJoint> const& joints)
@@ -98,8 +98,8 @@ public:
     Plant plant() const;
 
 private:
-    // Sorts by the longest way to a tip, longest first; of equally long ones, up to rounding, the
-    // straightest first.
+    // Sorts the children of a joint by the length of their path to a tip, longest first; of equally
+    // long ones, up to rounding, the straightest comes first.
     void sort_children(std::uint32_t joint)
     {
         auto& children = children_[joint];
@@ -150,9 +150,9 @@ private:
     }
 
     std::vector<SkeletonJoint> const& joints_;
-    std::vector<std::uint32_t> below_; // By joint: its parent. A root is its own parent.
+    std::vector<std::uint32_t> below_; // Parent of each joint. A root is its own parent.
     std::vector<double> reach_mm_;
-    // By joint: its children, the one with the longest way to a tip first.
+    // Children of each joint, the one with the longest path to a tip first.
     std::vector<std::vector<std::uint32_t>> children_;
     std::vector<std::uint32_t> roots_;
     std::vector<std::uint32_t> order_;

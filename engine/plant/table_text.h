@@ -55,7 +55,7 @@ inline std::vector<std::string_view> words_of(std::string_view line)
     return words;
 }
 
-// Returns no value if the word is not a number, or is out of range.
+// Returns the number that a word contains; no value if it is not a number, or is out of range.
 inline std::optional<double> number_in(std::string_view word)
 {
     double value = 0;

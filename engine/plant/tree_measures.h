@@ -11,16 +11,17 @@ namespace tractus {
 struct TreeMeasures {
     std::size_t internodes = 0;
     double height_mm = 0; // Height of the highest node above the plant's base.
-    // Diameter of the thickest axis at 1.3 m above the base; of the base if the plant is lower.
+    // Diameter of the thickest axis at 1.3 m above the base; diameter of the base if the plant is
+    // lower than that.
     double breast_diameter_mm = 0;
     double slenderness = 0;    // Height divided by breast_diameter_mm.
-    double crown_width_mm = 0; // Mean of the extents along x and y.
-    // Height below which 5 % of the leaves are, or of the branch tips if there are no leaves.
+    double crown_width_mm = 0; // Mean of the plant's extents along x and y.
+    // Height below which 5 % of the organs are, or of the branch tips if there are no organs.
     double crown_base_mm = 0;
     int strahler = 0; // Horton-Strahler order of the base: 1 for a stem without branches.
-    // Horton's ratios between consecutive orders: by which factor the number of streams decreases,
-    // and their length increases, by regression over the orders. 0 if there are fewer than three
-    // orders.
+    // Horton's ratios between consecutive orders, by regression over the orders: the factor by
+    // which the number of streams decreases (bifurcation) and that by which their length increases.
+    // 0 if there are fewer than three orders.
     double bifurcation_ratio = 0;
     double length_ratio = 0;
     // Exponent e for which d^e = sum of d_child^e fits best over all forks (Minamino and Tateno

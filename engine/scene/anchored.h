@@ -25,8 +25,8 @@ std::string name_of(ItemId id);
 // Returns a list such as "3, 5 and 12.2".
 std::string list_names(std::vector<ItemId> const& ids);
 
-// A drawn item with the addresses of the paths it belongs to, by which these are found again after
-// the plant has changed. Equal lists of paths share their elements.
+// A drawn item and its paths, stored as addresses so that they can be found again after the plant
+// has changed. Equal lists of paths share their elements.
 template<typename T> struct Anchored {
     ItemId id = 0;
     T what {};

@@ -21,8 +21,8 @@ struct PicturePlace {
     double y_mm = 0;
     double width_mm = 200;
     double turn_deg = 0;    // Rotation about its centre, counter-clockwise.
-    double strength = 0.5;  // Opacity: 1 as it is, towards 0 it fades into the background.
-    bool is_locked = false; // The pen cannot move the picture.
+    double strength = 0.5;  // Opacity: 1 is opaque; lower values fade the picture.
+    bool is_locked = false; // True if the pen cannot move the picture.
 
     bool operator==(PicturePlace const&) const = default;
 };
@@ -31,8 +31,8 @@ struct PicturePlace {
 // are on the sheet, relative to the picture's centre, as shares of its width: they move and scale
 // with the picture, but do not rotate with it.
 struct PictureGround {
-    std::optional<double> horizon {}; // Height of the horizon above the centre.
-    // An upright object of known height, 0.05 to 200 m, by its foot and its top in the picture.
+    std::optional<double> horizon {}; // Height above the picture's centre, as a share of its width.
+    // An upright object of known height, 0.05 to 200 m: its foot and its top in the picture.
     struct Measured {
         Vec2 foot = Vec2::Zero();
         Vec2 top = Vec2::Zero();

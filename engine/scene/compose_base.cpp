@@ -86,11 +86,11 @@ public:
     }
 
 private:
-    // The plant that a part was built from, or, of a limb, that it is modelled on.
+    // The base plant of a part; for a limb, that of the part whose branches the limb imitates.
     struct PartModel {
         BasePlant const* base = nullptr;
-        AppearanceOffsets looks {}; // Its looks in the whole.
-        std::uint32_t order = 0;    // Branching order of its stems in the whole.
+        AppearanceOffsets looks {}; // Offsets of its materials and shapes in the whole plant.
+        std::uint32_t order = 0;    // Branching order of its stems in the whole plant.
     };
 
     PlantAddresses addresses() const { return PlantAddresses(parts_); }
@@ -106,7 +106,7 @@ private:
         parts_.push_back(std::move(part));
     }
 
-    // Index of the innermost part that an address belongs to.
+    // Returns the index of the innermost part that an address belongs to.
     std::size_t part_with(SegmentAddress const& at) const
     {
         std::size_t innermost = 0;
@@ -117,9 +117,9 @@ private:
         return innermost;
     }
 
-    // The segment that bears a limb. In a plant that has changed, or one of a collection, the
-    // branch may be shorter, or missing: then it is the nearest segment below. No value if the part
-    // is missing or the segment is hidden.
+    // Returns the segment to which a limb is attached. If the branch is shorter than when the limb
+    // was drawn, or missing, as in another individual, this is the nearest segment below. No value
+    // if the part is missing or the segment is hidden.
     std::optional<SegmentId> bearer_of(SegmentAddress const& at) const
     {
         auto const& part = parts_[part_with(at)];
@@ -145,7 +145,8 @@ private:
         return part.in_whole[*found];
     }
 
-    // By segment of the part: whether it is hidden. Descendants of hidden segments are not marked.
+    // Returns for each segment of a part whether it is hidden, or an empty list if none is.
+    // Descendants of hidden segments are not marked.
     std::vector<bool> hidden_of(PlantPart const& part) const
     {
         std::vector<bool> hidden;
@@ -170,7 +171,7 @@ private:
     PlantState const& plant_;
     Plant whole_;
     std::vector<PlantPart> parts_;
-    std::vector<PartModel> models_; // By part.
+    std::vector<PartModel> models_; // Models of parts_, in the same order.
     std::vector<std::string> warnings_;
 };
 

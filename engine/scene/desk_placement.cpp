@@ -8,7 +8,7 @@
 
 namespace tractus::scene {
 
-// A plant without extent is shown at natural size.
+// Returns the scale that shows a natural size as `shown_mm`; 1 for a plant without extent.
 static double fitting_scale(double shown_mm, double natural_mm)
 {
     return natural_mm > 0 ? shown_mm / natural_mm : 1;

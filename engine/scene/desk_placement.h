@@ -32,16 +32,17 @@ struct DeskPlacement {
 // width.
 DeskPlacement place_on_desk(Plant const& plant, DrawingVolume const& volume = {});
 
-// Changes the scale.
+// Changes the scale and, in proportion, the displayed height.
 void rescale(DeskPlacement& placement, double scale);
 
 // Viewing angle and zoom of the selection view.
 struct SelectionAngle {
-    // 0: from the front, looking along +y; increases as the viewer walks to the right.
+    // Direction of view: 0 is from the front, looking along +y; it increases as the viewer walks to
+    // the right.
     double azimuth_deg = 0;
-    double elevation_deg = 0;      // Above the horizon; below 90.
+    double elevation_deg = 0;      // Elevation above the horizon; below 90.
     double zoom = 1;               // Magnification about the tablet's centre.
-    Vec2 moved_mm = Vec2::Zero();  // Displacement of the picture on the tablet.
+    Vec2 moved_mm = Vec2::Zero();  // Displacement of the displayed plant on the tablet.
     Vec2 area_mm = Vec2(254, 159); // The tablet's active area, into which the plant fits at zoom 1.
     // Whether the skeleton is displayed at rest or as bent by strokes. In both cases the plant at
     // rest is fitted to the area, so that the view stays still while one draws.
@@ -76,7 +77,7 @@ variation::SkeletonProjection skeleton_projection(SelectionView const& view);
 
 SelectionView fit_selection_view(Plant const& plant, SelectionAngle const& angle = {});
 
-// For a plant of which only the bounding box is known; max_order has its default.
+// The same for a plant of which only the bounding box is known; max_order has its default.
 SelectionView fit_selection_view(Bounds const& box, SelectionAngle const& angle = {});
 
 } // namespace tractus::scene

@@ -28,13 +28,13 @@ struct DrawnLimb;
 // A part of a plant that was added to one of its branches: another plant that was grafted there, or
 // a limb that was drawn.
 struct Graft {
-    // Prefix of the addresses in this part, formed from the ids of the plants that it consists of.
+    // Prefix of the addresses in this part, formed from the ids of the enclosing parts and its own.
     PartPrefix prefix {};
     std::string name {}; // As in PlantState; also the next three fields.
     PlantSource source {};
     std::uint64_t source_edit = 0;
     std::optional<Vec2> paper_mm {};
-    // Used again when the part is taken off; until then it grows with the plant it is part of.
+    // Growth parameters for when the part is taken off; until then it grows with the whole plant.
     SetGrowth growth {};
 
     // The segment to whose end the part is attached. While there is no such segment the part is not
@@ -58,23 +58,23 @@ struct PlantState {
     std::string name {}; // For display; usually the name of the model.
     PlantSource source {};
     std::uint64_t source_edit = 0;    // Number of the edit that set the source.
-    Vec3 stands_at_mm = Vec3::Zero(); // Position of the base, world frame.
+    Vec3 stands_at_mm = Vec3::Zero(); // Position of the plant's base, world frame.
     // Position of the base on the paper that the plant was drawn on (paper.h). No value if it was
     // not drawn on paper.
     std::optional<Vec2> paper_mm {};
-    double paper_unit = 1;  // Paper::unit of that paper.
-    bool is_hidden = false; // Neither displayed nor exported.
-    // Name of the leaf sheet for its leaves; empty for the leaves of the source.
+    double paper_unit = 1;  // Scale (Paper::unit) of the paper that the plant was drawn on.
+    bool is_hidden = false; // True: the plant is neither displayed nor exported.
+    // Name of the leaf sheet that replaces the plant's leaves; empty for the leaves of the source.
     std::string leaves {};
-    std::vector<Graft> grafts {}; // In the order in which they were added.
+    std::vector<Graft> grafts {}; // Added parts, in the order in which they were added.
     // Segments that are hidden with all their descendants. Items drawn on them have no effect
     // meanwhile.
     std::vector<SegmentAddress> hidden_branches {};
 
     SharedVector<PathAddress> selection {};
-    // In drawing order: a later stroke overrides an earlier one. Each has one path.
+    // Strokes in drawing order: a later one overrides an earlier one. Each has one path.
     SharedList<Anchored<variation::ShapingStroke>> strokes {};
-    // Each with the paths below which it acts; its own list of segments is not used.
+    // Each indicator has the paths below which it acts; MotionIndicator::below is not used.
     std::vector<Anchored<variation::MotionIndicator>> indicators {};
     SetGrowth growth {};
 };
@@ -82,14 +82,14 @@ struct PlantState {
 // The result of all edits so far: everything that was drawn and set. A value with cheap copies; the
 // plants themselves are built from it (scene_builder.h).
 struct DocumentState {
-    // In the order in which they were added. Shared with earlier states and immutable, so a plant
-    // with an unchanged pointer has not changed.
+    // The plants, in the order in which they were added. Shared with earlier states and immutable,
+    // so a plant with an unchanged pointer has not changed.
     std::vector<std::shared_ptr<PlantState const>> plants {};
     ItemId active = 0; // Id of the plant that new strokes are drawn on; 0 if there are no plants.
-    // World millimetres per plant millimetre, for all plants. Default: such that the first plant
-    // fits the drawing volume.
+    // Scale of all plants: world millimetres per plant millimetre. Default: such that the first
+    // plant fits the drawing volume.
     std::optional<double> scale {};
-    // Without a value, plants are displayed as their sources define them.
+    // Season in which plants are displayed. Default: as their sources define them.
     std::optional<Season> season {};
     LeafSheets leaf_sheets {}; // The grown leaves that plants and seasons use.
     // Texts of the user's leaf grammars, by name. Shared with earlier states.
@@ -104,14 +104,14 @@ std::optional<std::size_t> find_plant(DocumentState const& state, ItemId id);
 // Like find_plant(), but fails with a user error if there is none.
 Result<std::size_t> plant_number(DocumentState const& state, ItemId id);
 
-// Returns null if the document has no plant.
+// Returns the active plant, or null if the document has no plant.
 PlantState const* active_plant(DocumentState const& state);
 
 // Replaces a plant by a copy that `change` has modified.
 void change_plant(DocumentState& state, std::size_t number,
                   std::function<void(PlantState& plant)> const& change);
 
-// The same for the active plant. A document without plants gets one first.
+// Like change_plant(), for the active plant. A document without plants gets one first.
 void change_active(DocumentState& state, std::function<void(PlantState& plant)> const& change);
 
 // Returns the id of the first item made by the current edit: `own`, or, if that is 0, an id derived

@@ -34,8 +34,6 @@ enum class Drawn {
     // addresses (branch_address.h). Items without such a branch become orphans: they are kept
     // without effect, and take effect again when a later edit brings the branch back.
     Keep,
-    // (branch_address.h). Where there is none it is orphaned: kept without effect, and found
-    // again when a later edit brings the branch back.
     Beside, // The source becomes an additional plant.
 };
 
@@ -76,9 +74,9 @@ struct LoadMeasured {
     static EditKind const kKind;
 
     enum class Format {
-        Mtg, // engine/plant/mtg.h
-        Qsm, // engine/plant/qsm.h
-        Ply, // engine/plant/ply_skeleton.h
+        Mtg, // Multiscale tree graph (engine/plant/mtg.h).
+        Qsm, // Quantitative structure model (engine/plant/qsm.h).
+        Ply, // Skeleton in a PLY file (engine/plant/ply_skeleton.h).
     };
 
     std::string name {};
@@ -117,7 +115,7 @@ struct Associate {
     Stroke stroke;
     variation::Propagation propagation = variation::Propagation::Selected;
     variation::StrokeFit fit = variation::StrokeFit::Start;
-    double detail_weight = 1; // As in Association.
+    double detail_weight = 1; // Share of the hand's detail that is kept.
     variation::StrokeLaying laying = variation::StrokeLaying::LeastTwist;
     ItemId id = 0; // Id of the stroke on the first path; 0 if not assigned yet.
 };
@@ -156,7 +154,8 @@ struct DeleteStroke {
     Items strokes;
 };
 
-// Erases these tips of each stroke (erase_tips.h). To remove a stroke altogether use DeleteStroke.
+// Erases ranges of tips of each stroke (erase_tips.h). To remove a stroke altogether use
+// DeleteStroke.
 struct EraseTips {
     static EditKind const kKind;
 
@@ -169,16 +168,17 @@ struct Indicate {
     static EditKind const kKind;
 
     variation::MotionIndicator indicator;
-    // The segments below which it acts, unless `indicator` contains them.
+    // Segments below which the indicator acts, unless `indicator` contains them.
     std::vector<SegmentAddress> below {};
-    ItemId id = 0; // 0 if not assigned yet.
+    ItemId id = 0; // Id of the indicator; 0 if not assigned yet.
 };
 
 // Replaces an indicator. If it is identified by its id it keeps acting below the same segments.
 struct ChangeIndicator {
     static EditKind const kKind;
 
-    // 0 in sessions before format 4, which use `number`: the position in the list of indicators.
+    // Id of the indicator; 0 in sessions before format 4, which use `number`: its position in the
+    // list of indicators.
     ItemId which = 0;
     std::uint64_t number = 0;
     variation::MotionIndicator indicator;
@@ -198,7 +198,7 @@ struct SetGrowth {
     variation::GrowthParameters parameters;
     std::uint64_t seed = 1; // Seed of the variations.
     double variability = 1; // Factor on the variation parameters; see at_variability().
-    double age = 1;         // See Grower::grow().
+    double age = 1;         // Age of the plant, 0 (young) to 1; see Grower::grow().
 };
 
 // Edits of the list of plants; their kinds are defined in plant_edits.cpp.
@@ -215,7 +215,7 @@ struct MovePlant {
     static EditKind const kKind;
 
     ItemId plant = 0;
-    Vec3 to_mm = Vec3::Zero(); // World frame.
+    Vec3 to_mm = Vec3::Zero(); // New position of the plant's base, world frame.
 };
 
 // Adds a copy of a plant with everything drawn and set on it, and makes the copy active.
@@ -223,7 +223,7 @@ struct CopyPlant {
     static EditKind const kKind;
 
     ItemId plant = 0;
-    Vec3 stands_at_mm = Vec3::Zero(); // World frame.
+    Vec3 stands_at_mm = Vec3::Zero(); // Position of the copy's base, world frame.
     ItemId id = 0;                    // Id of the copy; 0 if not assigned yet.
 };
 
@@ -252,15 +252,15 @@ struct RemovePlant {
 
 // Edits of plants' parts; their kinds are defined in graft_edits.cpp.
 
-// Grafts a plant onto a branch of another, of which it then is a part: it moves, grows, varies and
-// is exported with that plant. Everything drawn on it is kept. If it was active, the other plant
-// becomes active.
+// Grafts a plant onto a branch of another plant, which it becomes a part of: it then moves, grows,
+// varies and is exported with that plant. Everything drawn on it is kept. If it was active, the
+// other plant becomes active.
 struct GraftPlant {
     static EditKind const kKind;
 
     ItemId plant = 0;             // Id of the plant to graft; 0: the active one.
     ItemId onto = 0;              // Id of the plant that it is grafted onto.
-    SegmentAddress at {};         // In `onto`: the segment to whose end it is attached.
+    SegmentAddress at {};         // Segment of `onto` to whose end the plant is attached.
     Vec3 turn_rad = Vec3::Zero(); // As in Graft; also `base_mm`.
     Vec3 base_mm = Vec3::Zero();
 };
@@ -271,11 +271,11 @@ struct TakeOffGraft {
 
     ItemId plant = 0;                 // Id of the plant that contains the part.
     ItemId graft = 0;                 // Id that the part had as a plant.
-    Vec3 stands_at_mm = Vec3::Zero(); // World frame.
+    Vec3 stands_at_mm = Vec3::Zero(); // Position of the plant's base, world frame.
     ItemId id = 0;                    // New id of the plant; 0 if not assigned yet.
 };
 
-// Hides a segment of a plant with all its descendants, or shows a hidden one.
+// Hides a segment of a plant with all its descendants, or shows a hidden segment again.
 struct HideBranch {
     static EditKind const kKind;
 
@@ -323,7 +323,7 @@ struct SetFoliage {
 struct SetSeason {
     static EditKind const kKind;
 
-    double month = 0;     // 1 to below 13; 0: without a season, as the sources define the plants.
+    double month = 0;     // 1 to below 13; 0 for no season: plants as their sources define them.
     double fallen = 0.25; // Share of the fallen leaves that are displayed on the ground, 0 to 1.
 };
 
@@ -335,10 +335,10 @@ struct UnknownEdit {
     std::string word;
     std::string fields;
     std::string numbers;
-    std::string why; // One sentence: what is unknown about it.
+    std::string why; // What is unknown about the edit, in one sentence.
 };
 
-// All kinds above except UnknownEdit, which represents kinds that are not in the table.
+// Returns all kinds above except UnknownEdit, which stands for kinds that are not in the table.
 EditKinds core_edit_kinds();
 
 } // namespace tractus::scene

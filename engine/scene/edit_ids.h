@@ -6,9 +6,9 @@
 
 namespace tractus::scene {
 
-// Returns the edit, which is number `number` (from 1) of a document, with the id of its first item
-// filled in, if it makes items and has no id yet. Its items then keep their ids even if the edit is
-// moved.
+// Returns the edit with the id of its first item filled in, if it makes items and has no id yet.
+// `number` is the number of the edit in its document, from 1. The items then keep their ids even if
+// the edit is moved.
 Edit with_id(Edit const& edit, std::uint64_t number);
 
 } // namespace tractus::scene

@@ -23,7 +23,7 @@ struct EditKind {
     std::shared_ptr<void> (*make)(); // Makes an edit with default values.
     std::shared_ptr<void> (*copy)(void const* edit);
     void (*fields)(Fields& visitor, void* edit);
-    // See apply_edit().
+    // Returns the state after the edit, or an error; see apply_edit().
     Result<DocumentState> (*apply)(DocumentState state, void const* edit, SceneBuilder& builder);
     // A description for the user, such as "selects 1 path, 3 segments".
     std::string (*describe)(void const* edit);
@@ -58,7 +58,7 @@ public:
     EditKind const& kind() const { return *kind_; }
     std::string describe() const { return kind_->describe(fields_.get()); }
 
-    // Returns null if the edit is of another type.
+    // Returns the edit's fields, or null if the edit is of another kind.
     template<EditFields T> T const* get() const
     {
         return kind_ == &T::kKind ? static_cast<T const*>(fields_.get()) : nullptr;
@@ -75,13 +75,13 @@ private:
                                             SceneBuilder& builder);
 
     EditKind const* kind_;
-    std::shared_ptr<void const> fields_; // Shared between copies.
+    std::shared_ptr<void const> fields_; // Fields of the edit, shared between its copies.
 };
 
 // The kinds of edits that a program knows. Words are unique.
 using EditKinds = std::span<EditKind const* const>;
 
-// Returns null if there is no such kind.
+// Finds a kind of edit by its word in sessions; null if there is none.
 EditKind const* find_edit_kind(EditKinds kinds, std::string_view word);
 
 } // namespace tractus::scene

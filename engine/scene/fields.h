@@ -36,21 +36,22 @@ public:
     // `name` identifies the field in sessions and must never change.
     virtual void field(char const* name, FieldRef value) = 0;
 
-    // A field that is not written if it is 0 or empty.
+    // Visits a field that is not written if it is 0 or empty.
     virtual void sparse_field(char const* name, FieldRef value) { field(name, value); }
 
-    // The id of the first item that the edit makes; 0 if not assigned yet.
+    // Visits the id of the first item that the edit makes; 0 if not assigned yet.
     virtual void id(std::uint64_t& id) { sparse_field("id", &id); }
 
-    // A choice from a list of words; the value is the index of the word.
+    // Visits a choice from a list of words; the value is the index of the chosen word.
     virtual void word(char const* name, int& value, std::span<char const* const> words) = 0;
 
-    // Bulk data without a name; an edit has at most one such field.
+    // Visit bulk data without a name; an edit has at most one such field.
     virtual void numbers(Stroke& stroke) = 0;
     virtual void numbers(std::vector<SkeletonPiece>& lines) = 0;
     virtual void bytes(std::string& file) = 0; // Contents of a file from another program.
 
-    // An enumeration, written as words; `words` in the order of its values.
+    // Visits an enumeration, which is written as one of `words`. They are in the order of its
+    // values.
     template<typename Enum, std::size_t N>
     void word(char const* name, Enum& value, std::array<char const*, N> const& words)
     {

@@ -9,7 +9,7 @@ namespace tractus::scene {
 // balls are not.
 bool is_leaf(Plant const& plant, OrganShape const& shape);
 
-// Returns the plant with its leaves replaced by grown leaves of a sheet, chosen at random for each
+// Returns the plant with its leaves replaced by grown leaves of a sheet. They are chosen at random,
 // but reproducibly for the same plant and sheet. Each new blade has the length, fold and curl of
 // the leaf that it replaces. Other organs are unchanged, and so is a plant without leaves.
 Plant foliated(Plant const& plant, lsystem::LeafSheet const& sheet);

@@ -36,7 +36,8 @@ public:
 
 private:
     Change change_;
-    // Keeps the original lists alive, since ids are memory addresses.
+    // Original and changed lists by id. The originals are kept alive, since ids are memory
+    // addresses.
     std::map<void const*, std::pair<Addresses, Addresses>> changed_;
 };
 

@@ -7,7 +7,7 @@ namespace tractus::scene {
 
 namespace {
 
-// In the order of the enumerations' values.
+// Words for GrowthParameters::Steps in sessions, in the order of the enumeration.
 constexpr std::array kGrowthSteps { "per_length", "per_segment" };
 
 void list(Fields& fields, SetGrowth& edit)

@@ -11,7 +11,7 @@ namespace tractus::scene {
 
 namespace {
 
-// In the order of the enumerations' values.
+// Words for MotionIndicator::Kind in sessions, in the order of the enumeration.
 constexpr std::array kIndicatorKinds { "push", "light" };
 
 void list(Fields& fields, variation::MotionIndicator& indicator)
@@ -52,7 +52,7 @@ Result<variation::MotionIndicator> placeless(variation::MotionIndicator indicato
 // Index of a plant, and index of an indicator of that plant.
 using IndicatorNumber = std::pair<std::size_t, std::size_t>;
 
-// `number` is used by older sessions in place of an id.
+// Finds an indicator by its id, or, in older sessions without ids, by its number.
 Result<IndicatorNumber> find_indicator(DocumentState const& state, ItemId id, std::uint64_t number)
 {
     if (id != 0) {

@@ -38,8 +38,8 @@ void list(Fields& fields, KeepGrammar& edit)
     fields.field("text", &edit.text);
 }
 
-// Removes leaves that were grown with an earlier grammar of the same name: the drawing of a leaf
-// that is in use changes without changing its name (app/methods/all_leaves.h).
+// Stores a grammar and removes leaves that were grown with an earlier one of the same name:
+// redrawing a leaf that is in use does not change its name (app/methods/all_leaves.h).
 Result<DocumentState> applied(DocumentState state, KeepGrammar const& edit, SceneBuilder&)
 {
     if (edit.name.empty())

@@ -15,11 +15,11 @@ namespace tractus::scene {
 
 namespace {
 
-// Limits of a limb at the plant's natural size.
+// Minimum length of a limb and maximum distance from its joint, at the plant's natural size.
 constexpr double kShortestLimb_mm = 1e-3;
 constexpr double kFarthestLimb_mm = 1e7;
 
-// The part of the plant to which an address belongs, the innermost one; its prefix is empty for the
+// Returns the prefix of the innermost part of the plant that an address belongs to; empty for the
 // plant itself.
 PartPrefix innermost_part(PlantState const& plant, SegmentAddress const& address)
 {
@@ -93,7 +93,7 @@ void list(Fields& fields, EraseLimb& edit)
     fields.field("limb", &edit.limb);
 }
 
-// True if all paths are in the part. A path that leads to the part from below is not.
+// True if all paths lie entirely on the limb. A path from below the limb does not.
 bool is_on_limb(PartPrefix const& limb, SharedVector<PathAddress> const& at)
 {
     return !at.empty() && std::all_of(at.begin(), at.end(), [&](PathAddress const& path) {

@@ -26,11 +26,11 @@ struct DrawnLimb {
     ItemId id = 0;
     // Position of the joint on its segment (Graft::at): 0 is the segment's base, 1 its end.
     double joint = 1;
-    // Points of the limb from where the stroke begins, relative to that place. Plant frame at rest,
+    // Points of the limb relative to the joint, in the order of the stroke. Plant frame at rest,
     // millimetres at the plant's natural size; at least two distinct ones.
     std::vector<variation::LimbPoint> points {};
-    // Strokes that were there when the limb was drawn, and shape all that a branch bears: they
-    // leave the limb as it was drawn.
+    // Earlier strokes that shape all descendants of a branch: they do not shape the limb, which
+    // stays as it was drawn.
     std::vector<ItemId> older_strokes {};
 };
 
@@ -40,16 +40,16 @@ struct DrawLimb {
 
     ItemId plant = 0;
     SegmentAddress at {}; // The segment that the limb is joined to.
-    double joint = 1;     // Where on that segment, as in DrawnLimb.
-    // Where the plant showed that place when the limb was drawn, and how it was turned there: the
-    // rotation from the segment as strokes had bent it to the segment at rest, as a rotation vector
-    // (axis times angle, radians). World frame.
+    double joint = 1;     // Position on that segment, as in DrawnLimb.
+    // Where the joint was displayed when the limb was drawn, and the rotation from the segment as
+    // bent by strokes to the segment at rest, as a rotation vector (axis times angle, radians).
+    // World frame.
     Vec3 joint_mm = Vec3::Zero();
     Vec3 turn_rad = Vec3::Zero();
     double scale = 1;               // World millimetres per plant millimetre; above 0.
-    double width_mm = kInkWidth_mm; // Thickness at full pressure, world frame; ink_width_share().
-    Stroke stroke {};               // World frame.
-    ItemId id = 0;                  // 0 if not assigned yet.
+    double width_mm = kInkWidth_mm; // Thickness at full pressure, world frame (ink_width.h).
+    Stroke stroke {};               // The limb as drawn, world frame.
+    ItemId id = 0;                  // Id of the limb; 0 if not assigned yet.
 };
 
 // Removes a limb with everything drawn on it, and limbs that were drawn on it.
@@ -64,12 +64,12 @@ struct EraseLimb {
 // the stroke has no direction or a value is out of range.
 Result<std::vector<variation::LimbPoint>> limb_points(DrawLimb const& edit);
 
-// Returns the id of the limb to which an address of a plant belongs, the innermost if limbs bear
-// limbs; 0 if there is none.
+// Returns the id of the innermost limb that an address of a plant belongs to; 0 if there is none.
 ItemId limb_at(PlantState const& plant, SegmentAddress const& address);
 
-// Returns the limbs of a built plant with their first segments, without limbs that are not there at
-// present. Valid as long as the plant.
+// Returns the limbs of a built plant with their first segments. Limbs without segments, because
+// they are hidden or their branch is missing, are left out. The pointers are valid as long as the
+// plant.
 std::vector<std::pair<Graft const*, SegmentId>> limb_segments(BuiltPlant const& plant);
 
 } // namespace tractus::scene

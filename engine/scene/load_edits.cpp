@@ -13,7 +13,7 @@ namespace tractus::scene {
 
 namespace {
 
-// In the order of the enumerations' values.
+// Words for Drawn and LoadMeasured::Format in sessions, in the order of the enumerations.
 constexpr std::array kDrawn { "forget", "keep", "beside" };
 constexpr std::array kMeasuredFormats { "mtg", "qsm", "ply" };
 

@@ -12,9 +12,9 @@ namespace tractus::scene {
 // that plants stand on the desk: the base of a plant coincides with its known position on the
 // paper, or by default with a point one tenth of the tablet's depth above the sheet's lower edge.
 struct Paper {
-    // Position of the base on the sheet, in tablet-centred millimetres.
+    // Position of the plant's base on the sheet, in tablet-centred millimetres.
     Vec2 base_mm = Vec2::Zero();
-    Vec3 world_point_mm = Vec3::Zero(); // Position of the same point in the world.
+    Vec3 world_point_mm = Vec3::Zero(); // Position of the plant's base in the world.
     // World millimetres per millimetre of the sheet: 1, except for plants that were drawn smaller
     // because they are farther away (picture_ground.h).
     double unit = 1;

@@ -43,7 +43,7 @@ Vec2 on_picture(PicturePlace const& place, Vec2 const& sheet_mm)
 
 Result<std::optional<GroundPlace>> place_on_ground(BackPicture const& picture, Vec2 const& foot_mm)
 {
-    // As a share of the picture's width: an angle of view of 53 degrees.
+    // Focal length as a share of the picture's width, for an angle of view of 53 degrees.
     constexpr double kFocalLength = 1;
     auto const& measured = picture.ground.measured;
     if (!measured)

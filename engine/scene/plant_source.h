@@ -26,7 +26,7 @@ struct LoadOptions {
     std::function<void(std::string_view text)> print {};
 };
 
-// Returns the limits for a plant that is built now.
+// Returns the limits for the plant that is about to be built.
 using MakeLoadOptions = std::function<LoadOptions()>;
 
 struct BuiltSource {
@@ -59,14 +59,14 @@ struct SourceRules {
     bool operator==(SourceRules const&) const = default;
 };
 
-// A way to make base plants from what was drawn or written: functions on immutable values of one
-// type, which edits put into a document.
+// A kind of plant source: functions that make base plants from what was drawn or written, as
+// immutable values of one type. Edits put these values into a document.
 struct SourceKind {
     char const* word; // Name of the kind, such as "lsystem".
     // Builds the plant. Fails, in one sentence, if there is no valid plant or it exceeds its
     // limits.
     Result<BuiltSource> (*build)(void const* drawn, LoadOptions const& options);
-    // True only if both values certainly give the same plant.
+    // Returns true only if both values certainly give the same plant.
     bool (*same)(void const* one, void const* other);
     // Returns the equivalent model in cpfg's language, for other programs. Null if the kind has
     // none.
@@ -144,7 +144,7 @@ public:
         return other;
     }
 
-    // Returns null if the source is of another kind.
+    // Returns what was drawn, or null if the source is of another kind.
     template<typename T> T const* get(SourceKind const& kind) const
     {
         return kind_ == &kind ? static_cast<T const*>(drawn_.get()) : nullptr;
@@ -158,7 +158,7 @@ public:
 
 private:
     SourceKind const* kind_ = nullptr;
-    // Points to the type that belongs to the kind. Shared between copies.
+    // Drawn data, of the type that belongs to the kind; shared between copies.
     std::shared_ptr<void const> drawn_;
 };
 

@@ -31,18 +31,17 @@ struct BuiltPlant {
     // and shared between successive scenes, the views and the threads that grow it.
     std::shared_ptr<Plant const> base = std::make_shared<Plant const>();
     variation::SharedRestShape rest {}; // The rest shape of `base`.
-    // `foliated` is `base` with the leaves chosen for the plant; `in_season` is that in the
-    // document's season, with different organs on the same segments. `in_season` is the plant that
-    // grows.
+    // `foliated` is `base` with the leaves chosen for the plant. `in_season` is `foliated` in the
+    // document's season, with different organs on the same segments; it is the plant that grows.
     std::shared_ptr<Plant const> foliated = base;
     std::shared_ptr<Plant const> in_season = base;
 
     DeskPlacement placement; // Where the plant is shown in the drawing volume.
-    DeskPlacement fitted;    // Where it would be shown as the only plant.
+    DeskPlacement fitted;    // Placement if it were the only plant.
     SharedVector<std::vector<SegmentId>> selection;
-    // In drawing order: a later one overrides an earlier one. Each has one path.
+    // In drawing order: a later association overrides an earlier one. Each has one path.
     SharedList<Anchored<variation::Association>> associations;
-    // Each with the segments below which it acts.
+    // Each indicator includes the segments below which it acts.
     std::vector<Anchored<variation::MotionIndicator>> indicators;
     SetGrowth growth;
 };
@@ -50,8 +49,8 @@ struct BuiltPlant {
 // A document as built. The inherited members are those of the active plant.
 struct Scene : BuiltPlant {
     DocumentState state {};
-    // In the order of the state, including the active plant. Immutable, and shared with earlier and
-    // later scenes.
+    // The built plants in the order of the state, including the active one. Immutable, and shared
+    // with earlier and later scenes.
     std::vector<std::shared_ptr<BuiltPlant const>> plants {};
 };
 
@@ -60,7 +59,8 @@ std::vector<variation::MotionIndicator> motion_indicators(BuiltPlant const& plan
 
 // Returns the indices, in order, of the associations that may affect a branch: those that are not
 // orphaned and not overridden by a later one for the same path and propagation. After hours of
-// drawing they are a small share of all. The others take effect again when these are deleted.
+// drawing they are a small share of all. An overridden one takes effect again when the later one is
+// deleted.
 std::vector<std::size_t> shaping_numbers(BuiltPlant const& plant);
 
 // Returns the associations of shaping_numbers().
@@ -70,8 +70,8 @@ std::vector<variation::Association> shaping_associations(BuiltPlant const& plant
 // that were drawn themselves.
 std::vector<std::vector<SegmentId>> drawn_paths(BuiltPlant const& plant);
 
-// Returns the indices of those of shaping_numbers() whose path shares a segment with the selection:
-// the strokes that the pen edits.
+// Returns the indices of the strokes that the pen edits: those of shaping_numbers() whose path
+// shares a segment with the selection.
 std::vector<std::size_t> selected_associations(BuiltPlant const& plant);
 
 // Returns the state after one more edit. Fails if a stroke has no shape, nothing is selected for an

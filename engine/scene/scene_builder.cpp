@@ -176,7 +176,8 @@ BuiltPlant SceneBuilder::build(std::shared_ptr<PlantState const> const& drawn,
     return plant;
 }
 
-// `before`: the plant as last built in the same season, if any.
+// Sets the plant's leaves and season. `before` is the plant as last built in the same season; may
+// be null.
 void SceneBuilder::set_season(BuiltPlant& plant, BuiltPlant const* before,
                               DocumentState const& state) const
 {
@@ -194,7 +195,7 @@ void SceneBuilder::set_season(BuiltPlant& plant, BuiltPlant const* before,
                                    : plant.foliated;
 }
 
-// The limbs of a plant with their axes, without those that are not there at present.
+// Returns the limbs of a plant with their axes, without limbs that have no segments.
 static std::vector<std::pair<DrawnLimb const*, AxisId>> limb_axes(BuiltPlant const& plant)
 {
     std::vector<std::pair<DrawnLimb const*, AxisId>> axes;
@@ -243,7 +244,7 @@ void SceneBuilder::find_selection(BuiltPlant& plant, BuiltPlant const* before)
     plant.selection = std::move(paths);
 }
 
-// Addresses of the same branch share their elements, and so do the segment lists resolved for them.
+// Finds the segments at an address. Strokes at the same address share one list of segments.
 SharedVector<SegmentId> SceneBuilder::path_of(BuiltPlant const& plant,
                                               SharedVector<PathAddress> const& at)
 {

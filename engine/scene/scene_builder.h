@@ -52,7 +52,7 @@ private:
     struct KnownBase {
         PlantSource source;
         std::shared_ptr<BasePlant const> base;
-        // For a composed plant (compose_base.h).
+        // Parts and hidden branches of a composed plant (compose_base.h).
         std::vector<Graft> grafts {};
         std::vector<SegmentAddress> hidden_branches {};
 
@@ -77,10 +77,10 @@ private:
 
     MakeLoadOptions load_options_;
     std::uint64_t failed_edit_ = 0;
-    std::list<KnownBase> bases_; // Most recently used first.
+    std::list<KnownBase> bases_; // Known base plants, most recently used first.
     std::vector<std::shared_ptr<BuiltPlant const>> plants_;
-    std::optional<Season> season_; // Season of plants_; leaf_sheets_: their sheets.
-    LeafSheets leaf_sheets_;
+    std::optional<Season> season_; // Season in which plants_ were built.
+    LeafSheets leaf_sheets_;       // Leaf sheets with which plants_ were built.
     std::map<ItemId, FoundPaths> found_;
 };
 

@@ -23,7 +23,7 @@ public:
     variation::PredefinedShape const& shape() const { return shaper_->shape(); }
 
 private:
-    std::shared_ptr<Plant const> base_; // Immutable and shared with the scenes.
+    std::shared_ptr<Plant const> base_; // Plant that is shaped; immutable, shared with the scenes.
     variation::SharedRestShape rest_;
     std::optional<variation::StrokeShaper> shaper_;
 };

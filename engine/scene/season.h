@@ -44,10 +44,10 @@ std::set<std::string> missing_leaves(Plant const& plant, Season const& season,
 // random spread, or has fallen and lies on the ground below. Segments and nodes are unchanged.
 //
 // Default calendars, by kind and material: blades and surfaces with a leaf material are deciduous,
-// petals are present as long as these, needles and all other organs are evergreen. Grown leaves are
-// taken from the sheets; if a sheet is missing, and for other organs, age is shown by the colour of
-// the material and the size. Season::fallen is the share of fallen leaves displayed, on the plane z
-// = 0.
+// petals are present as long as deciduous leaves, needles and all other organs are evergreen. Grown
+// leaves are taken from the sheets; if a sheet is missing, and for other organs, age is shown by
+// the colour of the material and the size. Season::fallen is the share of fallen leaves displayed,
+// on the plane z = 0.
 Plant in_season(Plant const& plant, Season const& season, LeafSheets const& sheets);
 
 } // namespace tractus::scene

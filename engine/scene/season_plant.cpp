@@ -14,8 +14,9 @@ namespace tractus::scene {
 
 namespace {
 
-constexpr double kSpread = 0.08;  // Spread of individual ages about the age from the calendar.
-constexpr double kSheetAges = 50; // Sheets are grown for this many age steps from 0 to 1.
+constexpr double kSpread
+    = 0.08; // Standard deviation of organ ages about the age from the calendar.
+constexpr double kSheetAges = 50; // Number of steps into which leaf ages from 0 to 1 are rounded.
 constexpr double kDecayed = 3;    // Month by which the leaves of the previous year have decayed.
 constexpr int kPlainVariants = 4; // Number of age variants of an organ that is not a grown leaf.
 // Horizontal drift of falling leaves, as a share of the height of fall.
@@ -42,8 +43,8 @@ bool lies_below(OrganCalendar const& calendar, double month)
     return !calendar.is_evergreen && (month >= calendar.bare || month < kDecayed);
 }
 
-// Returns the order that grows the leaves of this shape at another age, or no value if the shape is
-// not from a sheet.
+// Returns the LeafOrder that grows the leaves of this shape at another age, or no value if the
+// shape is not from a sheet.
 std::optional<lsystem::LeafOrder> order_at(OrganShape const& shape, double age)
 {
     auto order = shape.cut ? lsystem::parse_leaf_sheet_name(shape.cut->sheet) : std::nullopt;
@@ -55,7 +56,7 @@ std::optional<lsystem::LeafOrder> order_at(OrganShape const& shape, double age)
 }
 
 // Returns the age at which organs are displayed, on the plant or on the ground, or no value if they
-// are not.
+// are not displayed.
 std::optional<double> age_to_show(OrganCalendar const& calendar, double month)
 {
     if (auto const age = age_in_season(calendar, month))
@@ -122,7 +123,7 @@ private:
         // Variants, of which one is chosen at random; empty if the organ is not present.
         std::vector<Aged> ages {};
         bool falls = false;
-        double mean_age = 0; // At 1 all have fallen.
+        double mean_age = 0; // Average age of these organs; at 1 all have fallen.
     };
 
     Look look_of(OrganShape const& shape, OrganShapeId id)
@@ -185,8 +186,8 @@ private:
         return ages;
     }
 
-    // Returns the material for an age. Its pictures are kept as long as the leaf has about the
-    // colour shown there; those of grown leaves show a single age and are always removed.
+    // Returns the material for an age. Textures are kept as long as the leaf has about the colour
+    // shown there. Those of grown leaves show a single age and are always removed.
     MaterialId aged_material(MaterialId material, double age, bool is_of_grown_leaf = false)
     {
         auto const [known, is_new]
@@ -293,8 +294,8 @@ private:
     Season const& season_;
     LeafSheets const& sheets_;
     Plant plant_;
-    std::vector<Look> looks_; // By shape.
-    // By material and age in thousandths.
+    std::vector<Look> looks_; // Appearance of each organ shape.
+    // New material for each original material and age in thousandths.
     std::map<std::pair<MaterialId, long>, MaterialId> materials_;
     std::map<OrganShapeId, OrganShapeId> fallen_;
 };

@@ -16,7 +16,7 @@ namespace tractus::scene {
 
 namespace {
 
-// In the order of the enumerations' values.
+// Words for Propagation, StrokeFit and StrokeLaying in sessions, in the order of the enumerations.
 constexpr std::array kPropagations { "selected", "descendants", "both" };
 constexpr std::array kFits { "start", "chord", "world" };
 constexpr std::array kLayings { "least_twist", "heading" };
@@ -79,7 +79,7 @@ Result<std::vector<StrokeNumber>> numbered_strokes(DocumentState const& state,
 Result<std::vector<StrokeNumber>> named_strokes(DocumentState const& state,
                                                 std::vector<ItemId> const& ids)
 {
-    // Built in one pass over all strokes, however many are wanted.
+    // All strokes by id, collected in one pass even if many strokes are wanted.
     std::map<ItemId, StrokeNumber> all;
     for (std::size_t i = 0; i < state.plants.size() && !ids.empty(); ++i)
         for (std::size_t k = 0; k < state.plants[i]->strokes.size(); ++k)

@@ -30,7 +30,7 @@ constexpr std::uint32_t kMaxSeeds = 6;
 // the strokes drawn on them, so that no further seed is tried.
 constexpr double kAlike = 0.5;
 
-// Number of strokes, limbs and grafted plants that have a branch in a plant of the scene.
+// Returns the number of strokes, limbs and grafts of a plant whose branch exists.
 std::size_t items_with_branch(BuiltPlant const& plant)
 {
     auto const& grafts = plant.drawn->grafts;
@@ -40,7 +40,7 @@ std::size_t items_with_branch(BuiltPlant const& plant)
     return shaping_numbers(plant).size() + static_cast<std::size_t>(seated);
 }
 
-// Number of such items in all plants of the scene.
+// Returns the number of strokes, limbs and grafts in all plants of the scene whose branch exists.
 std::size_t items_with_branch(Scene const& scene)
 {
     std::size_t count = items_with_branch(static_cast<BuiltPlant const&>(scene));
@@ -50,7 +50,7 @@ std::size_t items_with_branch(Scene const& scene)
     return count;
 }
 
-// The state with a seed for each model from a file; no value if there is no such model.
+// Returns the state with new seeds for all models from files; no value if there is no such model.
 std::optional<DocumentState> reseeded(DocumentState state, std::uint64_t seed, std::uint32_t plant,
                                       std::uint32_t attempt)
 {
@@ -92,7 +92,7 @@ double move_strokes(PlantState& state, BuiltPlant const& drawn, BuiltPlant const
     return branches.greatest_difference();
 }
 
-// The built plant number `i` of a scene, which has the active plant also as a base class.
+// Returns built plant number `i` of a scene; for the active one, the scene's base class object.
 BuiltPlant const& plant_of(Scene const& scene, std::size_t i)
 {
     auto const& plant = *scene.plants[i];

@@ -19,31 +19,33 @@ bool has_sources_that_vary(Scene const& scene);
 Result<Scene> varied(Scene const& scene, SourceVariation const& variation);
 
 // Decides which plants of a collection have a seed of their own for their models' stochastic rules,
-// and derives those.
+// and derives these plants.
 class SeedAssignment {
 public:
-    SeedAssignment() = default; // No plant has one.
+    SeedAssignment() = default; // No plant has a seed of its own.
 
-    // `share` as in Individuality::seeds. Without stochastic rules in the scene no plant has one.
+    // `share` as in Individuality::seeds. Without stochastic rules in the scene no plant has its
+    // own seed.
     SeedAssignment(Scene const& scene, double share);
 
     // True if the plant of `key` is derived by a seed of its own.
     bool has(variation::PlantKey const& key) const;
 
-    // The scene of the plant of `key`: with_own_seed(), or `scene` itself.
+    // Returns the scene of the plant of `key`: with_own_seed(), or `scene` itself.
     Scene scene_of(Scene const& scene, variation::PlantKey const& key) const;
 
 private:
     double share_ = 0;
 };
 
-// Returns the scene with its active plant as the only one, as far as there is one.
+// Returns the scene with its active plant only; unchanged if it has fewer than two plants.
 Scene active_plant_alone(Scene const& scene);
 
-// Returns the scene with each model from a file derived by a seed of its own, for one plant of a
-// collection: another individual. Its strokes lie on the branches that are most similar to those
-// they were drawn on (variation/like_branches.h). Several seeds are tried, until these are
-// alike; the scene itself is returned if every one lacks a branch for a stroke, a limb or a graft.
+// Returns another individual for one plant of a collection: the scene with each model from a file
+// derived by a seed of its own. Strokes lie on the branches that are most similar to those they
+// were drawn on (variation/similar_branches.h). Several seeds are tried until these branches are
+// similar enough; if with every seed a stroke, limb or graft lacks a branch, the scene itself is
+// returned.
 Scene with_own_seed(Scene const& scene, std::uint64_t seed, std::uint32_t plant);
 
 // True if with_own_seed() can return another scene: a model from a file has stochastic rules.

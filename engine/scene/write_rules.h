@@ -7,13 +7,13 @@
 
 namespace tractus::scene {
 
-// Sets the rules of a plant's model whose numbers come from a drawing
+// Replaces the rules of the model that is made from a plant's drawing
 // (PlantSource::accepts_rules()). Items drawn on the plant's branches are kept.
 struct WriteRules {
     static EditKind const kKind;
 
     ItemId plant = 0;
-    SourceRules rules {}; // With an empty text: the model's own rules.
+    SourceRules rules {}; // The new rules; if the text is empty, the model's own apply.
 };
 
 } // namespace tractus::scene

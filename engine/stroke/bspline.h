@@ -9,7 +9,8 @@
 namespace tractus {
 
 struct BSplineOptions {
-    // 2 or 3. With too few control points for this degree, the highest degree they allow is used.
+    // Degree of the curve, 2 or 3. If there are too few control points for it, the highest degree
+    // that they allow is used.
     int degree = 3;
 
     enum class Ends {

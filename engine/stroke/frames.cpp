@@ -19,8 +19,8 @@ Vec3 any_normal(Vec3 const& tangent)
 
 Quat least_rotation(Vec3 const& from, Vec3 const& to)
 {
-    // The quaternion of half the angle a, from the full angle's: w = 2 cos²(a/2), |cross| = 2
-    // sin(a/2) cos(a/2).
+    // Builds the quaternion of the rotation by an angle a without trigonometric functions: w = 2
+    // cos²(a/2) and |cross| = 2 sin(a/2) cos(a/2) have the common factor 2 cos(a/2).
     double const w = 1 + from.dot(to);
     if (w < 1e-14) {
         Vec3 const axis = any_normal(from);

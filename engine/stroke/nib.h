@@ -10,7 +10,7 @@ namespace tractus {
 // The shape of the pen's nib, which determines the width of the displayed ink.
 enum class Nib {
     Point, // Draws a line whose width depends only on the pressure, not on the tilt.
-    Side,  // A tilted pencil: like one used for shading, it draws a broad line across its tilt.
+    Side,  // Draws like the side of a tilted pencil: a broad line if moved across its tilt.
 };
 
 // Returns the factor by which the ink at tip `i` of a stroke is wider than with a point nib: 1 for

@@ -25,7 +25,8 @@ NearestTip nearest_tip(Stroke const& stroke, Vec3 const& place_mm)
     return nearest;
 }
 
-// Moves the two ends of `over` by the given vectors, and the tips between by interpolated ones.
+// Moves the first and the last tip of `over` by the given vectors, and the tips between by
+// interpolated ones.
 void shift(Stroke& over, Vec3 const& first_mm, Vec3 const& last_mm)
 {
     auto& tips = over.tips.own();
@@ -36,7 +37,8 @@ void shift(Stroke& over, Vec3 const& first_mm, Vec3 const& last_mm)
     }
 }
 
-// Appends tips, shifted in time to begin 1 ms after the end of the stroke. Their intervals stay.
+// Appends tips, shifted in time to begin 1 ms after the end of the stroke. The intervals between
+// them are kept.
 void append(Stroke& stroke, std::span<TipSample const> tips)
 {
     if (tips.empty())

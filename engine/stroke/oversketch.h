@@ -12,7 +12,7 @@ namespace tractus {
 // time order.
 //
 // Fails, in one sentence, if a stroke has no direction (stroke_points) or neither end of `over` is
-// near.
+// near the drawn stroke.
 Result<Stroke> oversketch(Stroke const& drawn, Stroke over, double finger_mm = 20);
 
 } // namespace tractus

@@ -19,7 +19,7 @@ public:
     double length_mm() const { return length_to_mm_.back(); }
 
     // Returns the point at `fraction` of the length, from 0 (first point) to 1 (last point),
-    // clamped to this range. If the polyline has no length, its first point. Constant time on
+    // clamped to this range; the first point if the polyline has no length. Constant time on
     // average.
     Vec3 at(double fraction) const;
 

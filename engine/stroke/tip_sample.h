@@ -12,9 +12,9 @@ namespace tractus {
 // World frame: right-handed, +x right, +y away from the user, +z up, origin on the desk under the
 // tablet's centre at the rig's zero height, millimetres.
 struct TipSample {
-    Timestamp time {}; // When the pen was there; the tablet's latency is already subtracted.
-    Vec3 position_mm = Vec3::Zero(); // World frame.
-    double pressure = 0; // 0 to 1; 1 while touching if the tablet does not measure pressure.
+    Timestamp time {}; // Time of the sample; the tablet's latency is already subtracted.
+    Vec3 position_mm = Vec3::Zero(); // Position of the tip, world frame.
+    double pressure = 0; // Pressure, 0 to 1; 1 while touching if the tablet does not measure it.
     // Tilt of the pen from upright, towards +x and +y of the world. No value if the tablet does not
     // report tilt.
     std::optional<Vec2> tilt_rad {};
@@ -30,7 +30,7 @@ struct TipSample {
     };
     HeightSource height_source = HeightSource::Interpolated;
 
-    // The surface is above or below the calibrated range, so the height is a guess.
+    // True if the surface was above or below the calibrated range, so that the height is a guess.
     bool outside_calibration = false;
 };
 

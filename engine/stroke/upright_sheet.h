@@ -8,7 +8,7 @@ namespace tractus {
 
 // The surface on which a stroke was drawn, which determines how its coordinates are interpreted.
 enum class StrokeSurface {
-    Space, // Space: the stroke is kept as drawn in space.
+    Space, // The stroke is kept as drawn in space.
     Paper, // The tablet is an upright sheet: what was drawn away from the user (+y) is up.
     // Chooses Paper if the surface moved by less than a twentieth of the stroke's length on the
     // tablet, and Space otherwise.

@@ -30,16 +30,16 @@ enum class StrokeFit {
     // chord of the branch, from base to tip: the tip keeps its direction as seen from the base and
     // only its distance changes.
     Chord,
-    // The stroke is not rotated: each segment has the direction in which it was drawn, whatever its
-    // parent does.
+    // The stroke is not rotated: each segment has the direction in which it was drawn, regardless
+    // of its parent.
     World,
 };
 
 // How the rotation is chosen for a stroke fitted by its start or chord.
 enum class StrokeLaying {
     // The least rotation; on descendants, in the base frames of the branches. A stroke drawn
-    // drooping may come out rising, so this is used only for strokes from before the other law
-    // existed: the default for sessions and logs that do not name a law.
+    // drooping may come out rising, so this is used only for strokes made before HeadingAndPitch
+    // existed: it is the default for sessions and logs that do not name a rotation law.
     LeastTwist,
     // By heading and pitch (stroke_laying.h): a stroke drawn drooping droops along each branch. A
     // trunk, and any axis without a parent, takes the stroke as drawn in the world.
@@ -48,7 +48,7 @@ enum class StrokeLaying {
 
 // A stroke that shapes branches, independent of which branches these are.
 struct ShapingStroke {
-    Stroke stroke {}; // As in Association; also the following fields.
+    Stroke stroke {}; // This and the other fields are as in Association.
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
     double detail_weight = 1;
@@ -63,20 +63,20 @@ struct Association {
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
     double detail_weight
-        = 1; // Share of the hand's detail that is kept, 0 to 1: see smooth_hand_line().
+        = 1; // Share of the stroke's fine detail that is kept, 0 to 1: see smooth_hand_line().
     StrokeLaying laying = StrokeLaying::LeastTwist;
 
     // Descendants of the path that do not take the stroke, in ascending order: limbs that were
-    // drawn later. What they bear takes it.
+    // drawn later. Branches attached to them do take the stroke.
     std::vector<AxisId> spared {};
 
-    // True if the path no longer exists in the plant, so that the stroke has no effect. Kept, since
-    // the branch may come back.
+    // True if the path no longer exists in the plant, so that the stroke has no effect. Such an
+    // association is kept, since the branch may come back.
     bool is_orphaned = false;
 };
 
-// The shape of a plant with its strokes, before growth: a frame for every segment, as in RestShape,
-// except that the frame at an axis' base is transported by the bending of its parent.
+// The shape of a plant bent by its strokes, before growth: a frame for every segment, as in
+// RestShape, except that the frame at an axis' base is transported by the bending of its parent.
 struct PredefinedShape {
     std::vector<Quat> frame {};
 };

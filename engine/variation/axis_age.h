@@ -8,13 +8,13 @@
 
 namespace tractus::variation {
 
-// The age of a plant runs from 0 (nothing) to 1 (the whole plant). At this age the skeleton is
-// complete; the remaining time is for the youngest parts to thicken and unfold their leaves.
+// Age at which a plant's skeleton is complete. Ages run from 0 (nothing) to 1 (the whole plant); in
+// the remaining time the youngest parts thicken and unfold their leaves.
 constexpr double kSkeletonShare = 0.85;
 
 // Growth period of an axis. Its apex starts when its parent segment is complete and advances at a
 // speed at which the farthest tip above it is reached when the skeleton is complete. So the longest
-// way through the plant grows evenly, and every part grows until the end.
+// path through the plant grows evenly, and every part grows until the end.
 struct AxisAge {
     double begin = 0; // Age of the plant at which the axis starts, 0 to kSkeletonShare.
     // Distance along branches from the axis' base to the farthest tip above it.
@@ -27,8 +27,8 @@ struct AxisAge {
                             : begin;
     }
 
-    // The inverse: how far the apex has advanced at an age, at most `reach_mm`; 0 before the axis
-    // starts.
+    // The inverse of birth_at(): how far the apex has advanced at an age, at most `reach_mm`; 0
+    // before the axis starts.
     double along_at_mm(double age) const
     {
         if (age >= kSkeletonShare)
@@ -47,7 +47,8 @@ inline double maturity(double age, double birth)
     return std::clamp((age - birth) / (1 - birth), 0.0, 1.0);
 }
 
-// How far an organ has unfolded, from 0 to 1: over a short time, with a smooth start and end.
+// How far an organ born at the age `birth` has unfolded, from 0 to 1: it unfolds over a short time,
+// with a smooth start and end.
 inline double unfolded(double age, double birth)
 {
     double const t = std::clamp((age - birth) / (1 - kSkeletonShare), 0.0, 1.0);

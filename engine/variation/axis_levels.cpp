@@ -6,14 +6,15 @@
 
 namespace tractus::variation {
 
-// With fewer segments a level is finished before other threads have woken up.
+// Minimum segments of a level worth several threads: with fewer it is finished before other threads
+// have woken up.
 constexpr std::size_t kSegmentsWorthThreads = 4096;
 
 AxisLevels find_axis_levels(Plant const& plant)
 {
     std::vector<std::uint32_t> level_of(plant.axes.size());
     AxisLevels levels;
-    for (AxisId id = 0; id < plant.axes.size(); ++id) { // Parents come first.
+    for (AxisId id = 0; id < plant.axes.size(); ++id) { // Parents come before laterals.
         auto const& axis = plant.axes[id];
         level_of[id] = axis.parent_axis == kNone ? 0 : level_of[axis.parent_axis] + 1;
         if (level_of[id] >= levels.segment_count.size())

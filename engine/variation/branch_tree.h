@@ -11,10 +11,10 @@ namespace tractus::variation {
 // A plant's segments as a tree from root to tip: the children of a segment are those that begin at
 // its end, on its own axis or on axes attached there (Streit 2006, section 4.1, figure 4).
 struct BranchTree {
-    std::vector<SegmentId> parent;    // kNone for segments on the ground.
+    std::vector<SegmentId> parent;    // Parent of each segment; kNone if it is on the ground.
     std::vector<AxisId> axis;         // Axis of each segment.
     std::vector<std::uint32_t> depth; // Number of ancestor segments: 0 on the ground.
-    // Index in `children` of each segment's first child, and the total number.
+    // Index in `children` of each segment's first child; last, the total number of children.
     std::vector<std::uint32_t> first_child;
     std::vector<SegmentId> children; // Children of all segments, in the order of the segments.
 
@@ -31,7 +31,7 @@ struct BranchTree {
                                            first_child[segment + 1] - first_child[segment]);
     }
 
-    // Also true if both are the same segment.
+    // True if `segment` is `ancestor` or one of its descendants.
     bool is_descendant(SegmentId segment, SegmentId ancestor) const
     {
         return rank[ancestor] <= rank[segment] && rank[segment] < rank_end[ancestor];

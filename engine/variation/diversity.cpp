@@ -69,7 +69,7 @@ bool Diversity::is_like_drawn(Plant const& plant) const
 }
 
 // Position of the node at the end of the segment at an address, or, if there is no such segment, at
-// the end of the last one before it on the way from the ground.
+// the end of the last existing segment on the path to it from the ground.
 static Vec3 position_at(Plant const& plant, AddressIndex const& index, SegmentAddress address,
                         bool is_base)
 {

@@ -10,20 +10,20 @@
 namespace tractus::variation {
 
 // Distance between two plants of the same topology: the root mean square of the distances between
-// corresponding nodes. Both lists have the same size; 0 for empty ones.
+// corresponding nodes. Both lists have the same size; 0 for empty lists.
 double distance_mm(std::span<Vec3 const> one, std::span<Vec3 const> other);
 
 // Number, mean and standard deviation of distances between plants (distance_mm()).
 struct DistanceSpread {
     std::size_t count = 0;
     double mean_mm = 0;
-    double deviation_mm = 0; // Standard deviation; 0 for fewer than two.
+    double deviation_mm = 0; // Standard deviation; 0 for fewer than two distances.
 };
 
 // Measures how much the plants of a collection differ from each other and from the plant as drawn.
 // Compares about 2,000 evenly spaced nodes of the drawn plant, so that many plants can be compared,
-// with the nodes at the same addresses of each other plant. A plant that lacks a branch is
-// represented by the place where that branch would begin.
+// with the nodes at the same addresses of each other plant. Where a plant lacks a branch, the point
+// at which that branch would begin is compared.
 class Diversity {
 public:
     // `drawn` is the plant as drawn (at_variability() at 0).
@@ -35,7 +35,7 @@ public:
     DistanceSpread from_drawn() const;
 
 private:
-    // A node of the drawn plant, as the end or the beginning of the segment at an address.
+    // A node of the drawn plant, identified as the tip or base of the segment at an address.
     struct Place {
         NodeId node = 0;
         SegmentAddress segment {};

@@ -33,7 +33,7 @@ std::string describe_underground(std::size_t count, Plant const& plant)
 
 namespace {
 
-// By axis: true if it or an ancestor is below the ground in the base plant.
+// Returns, for each axis, whether it or an ancestor is below the ground in the base plant.
 std::vector<bool> find_roots(Plant const& base)
 {
     std::vector<bool> is_root(base.axes.size());
@@ -78,7 +78,7 @@ void Bending::bend_axis(Axis const& axis, bool is_root)
         position[axis.first_node]
             = moved(before_mm[axis.first_node], axis.parent_segment, axis.parent_axis);
     }
-    Vec2 heading = Vec2::UnitX(); // Heading of the last segment that had one.
+    Vec2 heading = Vec2::UnitX(); // Heading of the last segment that was not vertical.
     for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
         auto const node = axis.first_node + i;
         Vec3 step = copied_by * (before_mm[node + 1] - before_mm[node]);
@@ -86,7 +86,8 @@ void Bending::bend_axis(Axis const& axis, bool is_root)
         if (double const level = step.head<2>().norm(); level > 1e-9 * length_mm)
             heading = step.head<2>() / level;
         turn[axis.first_segment + i] = copied_by;
-        // The tip lies on the ground with its underside, unless it was lower before.
+        // Lowest height of the tip: its underside is on the ground, or the tip is level with the
+        // segment's base where that lies lower.
         double const lowest_mm
             = std::min<double>(plant.node_radius_mm[node + 1], std::max(position[node].z(), 0.0));
         double const rise_mm = lowest_mm - position[node].z();

@@ -14,12 +14,12 @@ namespace tractus::variation {
 // the thickness of axes that lie on the ground.
 constexpr double kUnderground_mm = 1;
 
-// Returns the segments of `plant`, in its order, whose tip is below the ground although it is not
+// Returns the segments, in the order of `plant`, whose tip is below the ground in `plant` but not
 // in `base`, a plant of the same topology. So the segments of roots are not included.
 std::vector<SegmentId> segments_underground(Plant const& plant, Plant const& base);
 
-// Returns a message such as "12 of 632 segments are below the ground", or an empty string if none
-// is.
+// Returns a message such as "12 of 632 segments are below the ground"; an empty string if `count`
+// is 0.
 std::string describe_underground(std::size_t count, Plant const& plant);
 
 // Bends a grown plant along the ground: a segment whose tip would be below it keeps its length and

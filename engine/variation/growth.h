@@ -44,16 +44,16 @@ private:
 
     GrowthPlan const& plan_;
     Plant plant_;
-    // By parent segment (GrowthPlan::parent_frame): its frame after growth.
+    // Frame of each parent segment after growth, in the order of GrowthPlan::parent_frame.
     std::vector<Quat> parent_frame_;
     SagSimulator sag_simulator_;
     std::optional<YoungLeaves> young_leaves_; // Created when a young plant is first grown.
-    bool is_aged_ = false; // The radii and sizes of plant_ differ from the base plant's.
+    bool is_aged_ = false; // True if the radii and sizes of plant_ are those of a younger plant.
 };
 
 // Returns the plant without segments, axes, organs and polygons that have no length or size yet.
-// Orders are kept, numbers are new. A leaf whose segment has not grown is attached to the nearest
-// segment below that has.
+// The others keep their order but get new numbers. A leaf whose segment has not grown is attached
+// to the nearest segment below that has.
 Plant without_unborn(Plant const& plant);
 
 // All inputs for growing one plant.
@@ -61,11 +61,11 @@ struct GrowthJob {
     Plant plant {};
     std::vector<Association> associations {};
     std::vector<MotionIndicator> indicators {};
-    double shown_height_mm = 0; // As in ShownPlant; above 0 if there are indicators.
-    double scale = 1;           // As in ShownPlant.
+    double shown_height_mm = 0; // Displayed height of the plant; above 0 if there are indicators.
+    double scale = 1;           // World millimetres per plant millimetre, as in ShownPlant.
     GrowthParameters parameters {};
     PlantKey key {};
-    double age = 1; // 0 to 1: see Grower::grow().
+    double age = 1; // Age of the plant, 0 to 1: see Grower::grow().
 };
 
 // Grows one plant from its complete inputs. Fails like resolve_associations(), influence_of() and

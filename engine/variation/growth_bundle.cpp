@@ -11,7 +11,7 @@ namespace tractus::variation {
 
 namespace {
 
-constexpr std::size_t kWidth = 4; // Width of a Four.
+constexpr std::size_t kWidth = 4; // Number of lanes in a Four.
 
 template<typename Quats> FourQuats four_quats(Quats const& quats, std::size_t lane)
 {
@@ -144,8 +144,8 @@ void GrowthBundle::read_steps(std::uint32_t number)
     }
 }
 
-// The law without delay and maturation: a few multiplications per segment, with precomputed
-// coefficients.
+// Computes deviations by the law without delay and maturation: a few multiplications per segment,
+// with precomputed coefficients.
 void GrowthBundle::follow_law(std::uint32_t first, std::uint32_t count)
 {
     if (is_noisy_)
@@ -206,7 +206,8 @@ void GrowthBundle::hold()
     }
 }
 
-// The indicators act on the tip before the step, that is on the previous segment.
+// Reads the influence of the indicators. They act on the tip before the step, that is on the
+// previous segment.
 void GrowthBundle::find_influence(std::uint32_t number)
 {
     auto const before = number > 0 ? number - 1 : 0;
@@ -248,7 +249,7 @@ void GrowthBundle::push(std::uint32_t number)
     }
 }
 
-// The law with delay or maturation, computed for each axis separately.
+// Grows axes by the law with delay or maturation, computed for each axis separately.
 void GrowthBundle::follow_tips(std::span<AxisId const> axes)
 {
     std::array<std::optional<AxisInfluence>, kGrowthLanes> influences;
@@ -310,7 +311,7 @@ void GrowthBundle::place(std::size_t lane, Four const& dx, Four const& dy)
     store(position.z + length * (2 * (q.x * q.z - q.w * q.y)), &position_mm_.z[lane]);
 
     auto const scale
-        // Normalised by one Newton step.
+        // Factor that normalises the quaternion q, from one Newton step.
         = 1.5 - 0.5 * (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     store(scale * q.w, &turned_frame_.w[lane]);
     store(scale * q.x, &turned_frame_.x[lane]);

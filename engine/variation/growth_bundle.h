@@ -19,7 +19,8 @@ namespace tractus::variation {
 // For one thread; an object takes a kilobyte or two and is meant for the stack.
 class GrowthBundle {
 public:
-    // The node positions and parent frames that are written; those of parents are read.
+    // Node positions and parent frames of the grown plant: written for the axes of the bundle, read
+    // for their parents.
     struct Grown {
         std::span<Vec3> node_position_mm;
         std::span<Quat> parent_frame;
@@ -64,33 +65,34 @@ private:
     GrowthNoise const& noise_;
     double age_;
     Grown grown_;
-    bool is_stepped_; // The axes are grown step by step with SteppedTip.
+    bool is_stepped_; // True if the axes are grown step by step with SteppedTip.
     bool is_pushed_;
     bool is_noisy_;
 
-    // Data by axis. Unused lanes repeat the first axis and write nothing.
+    // Data of each lane's axis. Unused lanes repeat the first axis and write nothing.
     std::uint32_t longest_ = 0; // Number of segments of the longest axis.
     std::array<AxisId, kGrowthLanes> axis_ {};
     std::array<NodeId, kGrowthLanes> first_node_ {};
     std::array<SegmentId, kGrowthLanes> first_segment_ {};
-    std::array<std::uint32_t, kGrowthLanes> segment_count_ {}; // 0 for unused lanes.
+    // Number of segments of each axis; 0 for unused lanes.
+    std::array<std::uint32_t, kGrowthLanes> segment_count_ {};
 
     alignas(64) QuatLanes turn_; // Rotation of the axis as a whole, inherited from its parent.
-    VectorLanes position_mm_;    // Position of the tip.
-    Lanes left_mm_;              // Length that remains to grow at this age.
+    VectorLanes position_mm_;    // Position of each axis' growing tip.
+    Lanes left_mm_;              // Length of the axis at this age, minus that already placed.
     // The influence that acts on the whole plant, in the axis' coordinates.
     VectorLanes everywhere_;
     Lanes deviation_x_, deviation_y_;
     Lanes memory_x_, memory_y_;
 
-    // State at the current segment.
+    // State of each axis at the current segment.
     QuatLanes frame_;
     QuatLanes turned_frame_;
-    VectorLanes influence_; // In the segment's frame.
+    VectorLanes influence_; // Influence at the segment, in its frame.
     StepLanes step_;
     Lanes length_mm_;
 
-    // Deviations of the next segments, and the noise for them.
+    // Deviations of the next kStepsAtOnce segments, and the noise drawn for them.
     std::array<Lanes, kStepsAtOnce> deviations_x_, deviations_y_;
     std::array<StepNoiseLanes, kStepsAtOnce> drawn_;
 };

@@ -18,8 +18,8 @@ namespace tractus::variation {
 // feedback brings the tip back; noise and indicators divert it; both act over several steps.
 struct GrowthParameters {
     enum class Steps {
-        // A step is 1 / steps_per_axis of the axis' length, whatever its number of segments, so
-        // that trunk and twigs vary alike and a finer division does not change the statistics. The
+        // A step is 1 / steps_per_axis of the axis' length, regardless of its segments, so that
+        // trunk and twigs vary alike and a finer division does not change the statistics. The
         // law is integrated exactly over each segment (an Ornstein-Uhlenbeck process); the
         // direction of a segment is the solution at its middle.
         PerLength,
@@ -28,16 +28,17 @@ struct GrowthParameters {
         PerSegment,
     };
     Steps steps = Steps::PerLength;
-    double steps_per_axis = 20; // For PerLength only; 1 to 10,000.
+    double steps_per_axis = 20; // Number of steps along an axis, 1 to 10,000; for PerLength only.
 
-    // Factor on noise and circumnutation: 0 as drawn, 1 as usual, no upper limit.
+    // Factor on noise and circumnutation. 0: shape as drawn; 1: usual variation; no upper limit.
     double strength = 1;
 
     // Share of the deviation that each step corrects. 0 to below 1; with PerSegment and a delay, 0
     // to below 2 sin(pi / (4 delay_steps + 2)), beyond which the feedback oscillates with growing
     // amplitude.
     double gain = 0.2;
-    // 0 to 64. 1 or 2 makes branches overshoot. Values above 0 are slower to compute.
+    // Delay of the feedback in steps, 0 to 64. With 1 or 2, branches overshoot. Values above 0 are
+    // slower to compute.
     int delay_steps = 0;
 
     double noise_rad = 0.035;  // Standard deviation per step and component; 0 or more.
@@ -49,8 +50,8 @@ struct GrowthParameters {
     double circumnutation_rad = 0;
     double circumnutation_period_steps = 8; // Steps per revolution; at least 2.
 
-    // A constant influence in addition to the indicators, in plant heights, such as the prevailing
-    // wind.
+    // A constant influence in addition to the indicators, such as the prevailing wind. Its length
+    // is in plant heights, like that of an indicator.
     Vec3 prevailing = Vec3::Zero();
 
     // Maturation (the AC law of Bastien, Bohr, Moulia and Douady, 2013, in the frame of the
@@ -63,7 +64,7 @@ struct GrowthParameters {
     // slower to compute.
     int growth_zone_steps = 0;
     double maturation_bending = 0.01;       // Radians per step, for a unit of w.
-    double maturation_straightening = 0.05; // Share per step, 0 to 1.
+    double maturation_straightening = 0.05; // Share of the bend lost per step, 0 to 1.
 
     // How much the plant sags under its own weight, relative to green wood of its radii; larger for
     // softer material. 0 to 1e6. Default 0, since a drawn shape includes the sag.
@@ -77,7 +78,7 @@ struct GrowthParameters {
 // strokes decreases by it. Fails for values outside this range.
 Result<GrowthParameters> at_variability(GrowthParameters parameters, double variability);
 
-// Fails, in one sentence, if a parameter is outside its range above.
+// Fails, in one sentence, if a parameter is outside the range stated in GrowthParameters.
 Result<void> check_growth_parameters(GrowthParameters const& parameters);
 
 // One step of the law for each component of (d, x), where x is the memory of the noise and g1 and

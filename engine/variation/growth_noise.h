@@ -22,7 +22,8 @@ struct StepNoise {
     std::array<float, 2> second {};
 };
 
-// Noise for one step of several axes: by component, then by axis.
+// Number of axes whose noise is generated at once (StepNoiseLanes: noise for one step of each axis,
+// by component, then by axis).
 constexpr std::size_t kGrowthLanes = RandomBlocks::kCount;
 struct StepNoiseLanes {
     using Component = std::array<float, kGrowthLanes>;
@@ -40,7 +41,7 @@ public:
     // Fills in the noise of consecutive steps, beginning with `first`.
     void fill(std::uint32_t axis, std::uint32_t first, std::span<StepNoise> noise) const;
 
-    // The same for several axes.
+    // Fills in the noise of the same consecutive steps for several axes.
     void fill(std::array<std::uint32_t, kGrowthLanes> const& axes, std::uint32_t first,
               std::span<StepNoiseLanes> noise) const;
 

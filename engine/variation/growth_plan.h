@@ -39,7 +39,8 @@ struct GrowthPlan {
     // ground.
     struct AxisAttachment {
         Seat seat;
-        Vec3 offset_mm = Vec3::Zero(); // From the seat's node to the axis' base; usually zero.
+        // Offset from the seat's node to the axis' base; usually zero.
+        Vec3 offset_mm = Vec3::Zero();
         AxisAge age;
     };
 
@@ -55,12 +56,12 @@ struct GrowthPlan {
         double birth = 0;
     };
 
-    Plant base; // Grown plants are copies of it with nodes moved.
+    Plant base; // The base plant; grown plants are copies of it with their nodes moved.
     GrowthParameters parameters;
     Influence influence;
 
     AxisLevels levels;
-    std::vector<Segment> segments; // In the plant's order; also the following lists.
+    std::vector<Segment> segments; // In the plant's order, like the following lists.
     std::vector<AxisAttachment> axes;
     std::vector<OrganAttachment> organs;
     std::vector<PolygonAttachment> polygons;
@@ -73,7 +74,7 @@ struct GrowthPlan {
     // Circumnutation: deviation added at each segment's step; empty if there is none.
     std::vector<Vec2> circumnutation_rad;
     std::vector<double> axis_length_mm;
-    // By number of the segment with attachments: its predefined frame.
+    // Predefined frame of each segment with attachments, by Segment::parent.
     std::vector<Quat> parent_frame;
 };
 

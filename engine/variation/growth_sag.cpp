@@ -9,9 +9,9 @@ namespace tractus::variation {
 
 namespace {
 
-constexpr double kDensity = 1000e-9;    // kg / mm³
-constexpr double kYoungsModulus = 6000; // N / mm²
-constexpr double kGravity = 9.81;       // N / kg
+constexpr double kDensity = 1000e-9;    // Density of green wood, kg / mm³.
+constexpr double kYoungsModulus = 6000; // Young's modulus of green wood, N / mm².
+constexpr double kGravity = 9.81;       // Weight per mass, N / kg.
 constexpr int kRounds = 4;
 
 // Bending angle of a joint. `softness` is the angle in radians under its load held horizontally;
@@ -44,7 +44,8 @@ double sag_angle(double softness, double sine, double cosine)
 void SagSimulator::find_loads(Plant const& plant)
 {
     load_.assign(plant.segment_count(), {});
-    for (std::size_t id = plant.axes.size(); id-- > 0;) { // Children have higher numbers.
+    // Laterals come after their parents, so this goes from the tips to the ground.
+    for (std::size_t id = plant.axes.size(); id-- > 0;) {
         auto const& axis = plant.axes[id];
         Load sum;
         for (std::uint32_t i = axis.segment_count; i-- > 0;) {
@@ -55,7 +56,7 @@ void SagSimulator::find_loads(Plant const& plant)
             double const r1 = plant.node_radius_mm[node + 1];
             double const mass
                 = kDensity * kPi / 3 * (r0 * r0 + r0 * r1 + r1 * r1) * (tip - base).norm();
-            // Already includes the laterals attached to it.
+            // This load already includes the laterals attached to the segment.
             auto& load = load_[axis.first_segment + i];
             sum.mass_kg += load.mass_kg + mass;
             sum.moment += load.moment + mass / 2 * (base + tip);
@@ -88,7 +89,8 @@ void SagSimulator::bend_axis(AxisId id, Plant& plant)
         Vec3 const step = grown_mm_[node + 1] - grown_mm_[node];
         double const length_mm = step.norm();
         auto const& load = load_[segment];
-        // Centre of mass of the load, rotated back to the grown plant and then with the parent.
+        // `hung` is the centre of mass of the load, relative to the segment's base. It is rotated
+        // back to the grown plant and then with the parent.
         if (load.mass_kg > 0) {
             Vec3 const hung = load.moment / load.mass_kg - before;
             Vec3 const lever = turn * (turn_[segment].conjugate() * hung);

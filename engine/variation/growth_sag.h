@@ -18,7 +18,7 @@ namespace tractus::variation {
 // weight, and there is no torsion.
 class SagSimulator {
 public:
-    // `plan` must outlive the sagger.
+    // `plan` must outlive the simulator.
     explicit SagSimulator(GrowthPlan const& plan)
         : plan_(plan)
     {
@@ -40,8 +40,8 @@ private:
 
     GrowthPlan const& plan_;
     std::vector<Vec3> grown_mm_; // Node positions before sagging.
-    std::vector<Quat> turn_;     // By segment: its rotation.
-    std::vector<Load> load_;     // By segment: mass of the segment and its descendants.
+    std::vector<Quat> turn_;     // Rotation of each segment by sagging.
+    std::vector<Load> load_;     // Load of each segment: the segment itself and its descendants.
 };
 
 } // namespace tractus::variation

@@ -16,8 +16,8 @@ SteppedTip::SteppedTip(GrowthPlan const& plan, GrowthNoise const& noise, AxisId 
     , unit_mm_(plan.axis_length_mm[axis] / plan.parameters.steps_per_axis)
     , per_length_(plan.parameters.steps == GrowthParameters::Steps::PerLength)
 {
-    // Number of steps that segments are interpolated from: up to the middle of the last segment, or
-    // to its base.
+    // Number of steps along the axis: its whole length with PerLength, or up to the base of the
+    // last segment with PerSegment.
     double const last
         = per_length_ ? plan.parameters.steps_per_axis : static_cast<double>(segment_count_ - 1);
     auto const all = static_cast<std::size_t>(std::ceil(last));
@@ -47,7 +47,7 @@ double SteppedTip::length_of(std::uint32_t segment) const
 void SteppedTip::find_influence(AxisInfluence const& influence, std::size_t steps)
 {
     influence_.reserve(steps + 1);
-    std::uint32_t under = 0; // The segment under the tip, and (`under_end`) its end.
+    std::uint32_t under = 0; // The segment under the tip; it ends `under_end` steps from the base.
     double under_end = length_of(0);
     Vec3 felt = influence.at(first_segment_);
     for (std::size_t step = 0; step <= steps; ++step) {

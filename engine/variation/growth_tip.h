@@ -61,7 +61,7 @@ private:
     void grow(GrowthNoise const& noise, AxisId axis, std::size_t steps);
     void find_influence(AxisInfluence const& influence, std::size_t steps);
     void mature(std::size_t begin, std::size_t end);
-    double length_of(std::uint32_t segment) const; // In steps.
+    double length_of(std::uint32_t segment) const; // Length of a segment, in steps.
 
     GrowthPlan const& plan_;
     SegmentId first_segment_ = 0;
@@ -69,13 +69,13 @@ private:
     double unit_mm_ = 0;
     bool per_length_ = true;
 
-    // By number of steps from the base.
+    // Deviation of the tip after each number of steps from the base.
     std::vector<Vec2> deviation_;
-    // In the frame of the segment at that step; empty if there is no influence.
+    // Influence at each step, in the frame of the segment there; empty if there is no influence.
     std::vector<Vec3> influence_;
 
     std::uint32_t next_ = 0; // Number of the next segment, within the axis.
-    double next_start_ = 0;  // Beginning of that segment, in steps from the base.
+    double next_start_ = 0;  // Beginning of segment next_, in steps from the base.
 };
 
 } // namespace tractus::variation

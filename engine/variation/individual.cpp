@@ -19,7 +19,7 @@ constexpr std::uint32_t kWhole = 0x696E6400; // Random stream of sizes and rotat
 constexpr std::uint32_t kBranches = 0x696E6401;
 constexpr std::uint32_t kAges = 0x696E6402;   // Random stream of ages.
 constexpr std::uint32_t kOrgans = 0x696E6403; // Random stream of the sizes of organs.
-constexpr std::uint32_t kSeeds = 0x696E6404;  // Random stream of who has a seed of its own.
+constexpr std::uint32_t kSeeds = 0x696E6404;  // Random stream that decides has_own_seed().
 
 // What happens to a lateral branch.
 struct Fate {
@@ -56,7 +56,7 @@ NodeId tip_of(Axis const& axis, SegmentId segment)
     return axis.first_node + (segment - axis.first_segment) + 1;
 }
 
-// The indices of things, grouped by the axis or segment that each belongs to.
+// Indices of axes, organs or polygons, grouped by the axis or segment that each is attached to.
 class Groups {
 public:
     template<typename Things, typename GroupOf>
@@ -84,8 +84,8 @@ private:
     std::vector<std::size_t> indices_;
 };
 
-// Duplicates branches of a plant. Each is copied as it was before: add() must be called for axes in
-// ascending order, so that no copy is part of a later branch.
+// Duplicates branches of a plant. No copy contains other copies: add() must be called for axes in
+// ascending order, and laterals are those of the original plant.
 class Doubler {
 public:
     explicit Doubler(Plant& plant)
@@ -133,7 +133,7 @@ private:
         std::sort(branch_.begin(), branch_.end());
     }
 
-    // Lists what belongs to the branch's segments, in ascending order.
+    // Lists the organs or polygons on the present branch's segments, in ascending order.
     std::vector<std::size_t> const& on_branch(Groups const& by_segment)
     {
         found_.clear();
@@ -197,9 +197,9 @@ private:
     }
 
     Plant& plant_;
-    Groups laterals_; // By parent axis.
-    Groups organs_;   // By segment.
-    Groups polygons_; // By segment.
+    Groups laterals_; // Axes, grouped by parent axis.
+    Groups organs_;   // Organs, grouped by segment.
+    Groups polygons_; // Polygons, grouped by segment.
     // The latest copy of each segment; kNone: it was not copied.
     std::vector<SegmentId> copy_of_segment_;
     Vec3 from_mm_ = Vec3::Zero();
@@ -268,7 +268,8 @@ std::vector<bool> axes_below_paths(Plant const& plant,
     for (auto const& path : paths)
         for (auto const segment : path)
             is_below[axis_of(plant, segment)] = true;
-    for (AxisId id = static_cast<AxisId>(plant.axes.size()); id-- > 0;) // Children come later.
+    // Laterals come after their parents, so this goes from the tips to the ground.
+    for (AxisId id = static_cast<AxisId>(plant.axes.size()); id-- > 0;)
         if (is_below[id] && plant.axes[id].parent_axis != kNone)
             is_below[plant.axes[id].parent_axis] = true;
     return is_below;
@@ -284,7 +285,8 @@ bool has_own_seed(PlantKey const& key, Individuality const& how)
     return Random({ key.seed, kSeeds, key.plant_index }).uniform() < how.seeds;
 }
 
-// The maximum relative change in size of this plant.
+// Maximum relative change in size of a plant: `size`, up to kNarrowSize times as much if it is
+// narrow, but at most kMaxSize.
 static double size_range(Plant const& plant, double size)
 {
     auto const box = bounds(plant);
@@ -296,7 +298,8 @@ static double size_range(Plant const& plant, double size)
     return std::min(kMaxSize, size * (1 + (kNarrowSize - 1) * narrow));
 }
 
-// `size` is size_range() of the whole plant.
+// Returns the plant with its individual size and heading. `size` is size_range() of the whole
+// plant.
 static Plant sized_and_turned(Plant const& grown, double size, PlantKey const& key,
                               Individuality const& how)
 {
@@ -335,7 +338,7 @@ Plant comparable_individual(Plant const& grown, PlantKey const& key, Individuali
         return sized_and_turned(grown, size, key, how);
     Plant plant = grown;
     std::vector<bool> is_lost(plant.axes.size());
-    for (AxisId id = 0; id < plant.axes.size(); ++id) { // Children come later.
+    for (AxisId id = 0; id < plant.axes.size(); ++id) { // Parents come before laterals.
         auto const& axis = plant.axes[id];
         if (axis.parent_segment == kNone)
             continue;

@@ -15,7 +15,7 @@ struct Individuality {
     // rotated about the parent axis.
     double branches = 0;
     // Maximum relative change in the size of a plant as wide as high, uniformly distributed; 0 to
-    // 0.5. That of narrower plants is up to kNarrowSize times as large.
+    // 0.5. For narrower plants the maximum is up to kNarrowSize times as large.
     double size = 0;
     // Maximum rotation about the vertical as a share of a full turn, uniformly distributed; 0 to 1.
     double turn = 0;
@@ -34,14 +34,14 @@ struct Individuality {
 // Factor on Individuality::size for a plant without width, for which turning makes no difference.
 // It falls linearly to 1 for plants as wide as high.
 constexpr double kNarrowSize = 2;
-constexpr double kMaxSize = 0.8; // Limit of that change for all plants.
+constexpr double kMaxSize = 0.8; // Maximum relative change in size, however narrow the plant.
 
-// The differences between plants of one bed that a collection has if nothing else is said.
+// Default individuality of a collection: the differences between plants of one bed.
 constexpr Individuality kPlantsOfOneBed {
     .branches = 0.08, .size = 0.4, .turn = 1, .age = 0.25, .organs = 0.15, .seeds = 1
 };
 
-// Age of the plant of `key`, if `age` is the age of the oldest.
+// Age of the plant of `key`, if `age` is the age of the oldest plant.
 double individual_age(PlantKey const& key, Individuality const& how, double age = 1);
 
 // True if the plant of `key` has a seed of its own for a model's stochastic rules.

@@ -14,7 +14,7 @@ namespace tractus::variation {
 // long as the plant is high has length 1, at any display scale.
 struct Influence {
     Vec3 everywhere = Vec3::Zero();
-    std::vector<Vec3> local {}; // By segment, in addition to `everywhere`; empty if there is none.
+    std::vector<Vec3> local {}; // For each segment, what is added to `everywhere`; empty: nothing.
 
     bool is_none() const { return everywhere.isZero(0) && local.empty(); }
 };

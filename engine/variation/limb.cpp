@@ -15,7 +15,7 @@ namespace tractus::variation {
 
 namespace {
 
-// Share of the length over which the limb's direction is measured: single samples are noisy.
+// Share of the limb's length over which its direction is measured: single samples are noisy.
 constexpr double kDirectionReach = 1 / kMinLimbSegments;
 
 constexpr double kThinnerThanBearer = 0.85;
@@ -64,7 +64,8 @@ private:
                                     : width_mm;
     }
 
-    // The pattern's segment at a share of its length, and where on that.
+    // The pattern's segment at a share of the pattern's length, and the position on that segment,
+    // from 0 at its base to 1 at its tip.
     std::pair<SegmentId, double> pattern_at(double share) const
     {
         auto const* const ends_mm = rest_.end_mm.data() + pattern_.first_segment;
@@ -81,7 +82,7 @@ private:
         return pattern_.first_node + (segment - pattern_.first_segment);
     }
 
-    // The pattern's radius as a share of that at its base.
+    // The pattern's radius at a share of its length, relative to the radius at its base.
     double taper_at(double share) const
     {
         auto const radius = [&](NodeId node) { return double(plant_.node_radius_mm[node]); };
@@ -99,7 +100,8 @@ private:
         limb_.node_radius_mm.push_back(static_cast<float>(radius_mm));
     }
 
-    // Rotation-minimising frames along the limb; the normal of the first leans towards the bearer.
+    // Computes rotation-minimising frames along the limb; the normal of the first leans towards the
+    // direction of the parent axis.
     void find_frames()
     {
         Vec3 before = curve_.direction(0, kDirectionReach);
@@ -113,7 +115,7 @@ private:
         roll_as_pattern();
     }
 
-    // Rolls the limb so that what is above and below the middle of the pattern is so on the limb.
+    // Rolls the limb so that at its middle the same sides point up and down as on the pattern.
     void roll_as_pattern()
     {
         auto const& pattern = rest_.frame[pattern_at(0.5).first];
@@ -150,14 +152,14 @@ private:
     RestShape const& rest_;
     LimbCurve curve_;
     LimbAttachment const& seat_;
-    AxisId id_; // Of the pattern.
+    AxisId id_; // Axis of plant_ that is the limb's pattern.
     Axis const& pattern_;
     double ratio_ = 1;   // Length of the limb divided by that of the pattern.
-    double scale_ = 1;   // Of twigs and organs.
-    double thinner_ = 1; // Factor on the drawn width, for a limb that is thinner than its bearer.
+    double scale_ = 1;   // Factor on the size of twigs and organs.
+    double thinner_ = 1; // Factor on the drawn width that makes the limb thinner than its parent.
     Plant limb_;
     std::vector<LimbStation> stations_;
-    std::vector<Quat> frames_; // By station.
+    std::vector<Quat> frames_; // Frame at each station.
 };
 
 } // namespace

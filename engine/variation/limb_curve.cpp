@@ -20,7 +20,7 @@ Vec3 direction_or(Vec3 const& vector, Vec3 const& otherwise)
     return length > 0 ? Vec3(vector / length) : otherwise;
 }
 
-// Direction of the stroke where it begins, over at least `reach_mm`.
+// Direction of the stroke where it begins, measured over at least `reach_mm`.
 Vec3 start_direction(std::span<LimbPoint const> points, double reach_mm)
 {
     Vec3 const from_mm = points.front().place_mm;
@@ -53,8 +53,9 @@ void LimbCurve::add(LimbPoint const& point)
     points_.push_back(point);
 }
 
-// A limb leaves its bearer at an acute angle and turns into the stroke: a cubic Hermite curve. From
-// inside the bearer's wood it leads straight out.
+// Adds the curve that joins the stroke to the parent axis: a cubic Hermite curve that leaves the
+// parent at an acute angle and turns into the stroke. A stroke that begins inside the parent's wood
+// is joined by a straight line.
 void LimbCurve::join(std::span<LimbPoint const> points, LimbAttachment const& seat)
 {
     Vec3 const to_mm = points.front().place_mm;

@@ -8,7 +8,7 @@
 namespace tractus::variation {
 
 // The curve of a limb by arc length: the drawn points, and before them, if they begin off the
-// bearer, a short curve that joins them to the seat at the origin.
+// parent axis, a short curve that joins them to the seat at the origin.
 class LimbCurve {
 public:
     // `points`: at least two distinct ones.
@@ -16,14 +16,14 @@ public:
 
     double length_mm() const { return length_to_mm_.back(); }
 
-    // Share of the length at which the drawn points begin.
+    // Share of the limb's length at which the drawn points begin.
     double drawn_from() const { return drawn_from_; }
 
     // Place and width at a share of the length, from 0 to 1.
     LimbPoint at(double share) const;
 
-    // Direction of the chord from `reach` before a share of the length to `reach` behind it; unit
-    // vector.
+    // Direction of the chord from `reach` before a share of the length to `reach` after it, both
+    // shares of the length; unit vector.
     Vec3 direction(double share, double reach) const;
 
 private:
@@ -31,7 +31,7 @@ private:
     void join(std::span<LimbPoint const> points, LimbAttachment const& seat);
 
     std::vector<LimbPoint> points_;
-    std::vector<double> length_to_mm_; // Arc length to each point.
+    std::vector<double> length_to_mm_; // Arc length from the limb's base to each point.
     double drawn_from_ = 0;
 };
 

@@ -11,18 +11,20 @@ namespace tractus::variation {
 
 namespace {
 
-// Cost of each order more or less than the limb has, as the logarithm of a ratio of lengths.
+// Cost of each order of difference between pattern and limb, in the same unit as the natural
+// logarithm of the ratio of their lengths.
 constexpr double kOrderCost = 0.25;
 
-// Sine of the angle to the axis below which a twig or organ has no direction around it.
+// Sine of the angle between a twig or organ and the axis, below which it has no direction around
+// the axis.
 constexpr double kAlongAxis = 0.1;
 
-constexpr double kMaxNodes = 2000; // Of a limb, however short its pattern's internodes are.
+constexpr double kMaxNodes = 2000; // Maximum internodes of a limb, however short its pattern's are.
 
-// A node of the pattern that bears something.
+// A node of the pattern that carries twigs or organs.
 struct BearingNode {
     SegmentId segment = 0;
-    double angle_rad = 0; // Direction around the axis in which it bears, from the frame's normal.
+    double angle_rad = 0; // Direction of its twigs around the axis, from the frame's normal.
 };
 
 class BearingNodes {
@@ -68,7 +70,8 @@ private:
             && segment - axis_.first_segment < axis_.segment_count;
     }
 
-    // The first item at a node that stands off the axis gives the direction.
+    // Adds a twig, organ or polygon to a node. The first that points away from the axis gives the
+    // node's direction.
     void add(SegmentId segment, Vec3 const& direction)
     {
         auto const i = segment - axis_.first_segment;
@@ -80,11 +83,12 @@ private:
 
     RestShape const& rest_;
     Axis const& axis_;
-    std::vector<Vec3> side_; // By segment of the axis, in its frame; zero: without a direction.
+    std::vector<Vec3> side_; // Direction of each node's twigs, in its frame; zero: none.
     std::vector<bool> bears_;
 };
 
-// Directions around the axis continued beyond the pattern's last node by its divergence angle.
+// Direction of a node around the axis. Beyond the pattern's last node it continues by the
+// divergence angle in the middle of the pattern.
 double continued_angle_rad(std::vector<BearingNode> const& nodes, std::size_t number)
 {
     if (number < nodes.size())
@@ -140,7 +144,7 @@ std::vector<LimbNode> limb_nodes(Plant const& plant, RestShape const& rest, Axis
     if (nodes.empty())
         return {};
     auto const last = static_cast<double>(nodes.size() - 1);
-    // Internodes between the first and the last node; both of these are kept.
+    // Number of the limb's internodes between its first and its last node with twigs or organs.
     double const wanted = std::round(std::min(last * length_ratio, kMaxNodes));
     auto const count = static_cast<std::size_t>(std::max(wanted, last > 0 ? 1.0 : 0.0));
     std::vector<LimbNode> result;
@@ -184,7 +188,8 @@ std::vector<LimbStation> limb_stations(std::vector<LimbNode> const& nodes, doubl
     if (!is_joined)
         add(drawn_from);
     add(1);
-    if (wanted.size() > 1 && !wanted.front().bears.empty()) { // The first segment's end bears it.
+    // What the limb's base would carry moves to the end of its first segment.
+    if (wanted.size() > 1 && !wanted.front().bears.empty()) {
         auto& second = wanted[1].bears;
         second.insert(second.begin(), wanted[0].bears.begin(), wanted[0].bears.end());
     }

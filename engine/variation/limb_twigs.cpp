@@ -10,7 +10,7 @@
 
 namespace tractus::variation {
 
-// Share of a twig's length whose direction gives its heading.
+// Share of a twig's length, from its base, whose direction gives the twig's heading.
 static constexpr double kTwigStart = 1.0 / 3;
 
 Vec3 LimbTwigs::Move::place(Vec3 const& point_mm) const
@@ -24,7 +24,8 @@ LimbTwigs::LimbTwigs(Plant const& plant, RestShape const& rest, AxisId pattern, 
     , pattern_(pattern)
     , scale_(scale)
 {
-    std::vector<SegmentId> root(plant.axes.size(), kNone); // By axis: the pattern's segment below.
+    // For each axis, the segment of the pattern that carries it; kNone if there is none.
+    std::vector<SegmentId> root(plant.axes.size(), kNone);
     auto const root_of = [&](SegmentId segment) {
         if (segment == kNone)
             return kNone;
@@ -72,8 +73,8 @@ void LimbTwigs::add(Plant& limb, Place const& place, LimbNode const& node)
     }
 }
 
-// The move that rotates about the vertical alone, to the heading that a rigid move gives to
-// something that starts in `direction`.
+// Returns a move like `rigid` that rotates only about the vertical: to the heading that `rigid`
+// would give to a twig or organ with the direction `direction`.
 LimbTwigs::Move LimbTwigs::upright_move(Move const& rigid, Vec3 const& direction,
                                         SegmentId node) const
 {
@@ -104,7 +105,8 @@ LimbTwigs::Move const& LimbTwigs::move_of(SegmentId segment, Move const& at_node
     return axis == pattern_ ? at_node : axes_.at(axis).move;
 }
 
-// Parents come before their children, so the segment that bears the twig is there.
+// Copies a twig to the limb. Parents come before their children, so the copy of the twig's parent
+// segment already exists.
 void LimbTwigs::add_twig(Plant& limb, AxisId id, Move const& move)
 {
     auto const& twig = plant_.axes[id];

@@ -9,24 +9,24 @@
 
 namespace tractus::variation {
 
-// Copies what the nodes of a limb's pattern bear to the limb. Twigs and organs keep their pitch, as
-// they hang, rise or lie level on the pattern; their heading follows the limb.
+// Copies the twigs and organs at the nodes of a limb's pattern to the limb. They keep their pitch,
+// so that they hang, rise or lie level as on the pattern; their heading follows the limb.
 class LimbTwigs {
 public:
-    // `scale`: of twigs and organs. `plant` and `rest` must outlive this.
+    // `scale`: factor on the size of twigs and organs. `plant` and `rest` must outlive the object.
     LimbTwigs(Plant const& plant, RestShape const& rest, AxisId pattern, double scale);
 
     // A node of the limb's own axis.
     struct Place {
-        SegmentId segment = 0; // The limb's segment that ends there.
+        SegmentId segment = 0; // The limb's segment that ends at the node.
         Quat frame = Quat::Identity();
     };
 
-    // Appends what a node bears to `limb`, whose first axis is the limb itself.
+    // Appends the twigs and organs of a node to `limb`, whose first axis is the limb itself.
     void add(Plant& limb, Place const& place, LimbNode const& node);
 
 private:
-    // Takes what is at a node of the pattern to a node of the limb.
+    // Transform that moves twigs and organs from a node of the pattern to a node of the limb.
     struct Move {
         Vec3 from_mm = Vec3::Zero();
         Vec3 to_mm = Vec3::Zero();
@@ -36,8 +36,8 @@ private:
         Vec3 place(Vec3 const& point_mm) const;
     };
 
-    // What the pattern bears at a node: twigs with all that they bear, and numbers of organs and
-    // polygons at the node or on the twigs.
+    // Attachments at a node of the pattern: twigs with all their descendants, and the numbers of
+    // organs and polygons at the node or on the twigs.
     struct NodeAttachments {
         std::vector<AxisId> axes;
         std::vector<std::size_t> organs;
@@ -61,7 +61,8 @@ private:
     RestShape const& rest_;
     AxisId pattern_;
     double scale_;
-    std::unordered_map<SegmentId, NodeAttachments> borne_; // By segment of the pattern.
+    // Attachments at the end of each segment of the pattern.
+    std::unordered_map<SegmentId, NodeAttachments> borne_;
     // Copies of segments and axes at the latest node, by their numbers in the plant.
     std::unordered_map<SegmentId, SegmentId> segments_;
     std::unordered_map<AxisId, Copy> axes_;

@@ -33,8 +33,8 @@ struct MotionIndicator {
     // distance, in displayed world millimetres. Without a value there is no limit.
     std::optional<double> reach_mm {};
 
-    // True if the segments it acts on no longer exist in the plant. Kept, since the branch may come
-    // back.
+    // True if the segments it acts on no longer exist in the plant. Such an indicator is kept,
+    // since the branch may come back.
     bool is_orphaned = false;
 
     bool is_local() const { return !below.empty() || reach_mm || kind == Kind::Light; }

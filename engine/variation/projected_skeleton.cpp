@@ -22,7 +22,7 @@ constexpr double kCellsPerLine = 0.25;
 constexpr double kFewestCells = 1024;
 constexpr double kMaxCells = 1 << 18;
 
-// With fewer lines the grid is built before other threads have woken up.
+// Minimum lines worth several threads: with fewer the grid is built before others have woken up.
 constexpr std::size_t kLinesWorthThreads = 16'384;
 
 // Clip planes as products with homogeneous coordinates that must not be negative: in front of the
@@ -43,10 +43,10 @@ ClipPlanes clip_planes(SkeletonProjection const& view)
 struct Projected {
     Eigen::Vector4d homogeneous;
     Vec3 place;
-    bool is_inside = false; // Within the clip planes.
+    bool is_inside = false; // True if the node is within the clip planes.
 };
 
-// Projects lines; most of them are entirely within the clip planes.
+// Projects and clips lines, most of which are entirely within the clip planes.
 class LineProjector {
 public:
     explicit LineProjector(SkeletonProjection const& view)
@@ -90,7 +90,7 @@ private:
         result.depth_to = static_cast<float>(to.z());
     }
 
-    // Liang-Barsky clipping.
+    // Clips a line that is not entirely inside, by the Liang-Barsky method.
     bool clip(Eigen::Vector4d const& from, Eigen::Vector4d const& to,
               ProjectedSkeleton::Line& result) const
     {
@@ -124,7 +124,7 @@ private:
     ClipPlanes planes_;
 };
 
-// The point of a line nearest to a given point.
+// The point of a line nearest to the pen: its distance from the pen, and its depth.
 struct Nearest {
     float distance = 0;
     float depth = 0;
@@ -258,7 +258,7 @@ void ProjectedSkeleton::lay_grid()
 }
 
 // Counting sort of the lines into cells. Each thread counts its own share of the lines, so within a
-// cell they stay in order, whatever the number of threads.
+// cell they stay in order, for any number of threads.
 void ProjectedSkeleton::build_grid()
 {
     auto const cells = index_of({ 0, rows_ });

@@ -89,9 +89,10 @@ private:
     float cell_size_ = 1;
     int columns_ = 1;
     int rows_ = 1;
-    std::vector<std::uint32_t> first_in_cell_; // By cell, and the total number.
-    std::vector<std::uint32_t> in_cell_;       // Indices of lines.
-    // One list for each thread's share of the lines.
+    // Index in in_cell_ of each cell's first entry; last, the number of entries.
+    std::vector<std::uint32_t> first_in_cell_;
+    std::vector<std::uint32_t> in_cell_; // Indices of lines, cell by cell.
+    // For each thread's share of the lines: the index in in_cell_ of its next entry, by cell.
     std::vector<std::vector<std::uint32_t>> next_in_cell_;
 };
 

@@ -64,7 +64,7 @@ void find_axis_shape(Plant const& plant, AxisId id, RestShape& shape)
 
 struct SharedRestShape::Found {
     std::shared_ptr<Plant const> plant;
-    // Without a value they are made from the plant and `keys`.
+    // Addresses of the plant. No value: they are made from the plant and `keys`.
     std::optional<PlantAddresses> addresses;
     AxisKeys keys {};
     std::once_flag is_found {};

@@ -19,11 +19,11 @@ namespace tractus::variation {
 // direction of the one before it.
 struct RestShape {
     AxisLevels levels;
-    std::vector<Quat> frame; // By segment; also the next two lists.
+    std::vector<Quat> frame; // Frame of each segment.
     std::vector<double> length_mm;
-    std::vector<double> end_mm;         // Arc length from the axis' base to the segment's end.
-    std::vector<double> axis_length_mm; // By axis: arc length.
-    std::vector<AxisId> drawing_order;  // See axes_in_drawing_order().
+    std::vector<double> end_mm;         // Arc length from the axis' base to each segment's end.
+    std::vector<double> axis_length_mm; // Arc length of each axis.
+    std::vector<AxisId> drawing_order;  // All axes, as from axes_in_drawing_order().
     PlantAddresses addresses;           // Addresses for items drawn on the plant.
 };
 
@@ -31,7 +31,7 @@ struct RestShape {
 // not need it. Shared between copies.
 class SharedRestShape {
 public:
-    SharedRestShape() = default; // For a plant without axes.
+    SharedRestShape() = default; // The rest shape of a plant without axes.
     explicit SharedRestShape(std::shared_ptr<Plant const> plant, AxisKeys keys = {});
     SharedRestShape(std::shared_ptr<Plant const> plant, PlantAddresses addresses);
 
@@ -47,10 +47,10 @@ private:
     std::shared_ptr<Found> found_ {};
 };
 
-// Computes the rest shape; `addresses` are those of the plant.
+// Computes the rest shape of a plant; `addresses` are those of the plant.
 RestShape find_rest_shape(Plant const& plant, PlantAddresses addresses);
 
-// For a plant that is not composed of others; `keys` as for AddressIndex.
+// Computes the rest shape of a plant that is not composed of others; `keys` as for AddressIndex.
 RestShape find_rest_shape(Plant const& plant, AxisKeys keys = {});
 
 } // namespace tractus::variation

@@ -8,7 +8,7 @@
 
 namespace tractus::variation {
 
-// Beyond any screen size: larger moves are walked in longer steps.
+// Maximum number of steps in which a move of the pen is walked; larger moves take longer steps.
 constexpr double kLongestMove = 1e5;
 
 PathSelection::PathSelection(BranchTree const& tree)
@@ -38,7 +38,7 @@ bool PathSelection::touch(SegmentId segment)
 }
 
 // Selects from the end of the path to its descendant `segment`, and unselects the undetermined
-// segments beside that way.
+// segments that are not on this path.
 void PathSelection::select_down_to(SegmentId segment)
 {
     for (auto const other : undetermined_)
@@ -111,8 +111,8 @@ std::optional<SegmentId> SelectionPen::common() const
     return common;
 }
 
-// Returns the segment at which the path begins, given `segment`, which determines it: of the
-// segments under the pen where it came down, the nearest ancestor of `segment`.
+// Returns the segment at which a path through `segment` begins: of the segments under the pen where
+// it came down, the nearest ancestor of `segment`; `segment` itself if there is none.
 SegmentId SelectionPen::beginning_of(SegmentId segment) const
 {
     SegmentId nearest = kNone;

@@ -55,14 +55,13 @@ private:
     std::vector<SegmentId> undetermined_;
 };
 
-// A pen that draws over a projected skeleton; make one per stroke. The line between two samples
-// is walked in steps of at most one unit of the plane, so that a fast movement misses no thin
-// branch.
+// A pen that draws over a projected skeleton; make one per stroke. The line between two samples is
+// walked in steps of at most one unit of the plane, so that a fast movement misses no thin branch.
 //
 // Normally the frontmost segment is touched. Exception: once a path has begun, a point where
 // several branches overlap is ambiguous and determines only their last common ancestor, which is
-// touched; the rest of the stroke shows which branch was meant. So the trunk can be followed
-// behind branches that grow towards the viewer.
+// touched; the rest of the stroke shows which branch was meant. So the trunk can be followed behind
+// branches that grow towards the viewer.
 class SelectionPen {
 public:
     // Skeleton, tree and selection must outlive the pen; `tree` must be that of the selection.
@@ -91,7 +90,7 @@ private:
     // The frontmost segment at the last position, if that was ambiguous.
     std::optional<SegmentId> ambiguous_;
     std::vector<SegmentId> beginnings_; // Segments under the pen where it came down.
-    std::vector<SegmentId> covering_;   // Candidate segments at the present position.
+    std::vector<SegmentId> covering_;   // Candidate segments under the pen's present position.
 };
 
 } // namespace tractus::variation

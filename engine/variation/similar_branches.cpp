@@ -29,8 +29,9 @@ double height_of(Plant const& plant)
     return box.empty() ? 1 : std::max(1e-9, box.max_mm.z() - box.min_mm.z());
 }
 
-// How much two axes differ, 0 for the same: the place on the bearer as a share, the angle between
-// their chords in radians, and the ratio of their lengths, natural logarithm.
+// How much two axes differ, 0 for equal ones: the weighted difference of their positions on their
+// parents as shares, plus the angle between their chords in radians, plus the natural logarithm of
+// the ratio of their lengths.
 double difference(Plant const& one, Axis const& a, Plant const& other, Axis const& b)
 {
     constexpr double kPlaceWeight = 3;
@@ -96,7 +97,7 @@ std::optional<SegmentId> SimilarBranches::similar_segment(SegmentId segment)
     auto const& like = to_.axes[*found];
     double const at = share_of(wanted, segment) * like.segment_count;
     auto const number = std::clamp(std::lround(at), 1L, static_cast<long>(like.segment_count));
-    // The first segment of an axis stands for the whole axis.
+    // The first segment of an axis is matched to the first segment of the similar axis.
     bool const is_first = segment == wanted.first_segment;
     return like.first_segment + (is_first ? 0 : static_cast<SegmentId>(number - 1));
 }
@@ -109,7 +110,7 @@ std::optional<std::vector<SegmentId>> SimilarBranches::like(std::vector<SegmentI
         return std::nullopt;
     if (auto between = path_between(to_, *first, *last))
         return between;
-    // The branch leaves its bearer below the place where the path begins.
+    // In the other plant the branch leaves its parent below the place where the path begins.
     auto const& axis = to_.axes[axis_of(to_, *first)];
     return path_between(to_, axis.first_segment, *last);
 }

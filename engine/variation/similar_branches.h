@@ -10,9 +10,9 @@
 namespace tractus::variation {
 
 // Finds, for branches of one plant, the most similar branches of another individual of its kind,
-// whose branches are other ones in number and place. Two branches are similar if they leave similar
-// branches at a similar height, in a similar direction, and are similarly long. Each branch of the
-// other plant is found for at most one branch.
+// which may differ in the number and positions of its branches. Two branches are similar if they
+// leave similar parents at a similar height, in a similar direction, and are similarly long. Each
+// branch of the other plant is found for at most one branch.
 class SimilarBranches {
 public:
     // Both plants must outlive the object.
@@ -23,9 +23,9 @@ public:
     // value if the other plant has no such branch.
     std::optional<std::vector<SegmentId>> like(std::vector<SegmentId> const& path);
 
-    // How much the branches found so far differ at most from those they were found for: the sum of
-    // three times the difference in height as a share of the bearer, the angle between their
-    // chords in radians, and the natural logarithm of the ratio of their lengths.
+    // Greatest difference between a branch found so far and the one it was found for. A difference
+    // is the sum of three times the difference in height as a share of the parent axis, the angle
+    // between the chords in radians, and the natural logarithm of the ratio of the lengths.
     double greatest_difference() const { return greatest_difference_; }
 
 private:
@@ -34,7 +34,7 @@ private:
 
     Plant const& from_;
     Plant const& to_;
-    std::vector<std::vector<AxisId>> borne_; // By axis of to_: the axes on it; last, on the ground.
+    std::vector<std::vector<AxisId>> borne_; // Laterals of each axis of to_; last, of the ground.
     std::map<AxisId, std::optional<AxisId>> found_;
     std::set<AxisId> taken_;
     double greatest_difference_ = 0;

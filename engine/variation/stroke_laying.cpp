@@ -35,7 +35,7 @@ Quat turn_about_vertical(Vec2 const& to)
     return Quat(Eigen::AngleAxisd(std::atan2(to.y(), to.x()), Vec3::UnitZ()));
 }
 
-// Pitch in the vertical plane of the heading, -pi to pi.
+// Pitch of a direction in the vertical plane of its heading, -pi to pi.
 double pitch_rad(Aim const& aim)
 {
     return std::atan2(aim.direction.z(), aim.direction.head<2>().dot(aim.heading));

@@ -39,7 +39,7 @@ Vec3 start_tangent(ArcLength const& curve)
 {
     for (double share = kStartShare; share < 1; share *= 2) {
         Vec3 const chord = curve.at(share) - curve.at(0);
-        // Otherwise the stroke turns back at once.
+        // A shorter chord means that the stroke turns back at once.
         if (chord.norm() > 0.01 * share * curve.length_mm())
             return chord.normalized();
     }
@@ -230,7 +230,7 @@ Quat curve_to_axis(Plant const& plant, RestShape const& rest, StrokeShape const&
     Quat const along_start = rest.frame[axis.first_segment] * stroke.from_path;
     if (stroke.fit == StrokeFit::Start)
         return along_start;
-    // As for the path, then corrected so that the chords agree.
+    // Aligned by its start like the path, then corrected so that the chords agree.
     auto const nodes = plant.positions(axis);
     Vec3 const chord = nodes.back() - nodes.front();
     double const length = chord.norm();

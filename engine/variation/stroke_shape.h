@@ -31,10 +31,11 @@ struct Joint {
 
 // A stroke prepared for alignment with the branches of one plant.
 struct StrokeShape {
-    // Null if only the path follows the stroke, since it is large. Shared between copies.
+    // The stroke by arc length, shared between copies. Null, to save memory, if only the path
+    // follows the stroke.
     std::shared_ptr<ArcLength const> curve;
     StrokeFit fit = StrokeFit::Start;
-    // Aligned by heading and pitch, and not with StrokeFit::World.
+    // True if the stroke is aligned by heading and pitch and its fit is not StrokeFit::World.
     bool is_laid_by_heading = false;
     // For strokes aligned by heading (stroke_laying.h): horizontal vector to the farthest point,
     // first turn, aim, and the path's direction in the base plant.
@@ -42,20 +43,20 @@ struct StrokeShape {
     std::optional<double> first_turn {};
     Aim path_aim {};
     Vec3 path_direction = Vec3::UnitZ();
-    // For other strokes:
+    // The next two are for strokes that are not aligned by heading.
     Quat to_path = Quat::Identity(); // Rotates the curve to the path in the base plant.
     // Rotates the curve to the coordinates of an axis' base frame.
     Quat from_path = Quat::Identity();
-    std::vector<Joint> joints; // By segment of the path.
+    std::vector<Joint> joints; // How the stroke changes each segment of its path.
 };
 
 // Fails like check_association().
 Result<StrokeShape> shape_of(Plant const& plant, RestShape const& rest,
                              Association const& association);
 
-// Returns the rotation that aligns a curve, unless aligned by heading, with the axis `id` as its
-// association's fit requires: by from_path in the axis' base frame, or, for StrokeFit::Chord, by
-// the axis' own chord.
+// Returns the rotation that aligns the curve of `stroke`, which is not aligned by heading, with the
+// axis `id`: from_path in the axis' base frame, then, for StrokeFit::Chord, corrected to the chord
+// of the axis. With StrokeFit::World nothing is rotated.
 Quat curve_to_axis(Plant const& plant, RestShape const& rest, StrokeShape const& stroke, AxisId id);
 
 } // namespace tractus::variation

@@ -62,8 +62,8 @@ Result<void> StrokeShaper::set(std::span<Association const> associations)
     return {};
 }
 
-// Computes the shapes of the associations from number `first` on. Those that have only changed
-// their number keep their shape, so that their tips need not be read again.
+// Computes the shapes of the associations from number `first` on. Associations that have only
+// changed their number keep their shape, so that their tips need not be read again.
 Result<std::vector<StrokeShape>> StrokeShaper::shapes_of(std::span<Association const> associations,
                                                          std::size_t first) const
 {
@@ -116,8 +116,8 @@ void StrokeShaper::assign_path(std::uint32_t number)
     }
 }
 
-// Marks the descendant axes of the path, except those along which it runs itself and those that are
-// spared.
+// Assigns an association to the descendant axes of its path, except axes that contain a part of the
+// path, and spared ones (Association::spared).
 void StrokeShaper::assign_descendants(std::uint32_t number)
 {
     auto const& path = associations_[number].path;
@@ -127,7 +127,7 @@ void StrokeShaper::assign_descendants(std::uint32_t number)
         if (auto const id = axis_of(plant_, segment); along.empty() || along.back() != id)
             along.push_back(id);
     for (auto const& [id, first] : subtree_of(plant_, path.front()))
-        // Sorted, since parents come first.
+        // `along` is sorted, since parents come before their children.
         if (!std::binary_search(along.begin(), along.end(), id)
             && !std::binary_search(spared.begin(), spared.end(), id))
             sources_[id] = { .propagated = number, .joints = kNone, .changed = number + 1 };
@@ -219,8 +219,8 @@ Quat StrokeShaper::laid_along_path(std::uint32_t number, std::size_t in_path) co
     return least_rotation(as_drawn, tangent_of(shape_.frame[path[in_path - 1]])) * laid;
 }
 
-// Lays a stroke along a whole axis by heading and pitch. `turn`: rotation of the parent at the
-// axis' base.
+// Bends a whole axis along a stroke aligned by heading and pitch. `turn`: rotation of the parent at
+// the axis' base.
 void StrokeShaper::lay_by_heading_along(AxisId id, StrokeShape const& stroke, Quat const& turn,
                                         std::span<Quat> frames) const
 {
@@ -232,7 +232,7 @@ void StrokeShaper::lay_by_heading_along(AxisId id, StrokeShape const& stroke, Qu
     auto const shown = sample_stroke(*stroke.curve, lengths_mm, stroke.fit, share);
     Vec3 const direction
         = (turn * branch_direction(rest, lengths_mm, stroke.fit, share)).normalized();
-    Vec2 below = Vec2::UnitX(); // Used only near the vertical.
+    Vec2 below = Vec2::UnitX(); // Heading of the parent; used only for axes near the vertical.
     if (is_upright(direction))
         below = heading_from(axis.parent_segment, reach_heading(rest, lengths_mm, turn));
     auto const laid = lay_by_heading(aim_of_stroke(shown.direction, stroke.reach),
@@ -247,7 +247,7 @@ void StrokeShaper::lay_by_heading_along(AxisId id, StrokeShape const& stroke, Qu
     }
 }
 
-// Lays a stroke along a whole axis, whose base is rotated by `turn`.
+// Bends a whole axis, whose base is rotated by `turn`, along a stroke.
 void StrokeShaper::lay_propagated(AxisId id, StrokeShape const& stroke, Quat const& turn,
                                   std::span<Quat> frames) const
 {
@@ -299,7 +299,8 @@ void StrokeShaper::lay_joints(AxisId id, Quat const& turn)
     auto const& axis = plant_.axes[id];
     auto const& source = sources_[id];
     auto const& joints = joints_[source.joints];
-    // The frames of a propagated stroke: relative to an unrotated parent, or, by heading, absolute.
+    // Frames that a propagated stroke gives to the axis: for an unrotated parent, or, if the stroke
+    // is aligned by heading, for the parent as it is rotated.
     std::vector<Quat> own(rest_.frame.begin() + axis.first_segment,
                           rest_.frame.begin() + axis.first_segment + axis.segment_count);
     bool const is_propagated = source.propagated != kNoStroke;

@@ -33,8 +33,8 @@ private:
 
     // What determines an axis' shape: a stroke propagated to the whole axis, and paths along it.
     struct Source {
-        std::uint32_t propagated = kNoStroke; // Number of the association.
-        std::uint32_t joints = kNone;         // Index into joints_.
+        std::uint32_t propagated = kNoStroke; // Number of the association propagated to the axis.
+        std::uint32_t joints = kNone;         // Index into joints_ of the paths along the axis.
         std::uint32_t changed = 0; // 1 + the highest number of an association that affects it.
     };
 
@@ -61,8 +61,8 @@ private:
     RestShape const& rest_;
     PredefinedShape shape_;
     std::vector<Association> associations_;
-    std::vector<StrokeShape> strokes_; // One per association; empty for orphaned ones.
-    std::vector<Source> sources_;      // One per axis.
+    std::vector<StrokeShape> strokes_; // Shape of each association; empty for orphaned ones.
+    std::vector<Source> sources_;      // What determines the shape of each axis.
     std::vector<std::vector<Joint>> joints_;
 };
 

@@ -7,7 +7,7 @@ std::vector<AxisRemainder> subtree_of(Plant const& plant, SegmentId segment)
     AxisId const first = axis_of(plant, segment);
     std::vector<AxisRemainder> subtree { { first, segment } };
     std::vector<bool> is_borne(plant.axes.size());
-    for (AxisId id = first + 1; id < plant.axes.size(); ++id) { // Parents come first.
+    for (AxisId id = first + 1; id < plant.axes.size(); ++id) { // Parents come before laterals.
         auto const& axis = plant.axes[id];
         if (axis.parent_axis == kNone)
             continue;

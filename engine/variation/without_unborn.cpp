@@ -14,7 +14,7 @@ std::uint32_t grown_segments(Plant const& plant, Axis const& axis)
     return count;
 }
 
-// Returns the new number of a segment; kNone if it has not grown, and for the ground.
+// Returns the new number of a segment; kNone for a segment that has not grown, and for the ground.
 SegmentId renumbered(std::vector<SegmentId> const& new_segment, SegmentId segment)
 {
     return segment == kNone ? kNone : new_segment[segment];

@@ -12,10 +12,10 @@ namespace tractus::variation {
 
 namespace {
 
-// Random stream for which leaves come early and where they sit.
+// Random stream that decides which leaves come early and where they sit.
 constexpr std::uint32_t kLeafStream = 0x796C;
 constexpr std::size_t kLeavesAtOnce = 2048;
-// Leaves of a shoot, as a multiple of those of a twig of the whole plant.
+// Number of leaves on a growing shoot, as a multiple of that on a twig of the whole plant.
 constexpr double kShare = 1.5;
 constexpr double kReach = 0.6; // Greatest distance behind an apex, as a share of a twig's length.
 
@@ -25,7 +25,7 @@ bool is_leaf(Plant const& plant, Organ const& organ)
     return organ.segment != kNone && plant.materials[material].kind == Material::Kind::Leaf;
 }
 
-// Lower ranks come earlier; the leaf's number makes all of them distinct.
+// Order in which leaves sprout, lower ranks earlier: a random number, then the organ's number.
 using Rank = std::pair<std::uint32_t, std::uint32_t>;
 
 } // namespace
@@ -74,8 +74,8 @@ void YoungLeaves::find_leaves()
             * random_block({ .seed = 0, .stream = kLeafStream }, leaf.organ)[1];
 }
 
-// Finds the leaves that sprout when an axis begins: the first few of those that it and its
-// descendants will have.
+// Finds the leaves that sprout when an axis begins to grow: the first per_shoot_ ones, by rank, of
+// the leaves that the axis and its descendants will have.
 void YoungLeaves::find_sprouts()
 {
     auto const& axes = plan_.base.axes;
@@ -83,7 +83,8 @@ void YoungLeaves::find_sprouts()
     for (auto const& leaf : leaves_)
         first[leaf.axis].emplace_back(
             random_block({ .seed = 0, .stream = kLeafStream }, leaf.organ)[0], leaf.organ);
-    for (AxisId id = static_cast<AxisId>(axes.size()); id-- > 0;) { // Children have higher numbers.
+    // Laterals come after their parents, so this goes from the tips to the ground.
+    for (AxisId id = static_cast<AxisId>(axes.size()); id-- > 0;) {
         auto ranks = std::exchange(first[id], {});
         auto const count = std::min(ranks.size(), per_shoot_);
         std::partial_sort(ranks.begin(), ranks.begin() + static_cast<std::ptrdiff_t>(count),
@@ -110,7 +111,8 @@ void YoungLeaves::place(Plant& plant, double age) const
     });
 }
 
-// The growing axis is the leaf's own, or the nearest ancestor that has begun.
+// Position of a leaf behind the apex of the growing axis, which is the leaf's own axis or its
+// nearest ancestor that has begun to grow.
 Vec3 YoungLeaves::point_behind_apex(Plant const& plant, Leaf const& leaf, double age) const
 {
     auto const& axes = plan_.base.axes;
@@ -137,7 +139,7 @@ Vec3 YoungLeaves::point_on(Plant const& plant, AxisId id, double along_mm) const
     auto const i = std::min(static_cast<std::size_t>(found - ends.begin()),
                             axis.segment_count - std::size_t(1));
     auto const nodes = plant.positions(axis).subspan(i, 2);
-    double const length_mm = (nodes[1] - nodes[0]).norm(); // Length that has grown.
+    double const length_mm = (nodes[1] - nodes[0]).norm(); // Length of the segment that has grown.
     double const into_mm = along_mm - (ends[i] - plan_.segments[axis.first_segment + i].length_mm);
     if (into_mm >= length_mm)
         return nodes[1];

@@ -12,9 +12,9 @@ namespace tractus::variation {
 //
 // A model has leaves where the full-grown plant has them: on its last twigs. If all leaves waited
 // for these, the plant would be bare for most of its life. So every shoot carries leaves while it
-// grows: as many of those that it and its descendants will carry as a twig of the whole plant has.
-// They sit near its apex and move with it, from branch to branch, until they reach their final
-// position. Flowers, fruit, and organs without an axis wait.
+// grows, about as many as a twig of the whole plant, chosen from those that the shoot and its
+// descendants will carry in the end. They sit near its apex and move with it, from branch to
+// branch, until they reach their final position. Flowers, fruit, and organs without an axis wait.
 class YoungLeaves {
 public:
     explicit YoungLeaves(GrowthPlan const& plan);
@@ -30,8 +30,8 @@ private:
     struct Leaf {
         std::uint32_t organ = 0;
         AxisId axis = 0;
-        double along_mm = 0;  // Final distance from the base of its axis.
-        double behind_mm = 0; // Distance at which it sits behind an apex.
+        double along_mm = 0;  // Final distance of the leaf from the base of its axis.
+        double behind_mm = 0; // Distance of the leaf behind the apex of a growing shoot.
     };
 
     void find_leaves();
@@ -40,9 +40,9 @@ private:
     Vec3 point_on(Plant const& plant, AxisId axis, double along_mm) const;
 
     GrowthPlan const& plan_;
-    std::vector<double> sprout_; // By organ.
-    std::vector<double> end_mm_; // By segment: distance of its end from the base of its axis.
-    std::vector<Leaf> leaves_;   // In the order of the organs.
+    std::vector<double> sprout_; // Age of the plant when each organ begins to unfold.
+    std::vector<double> end_mm_; // Distance of each segment's end from the base of its axis.
+    std::vector<Leaf> leaves_;   // All leaves, in the order of the plant's organs.
     std::size_t per_shoot_ = 0;
 };
 

@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kSegments = 50'000;
 constexpr std::size_t kMaxSegments = 100'000;
 constexpr std::size_t kSteps = 1000;
-constexpr int kTreeSteps = 16; // Makes 2^16 - 1 segments.
+constexpr int kTreeSteps = 16; // Number of derivation steps; 16 make 2^16 - 1 segments.
 
 std::size_t segment_count(scene::Scene const& scene)
 {
@@ -82,7 +82,7 @@ private:
         } });
     }
 
-    // Refused strokes do not count as steps.
+    // Draws a stroke. Refused strokes do not count as steps.
     void draw()
     {
         auto stroke = hand_.stroke(document_.newest()->scene);

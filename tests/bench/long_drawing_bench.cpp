@@ -63,7 +63,8 @@ public:
             return;
         controller_.perform(view::Undo {}, station_);
         controller_.settle(station_,
-                           // Waits for growing, which keeps up with a hand, but not with this
+                           // Waits for growth, which keeps up with a hand, but not with this
+                           // replay.
                            // replay.
                            at_ms(now_ms_));
     }

@@ -1,7 +1,7 @@
 // Meshes the monopodial tree of ABoP figure 2.6 and writes it as .glb; writes a collection.
 //
-// Files are written to the folder of temporary files, into the page cache, as cp does it: neither
-// waits for the disk, and neither overwrites an existing file.
+// Files are written to the folder of temporary files, into the page cache, as cp does: neither this
+// program nor cp waits for the disk, and neither overwrites an existing file.
 #include "engine/export/glb_writer.h"
 #include "engine/lsystem/derivation/derive.h"
 #include "engine/lsystem/fast_drawing/interpret.h"
@@ -21,7 +21,7 @@
 namespace tractus {
 namespace {
 
-constexpr int kSteps = 20; // Makes 1,048,575 segments.
+constexpr int kSteps = 20; // Number of derivation steps; 20 make 1,048,575 segments.
 
 Plant const& plant()
 {
@@ -122,7 +122,7 @@ void make_mesh_bench(benchmark::State& state, mesh::MeshOptions const& options)
     Threads const threads(state);
     mesh::Mesh mesh;
     for (auto _ : state) {
-        mesh = {}; // Memory is freed, so that every run allocates it again.
+        mesh = {}; // Memory is freed, so that every run allocates it anew.
         mesh = mesh::make_mesh(plant(), options);
     }
     report(state,

@@ -85,7 +85,7 @@ double run_program(std::vector<std::string> arguments)
     return static_cast<double>(usage.ru_minflt);
 }
 
-// Measures a command; `work` has the bytes of its result.
+// Measures a command; `work.bytes` is the size of its result.
 void measure(benchmark::State& state, std::vector<std::string> const& arguments, Work work)
 {
     for (auto _ : state)
@@ -119,7 +119,7 @@ void whole_tree(benchmark::State& state)
 }
 void whole_signals(benchmark::State& state)
 {
-    // Number of modules after 60 steps.
+    // The last argument is the number of modules after 60 steps.
     derive_and_count(state, model("signals.l", kSignals), 9'239'061);
 }
 void whole_row(benchmark::State& state)

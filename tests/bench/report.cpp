@@ -23,7 +23,8 @@ namespace {
 // Names in the order of Limit.
 constexpr std::array<char const*, 4> kLimitNames { "copy", "fill", "disk", "cp" };
 constexpr std::size_t kBlockBytes = 64 << 20;
-constexpr int kRuns = 12; // The best run counts, since the machine may be busy with other things.
+// Number of runs of which the best counts, since the machine may be busy with other things.
+constexpr int kRuns = 12;
 
 void write_once(std::vector<char> const& block)
 {
@@ -52,7 +53,7 @@ double measure_bytes_per_second(Limit limit)
         case Limit::Disk:
             write_once(from);
             break;
-        case Limit::Cp: // Depends on the file: see copy_bytes_per_second().
+        case Limit::Cp: // This limit depends on the file: see copy_bytes_per_second().
             break;
         }
         benchmark::DoNotOptimize(to.data());

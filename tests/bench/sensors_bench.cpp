@@ -8,7 +8,7 @@ namespace tractus {
 namespace {
 
 constexpr std::size_t kFrames = 200'000;
-constexpr std::size_t kSamplesPerFrame = 5; // The sensor's default.
+constexpr std::size_t kSamplesPerFrame = 5; // Number of readings in a frame, the sensor's default.
 constexpr std::uint16_t kPeriodUs = 1000;
 
 struct Frame {

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSteps = 20; // Makes 2^20 - 1 segments.
+constexpr int kSteps = 20; // Number of derivation steps; 20 make 2^20 - 1 segments.
 constexpr std::size_t kEdits = 1000;
 
 Stroke bent_stroke(std::size_t number)

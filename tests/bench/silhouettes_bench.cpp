@@ -106,7 +106,7 @@ void arrange_branches(benchmark::State& state)
 }
 BENCHMARK(arrange_branches)->ArgName("branches")->Arg(12)->Arg(30)->Arg(60)->Arg(200);
 
-// Makes a tree of 1.3 million elements, and what a view draws of it.
+// Makes a tree of 1.3 million elements, and the mesh that a view draws of it.
 void make_large_tree(benchmark::State& state)
 {
     auto const threads = limited_to(state.range(0));

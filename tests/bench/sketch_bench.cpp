@@ -26,8 +26,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kSegments = 20; // Number of segments in a stroke.
 
-// Returns a rule with two laterals per node, whose plant of kSegments has about the given number of
-// internodes; the depth is limited accordingly.
+// Returns a rule with two laterals per node. Its plant of kSegments has about the given number of
+// internodes, because the depth of branching is limited accordingly.
 sketch::SketchTool rule_for(std::size_t internodes)
 {
     sketch::SketchTool tool { .first_length_mm = 6, .length_ratio = 1, .lateral_length = 0.9 };

@@ -32,7 +32,7 @@ Plant const& branches()
     return plant;
 }
 
-// Returns the bytes of memory that growing a plant reads and writes if it only copies it.
+// Returns the bytes of memory that growing a plant must read and write even if it only copies it.
 double bytes_of(Plant const& plant)
 {
     return static_cast<double>(plant.node_position_mm.size() * sizeof(Vec3)

@@ -27,8 +27,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kFrames = 240;
 constexpr int kFramesPerStroke = 60;
-constexpr int kPenReports = 4;     // Reports in a frame, from a pen with 250 Hz.
-constexpr int kHeightReports = 16; // Readings in a frame, from a sensor with 1 kHz.
+constexpr int kPenReports = 4;     // Number of reports in a frame, from a pen with 250 Hz.
+constexpr int kHeightReports = 16; // Number of readings in a frame, from a sensor with 1 kHz.
 
 // Returns a plant of a trunk with limbs and twigs, with the given number of segments in axes of a
 // hundred.
@@ -180,10 +180,10 @@ void frame_cpu_p99(benchmark::State& state)
 }
 
 struct Minute {
-    std::vector<double> ink_s {}; // Time from waking up to the ink's vertices.
-    // Time from the moment at which the reports were due to the ink's vertices.
+    std::vector<double> ink_s {}; // Time from waking up until the ink's vertices are ready.
+    // Time from the moment at which the reports were due until the ink's vertices are ready.
     std::vector<double> late_ink_s {};
-    std::vector<double> late_idle_s {}; // Delay in waking up of the idle thread.
+    std::vector<double> late_idle_s {}; // Delay with which the idle thread wakes up.
 };
 
 // Returns the measurements of a minute of drawing while a plant of 1.3 million segments grows on

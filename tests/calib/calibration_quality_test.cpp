@@ -13,8 +13,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-// Accuracy promised for calibration, compared with the truth in a hundred cases each. The
-// distributions are reported as test properties and in failures.
+// Compares calibration with the truth in a hundred cases for each promised accuracy. The
+// distributions of errors are reported as test properties and in failures.
 
 namespace tractus::calib {
 namespace {

@@ -73,7 +73,7 @@ void expect_arrivals(std::vector<Sample> const& samples)
     }
 }
 
-// Bursts with a whole number of samples, so that delays are a few fractions of a period.
+// Each burst delivers whole samples only, so delays take only a few fractions of a period.
 TEST(EvenTimes, PutsWhatBurstsBringOneAfterTheOther)
 {
     for (double const every_s : { 0.016, 0.032 })
@@ -100,7 +100,7 @@ TEST(EvenTimes, EvensBurstsAtRandomInstants)
     EXPECT_GT(least(late), -0.5);
 }
 
-// Bursts of 8 ms with one sample at 133 Hz, or occasionally two.
+// Bursts of 8 ms at 133 Hz contain one sample or, occasionally, two.
 TEST(EvenTimes, SeesBurstsThatHardlyHoldMoreThanOne)
 {
     auto const late = late_ms(samples(133, 5, bursts(0.008)), 1.5);
@@ -126,7 +126,7 @@ TEST(EvenTimes, LeavesADeviceThatSamplesUnevenlyAsItIs)
     expect_arrivals(uneven);
 }
 
-// The bursts are the device's own, at a rate that varies by a tenth within a second.
+// The bursts are the device's own, and its rate varies by a tenth within a second.
 TEST(EvenTimes, LeavesARateThatWandersAsItIs)
 {
     std::vector<Sample> wandering;
@@ -189,7 +189,7 @@ TEST(EvenTimes, CountsSamplesThatAreOneTooMany)
     }
 }
 
-// After a pen was away, the phase of its samples is different, and its first samples are not
+// While a pen is away, the phase of its samples changes. Its first samples afterwards are not
 // corrected.
 TEST(EvenTimes, FindsAgainWhereSamplesFallAfterASilence)
 {

@@ -96,7 +96,7 @@ TEST(Fuser, PutsTheTipInTheWorld)
 TEST(Fuser, CarriesTheHeightOnForLiveInk)
 {
     Fuser fuser(kRig);
-    push_rise(fuser, 0ms, 101ms);            // Readings up to 100 ms.
+    push_rise(fuser, 0ms, 101ms);            // Pushes readings up to 100 ms.
     auto const tip = fuser.push(pen(113ms)); // The pen was there at 105 ms, after the last reading.
     ASSERT_TRUE(tip);
     EXPECT_NEAR(tip->position_mm.z(), 10.5, 1e-9);
@@ -259,8 +259,8 @@ TEST(Fuser, UsesAndCountsReadingsOutsideTheCalibratedRange)
 TEST(Fuser, MarksTipsOutsideTheCalibratedRange)
 {
     auto rig = kRig;
-    rig.calibrated_min_counts = 1000; // Equals 100 mm.
-    rig.calibrated_max_counts = 3000; // Equals 300 mm.
+    rig.calibrated_min_counts = 1000; // This count is 100 mm.
+    rig.calibrated_max_counts = 3000; // This count is 300 mm.
     struct Case {
         std::int32_t counts = 0;
         bool is_outside = false;
@@ -281,8 +281,8 @@ TEST(Fuser, TakesASensorThatCountsDown)
 {
     auto rig = kRig;
     rig.height_model = LinearHeight { .mm_per_count = -0.1, .zero_counts = 4000 };
-    rig.calibrated_min_counts = 1000; // Equals 300 mm.
-    rig.calibrated_max_counts = 3000; // Equals 100 mm.
+    rig.calibrated_min_counts = 1000; // This count is 300 mm.
+    rig.calibrated_max_counts = 3000; // This count is 100 mm.
     Fuser fuser(rig);
     fuser.push(height(3ms, 1500));
     auto const tip = fuser.push(pen(8ms));
@@ -354,7 +354,8 @@ std::vector<double> errors_in_bursts_mm(SampleTimes sample_times)
     for (Duration burst = 30ms; burst < 3s; burst += 30ms) {
         for (; next_height < burst; next_height += 1970us)
             fuser.push(height(burst, static_cast<int>(next_height / 1ms)));
-        for (; next_pen < burst; next_pen += 7310us) // The pen's position is one tenth of its time.
+        // The pen's position encodes its time: 10 mm per second.
+        for (; next_pen < burst; next_pen += 7310us)
             (void)fuser.push(pen(burst, { to_seconds(next_pen) * 10, 0 }));
     }
     fuser.flush();

@@ -60,7 +60,7 @@ TEST(HeightFitDoubt, NamesThreeThatDisagree)
 }
 
 // Heights from a rig of tests/physics (seed 70003) with a string 77 mm to the side. If the highest
-// capture could be left out, a curve would fit the wrong ones below it.
+// capture could be left out, a curve would fit the wrong captures below it.
 TEST(HeightFitDoubt, LetsNoCurveLeaveOutItsHighestCapture)
 {
     std::vector<double> const stated_mm { 0.1,   70.7, 200.3, 400.0, 294.0,

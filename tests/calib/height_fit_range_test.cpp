@@ -71,7 +71,8 @@ TEST(HeightFitRange, RefusesHeightsThatTheCapturesLeaveOpen)
         << refused_range(fit, captures);
 }
 
-// True if a rig has heights over its calibrated range, and a tenth of their span beyond.
+// True if a rig has heights over its calibrated range, and over a tenth of the range beyond each
+// end.
 bool has_all_heights(Rig const& rig)
 {
     auto const span = rig.calibration.height->heights_mm;
@@ -135,7 +136,7 @@ TEST(HeightFitRange, IsWholeInEveryRigThatIsKept)
         EXPECT_TRUE(has_all_heights(*again)) << "seed " << seed;
         ++kept;
     }
-    // Some captures with a bent track may be refused.
+    // Some rigs with a bent track may be refused.
     EXPECT_GE(kept, static_cast<int>(kDrawnRigs * 8 / 10));
 }
 

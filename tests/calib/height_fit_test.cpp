@@ -50,7 +50,7 @@ TEST(HeightFit, FindsALinearSensor)
     EXPECT_LT(fit.max_mm, 1e-6);
 }
 
-// Options that request a law; the track is then straight, so exact captures give the exact law.
+// Options that request a string; the track is then straight, so exact captures give the exact law.
 HeightFitOptions const kStraightString { .kind = HeightModelKind::String };
 
 TEST(HeightFit, FindsAString)
@@ -67,7 +67,7 @@ TEST(HeightFit, FindsAString)
     EXPECT_NE(chosen.reason.find("string: it gains more than chance"), std::string::npos);
 }
 
-// Most of the evidence is in one capture, which must not be taken for a slip.
+// Most of the evidence for the string is in one capture, which must not be taken for a slip.
 TEST(HeightFit, TakesFiveCapturesOfAStringForAString)
 {
     auto captures = captures_of(kFittedString, { 0, 60, 160, 280, 400 });
@@ -162,7 +162,7 @@ TEST(HeightFit, NamesACaptureThatSlipped)
     EXPECT_LT(fit.max_mm, 0.1) << "of the others";
 }
 
-// Returns captures of a vertical string with slack, on the way up and down.
+// Returns captures of a vertical string with slack, made on the way up and on the way down.
 std::vector<HeightCapture> captures_up_and_down(double slack_mm)
 {
     std::vector<HeightCapture> captures;
@@ -318,8 +318,8 @@ TEST(HeightFit, WidensItsErrorsForARulerThatIsReadWorseThanWasSaid)
     EXPECT_GT(height_error_mm(worse, 2000), 1.8 * height_error_mm(as_said, 2000));
 }
 
-// The track's bend is uncertain whatever the ruler's error is, so a better ruler improves the curve
-// less than proportionally.
+// The track's bend is uncertain regardless of the ruler's error, so a better ruler improves the
+// curve less than proportionally.
 TEST(HeightFit, KnowsOfATracksBendWithoutBeingTold)
 {
     auto const captures = captures_of(kFittedLinear, kRulerHeights);

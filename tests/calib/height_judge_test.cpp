@@ -59,7 +59,7 @@ TEST(HeightJudge, BelievesReadingsThatComeInBundles)
     EXPECT_EQ(judged.believed.size(), judged.verdicts.size());
 }
 
-// Up to ten arbitrary readings in a row, repeatedly.
+// Inserts up to ten arbitrary readings in a row, repeatedly.
 TEST(HeightJudge, NeverBelievesUpToTenWrongReadingsInARow)
 {
     for (double const rate_hz : kRates_hz)
@@ -108,7 +108,7 @@ TEST(HeightJudge, FollowsTheSurfaceToWhereItIsNow)
         for (; seconds < 2; seconds += 1 / rate_hz)
             judged.push(seconds, 180);
         EXPECT_EQ(std::count(judged.verdicts.begin(), judged.verdicts.end(), Verdict::Step), 1);
-        // Includes readings that were in doubt.
+        // The believed readings include those that were in doubt at first.
         EXPECT_EQ(judged.believed.size(), judged.verdicts.size());
         EXPECT_LE(judged.judge.doubted_in_a_row(), 0u);
     }

@@ -9,7 +9,7 @@ namespace {
 
 LinearHeight const kLinear { .mm_per_count = 0.1, .zero_counts = 200 };
 
-// A right triangle of 300, 400 and 500 mm at 5,000 counts.
+// At 5,000 counts the string is the 500 mm hypotenuse of a triangle with legs of 300 and 400 mm.
 StringHeight const kString {
     .mm_per_count = 0.1, .zero_length_mm = 0, .offset_mm = 300, .base_mm = 50
 };

@@ -270,7 +270,7 @@ TEST(HeightMonitor, FindsExactlyTheFaultsThatWereSimulated)
         ASSERT_GT(hand.end(), fault.end);
         auto const found = monitor.total(fault.kind);
         EXPECT_EQ(found.count, 1U) << describe_fault({ .kind = fault.kind });
-        // Tolerance for the latency of 3 ms and the interval of 2 ms.
+        // Tolerance for a latency of 3 ms and a reading interval of 2 ms.
         auto const near = milliseconds(8);
         EXPECT_LE(found.worst.begin, fault.begin + near);
         EXPECT_GE(found.worst.begin, fault.begin - near);

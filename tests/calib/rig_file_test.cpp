@@ -194,7 +194,7 @@ TEST(RigFile, KeepsAMeasuredSurface)
         << refused.error().message;
 }
 
-// Older files do not contain the setting, and are written without it.
+// Older files do not contain `sample_times`; a rig with the default is written without it.
 TEST(RigFile, KeepsHowSampleTimesAreTold)
 {
     Rig rig;
@@ -422,7 +422,8 @@ TEST(RigFile, ReadsAPensPressures)
     EXPECT_EQ(rig.pressure.exponent, 1);
 }
 
-// Older files do not contain these settings, and are written without them.
+// Older files do not contain coil_height_mm and nib; a rig with the defaults is written without
+// them.
 TEST(RigFile, KeepsWhereTheTabletSeesThePenAndHowItsInkLooks)
 {
     Rig rig;
@@ -519,7 +520,7 @@ TEST(RigFile, SurvivesChangedBytes)
             text[random.next_u32() % text.size()] = static_cast<char>(random.next_u32());
         auto const rig = parse_rig(text, "my.rig.toml");
         refused += !rig;
-        if (rig) // A text that is accepted as a rig must also be savable.
+        if (rig) // A text that is accepted as a rig must also be writable.
             expect_same(parse_rig(print_rig(*rig), "printed").value(), *rig);
     }
     EXPECT_GT(refused, 1500);

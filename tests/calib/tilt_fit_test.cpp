@@ -24,8 +24,8 @@ TEST(LeanOf, IsWhatAMillimetreUpThePenIsAside)
     EXPECT_LE(lean_of({ kPi / 2, kPi / 2 }).norm(), 1 + 1e-12) << "a pen that lies down";
 }
 
-// Returns samples with the nib at (60, 40) while the pen is leaned in all directions by up to some
-// degrees.
+// Returns samples with the nib at (60, 40) while the pen is leaned in all directions by up to
+// `farthest_deg`.
 std::vector<drivers::PenSample> leaned_around(double coil_mm, double farthest_deg,
                                               double for_s = 20)
 {
@@ -110,7 +110,8 @@ TEST(TiltFit, SaysWhatIsMissing)
               "the tablet tells none for this pen");
 }
 
-// A pen that leans by 30 degrees to the right, with a coil ten millimetres up: displaced by five.
+// A pen that leans by 30 degrees to the right, with a coil ten millimetres up the pen. The tablet
+// reports it five millimetres beside its nib.
 struct Leaning {
     Rig rig;
     std::vector<drivers::PenSample> pens;

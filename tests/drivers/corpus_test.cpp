@@ -1,4 +1,4 @@
-// Tests with descriptors and recordings of real devices, made by others.
+// Tests with descriptors and recordings of real devices that other people have made.
 
 #include "tests/corpus.h"
 #include "tests/drivers/decode_one.h"
@@ -30,7 +30,7 @@ std::vector<fs::path> files_below(fs::path const& folder)
     return files;
 }
 
-// Returns all logs except the kernel's own events.
+// Returns all recordings except those of the kernel's own events.
 std::vector<fs::path> recordings()
 {
     auto files = files_below(corpus() / "recordings");

@@ -1,5 +1,5 @@
-// A recording of a hand on an N-trig pen display, decoded here and by Linux 3.10, whose events
-// evemu recorded: an independent reference.
+// Compares the decoding of a hand's recording on an N-trig pen display with that of Linux 3.10,
+// whose events evemu recorded, as an independent reference.
 
 #include "drivers/logs/log.h"
 #include "drivers/tablets/pen_decoders.h"

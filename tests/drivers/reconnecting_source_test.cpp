@@ -323,7 +323,7 @@ TEST(ReconnectingSource, FindsATabletReadPastTheKernelInAnotherSocket)
     auto const source = ReconnectingSource::open(bus.plugged[0], reconnection(bus)).value();
     bus.plugged.clear();
     EXPECT_EQ(reads(*source, 2), "g-");
-    // The node of the device comes first.
+    // The device's hidraw node appears before its libusb address.
     bus.plugged = { tablet("/dev/hidraw0", "usb-0000:00:14.0-4.1/input0") };
     EXPECT_EQ(reads(*source, 2), "--");
     bus.plugged.push_back(tablet("libusb:3-4.1:0", "usb-3-4.1/input0"));

@@ -1,5 +1,5 @@
-// Every recording of a real pen, decoded as its device would be: the result must agree with what
-// its maker publishes about the tablet, and with what a hand can do.
+// Decodes every recording of a real pen as its device would be decoded. The result must agree with
+// what the tablet's maker publishes, and with what a hand can do.
 
 #include "calib/fuser.h"
 #include "drivers/logs/log.h"

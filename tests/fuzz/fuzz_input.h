@@ -11,7 +11,7 @@
 
 namespace tractus {
 
-// The input from libFuzzer, in the form that the readers need.
+// The input from libFuzzer, in the form that the parsers need.
 class FuzzInput {
 public:
     FuzzInput(std::uint8_t const* data, std::size_t size)
@@ -22,8 +22,8 @@ public:
     std::string_view text() const { return text_; }
     std::span<std::byte const> bytes() const { return std::as_bytes(std::span(text_)); }
 
-    // Removes a byte and returns it; a fuzzer of several readers uses it to choose one. 0 if none
-    // is left.
+    // Removes a byte and returns it, or returns 0 if none is left. A fuzzer of several parsers uses
+    // the byte to choose a parser.
     unsigned take_byte()
     {
         if (text_.empty())
@@ -47,7 +47,7 @@ private:
     std::string_view text_;
 };
 
-// True if the input was read; otherwise the error must be the user's fault, in one sentence.
+// True if the input was read. Otherwise the error must be a user error of one sentence.
 template<typename T> bool is_read(Result<T> const& result)
 {
     if (result)

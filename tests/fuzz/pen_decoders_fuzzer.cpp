@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     auto rest = std::as_bytes(std::span(data, size)).subspan(1);
     Watch watch;
     drivers::PenSilence silence;
-    // The first samples of a report are dated before it.
+    // The first samples of a report get times before that of the report.
     Timestamp time { std::chrono::seconds(1) };
     while (!rest.empty()) {
         auto const header = std::to_integer<unsigned>(rest[0]);

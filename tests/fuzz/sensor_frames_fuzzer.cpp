@@ -69,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         if (is_mended)
             end_with_crc(report);
         (void)decoder->decode(received, report, samples);
-        // The longest reports arrive an hour later.
+        // After one of the longest reports, an hour passes.
         received += std::chrono::milliseconds(1) * (length < 200 ? 1 : 3'600'000);
         input = input.subspan(1 + length);
     }

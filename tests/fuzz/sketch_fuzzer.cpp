@@ -1,5 +1,5 @@
-// Fuzzes the files that the methods' commands read: the first byte chooses the kind, the rest is
-// the file.
+// Fuzzes the files that the methods' commands read: the first byte chooses the kind of file, the
+// rest is the file.
 
 #include "app/methods/construction_lines/line_sketch_file.h"
 #include "app/methods/silhouettes/silhouette_file.h"

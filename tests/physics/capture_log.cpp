@@ -8,7 +8,7 @@ namespace tractus::physics {
 namespace {
 
 constexpr double kBetweenCaptures_s = 4;
-constexpr double kReading_s = 0.0101; // Interval of readings, out of step with the hum.
+constexpr double kReading_s = 0.0101; // Interval between readings, out of step with the hum.
 constexpr double kCaptured_s = 1.2;
 
 template<typename... Values> void append(std::string& text, char const* format, Values... values)

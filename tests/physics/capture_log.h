@@ -10,7 +10,7 @@ namespace tractus::physics {
 // A person who sets the table to heights by a ruler, one capture after another.
 struct Person {
     std::vector<double> heights_mm {}; // Heights to which the table is set.
-    std::vector<double> stated_mm {};  // Heights that are typed, without the ruler's error.
+    std::vector<double> stated_mm {};  // Heights that the person types, without the ruler's error.
     double ruler_error_mm = 0.3;
 };
 

@@ -29,7 +29,7 @@ enum class Desk {
     Any,
 };
 
-// One row of the table.
+// One row of the table: a kind of rig.
 struct Scenario {
     char const* name = "";
     Heights heights_mm {};
@@ -39,9 +39,10 @@ struct Scenario {
     Faults faults {};
     Mistake mistake = Mistake::None;
     double linearity_percent = 0; // Linearity from the data sheet.
-    // Required share of the rigs that are within kGoal_mm or refused; 0: only measured.
+    // Required share of the rigs that are within kGoal_mm or refused; 0: the share is only
+    // measured.
     double min_part = 0;
-    bool is_covered = false; // True: errors must be as large as the standard errors say.
+    bool is_covered = false; // True: the standard errors must cover the errors, see is_covered().
     double ruler_error_mm = 0.3;
     double stated_ruler_error_mm = 0.3;
 };
@@ -297,7 +298,7 @@ Result<calibration::CalibrationOutcome> calibrate(Scenario const& scenario, driv
     return calibration::calibrate_from_log(log, options, "2026-11-24");
 }
 
-// Compares the rig, as read from its file, with the sensor.
+// Compares the calibrated rig, as read from its file, with the sensor.
 void compare(calibration::CalibrationOutcome const& outcome, Potentiometer const& sensor,
              Trial& trial)
 {

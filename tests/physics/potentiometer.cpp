@@ -30,7 +30,7 @@ Potentiometer::Potentiometer(Geometry const& geometry, Faults const& faults, Dic
     hum_phase_ = uniform(dice, 0, 2 * kPi);
     for (std::size_t k = 0; k < waves_.size(); ++k)
         waves_[k] = normal(dice, 1) / static_cast<double>(k + 1);
-    // Scaled so that the greatest deviation is that of the data sheet.
+    // Scales the waves so that the track's greatest deviation is that of the data sheet.
     wave_scale_ = 1;
     double greatest = 1e-12;
     for (int i = 0; i <= 200; ++i)
@@ -74,7 +74,7 @@ double Potentiometer::counts(double height_mm) const
         = geometry_.first_part + (length(height_mm) - shortest_mm_) / geometry_.track_mm;
     double const along = wound + faults_.nonlinearity * bend(wound);
     double const part = geometry_.counts_down ? 1 - along : along;
-    // A voltage divider whose lower half the converter's input bridges.
+    // The track is a voltage divider whose lower half the converter's input bridges.
     double const loaded = part / (1 + faults_.loading * part * (1 - part));
     return geometry_.full_scale * loaded;
 }

@@ -17,12 +17,13 @@ double normal(Dice& dice, double deviation);
 // Faults of a rig. By default there are none.
 struct Faults {
     double pulley_radius_mm = 0; // Radius of the pulley that the string leaves; 0: a point.
-    double nonlinearity = 0;     // Greatest deviation of the track, as a share of its length.
+    // Greatest deviation of the track from linearity, as a share of its length.
+    double nonlinearity = 0;
     // Resistance of the track divided by that of the converter's input.
     double loading = 0;
     double noise_counts = 0.5;     // Standard deviation of white noise.
     double hum_counts = 0;         // Amplitude of hum at 50 Hz.
-    double drift_counts_per_s = 0; // Drift of the supply as it warms up.
+    double drift_counts_per_s = 0; // Drift of the reading as the supply warms up.
     double hysteresis_mm = 0;      // The string's end lags behind the table by half of this.
 };
 

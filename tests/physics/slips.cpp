@@ -126,9 +126,9 @@ bool run_row(double mm, double lasts_s, double goal, Run const& run)
     return is_good;
 }
 
-// Checks slips that only the stop reveals: ten minutes, in which the surface is let down about
-// twenty times before the slip and after it. Then runs without a slip, and without letting the
-// surface down.
+// Checks slips that only a change of the surface's lowest stop reveals: ten minutes, in which the
+// surface is let down about twenty times before the slip and after it. Then checks runs without a
+// slip, and runs in which the surface is not let down.
 bool check_stops(Run const& run)
 {
     constexpr double kLong_s = 600;

@@ -39,7 +39,7 @@ Holding drawing_hand(Dice& dice)
     };
 }
 
-// Returns the position on loops at up to 300 mm/s.
+// Returns the nib's position on loops at up to 300 mm/s.
 Vec2 loops(double t)
 {
     return { 120 + 40 * std::sin(2 * kPi * 0.8 * t), 80 + 30 * std::sin(2 * kPi * 1.1 * t) };
@@ -60,7 +60,7 @@ NibPath dent(double moved_mm, Holding const& holding, Dice& dice)
 }
 
 struct TipErrors {
-    double live_mm = 0; // Errors of live and settled tips, as root mean squares.
+    double live_mm = 0; // Root mean square errors of live and settled tips.
     double settled_mm = 0;
 };
 
@@ -109,10 +109,10 @@ double at(std::vector<double> values, double part)
 struct Scenario {
     char const* name = "";
     Tablet tablet {};
-    double goal = 0.95; // Required share of fits within two standard errors, or within 0.1 mm.
+    double goal = 0.95; // Required share of the fits within two standard errors, or within 0.1 mm.
 };
 
-// Fits a coil's height, and draws with it.
+// Fits the height of the pen's coil, and draws with it.
 bool run_row(Scenario const& scenario, Run const& run)
 {
     std::vector<double> off, before, live, settled;

@@ -21,7 +21,7 @@ struct Scenario {
     double slip_mm = 0; // Slip of the string.
     double move_mm = 0; // Movement of the table's zero.
     std::vector<double> zeroed_at_mm { 0 };
-    // Required share of the rigs that are at most kLoss_mm worse than before.
+    // Required share of the rigs whose error is at most kLoss_mm greater than before.
     double min_part = 0;
 };
 

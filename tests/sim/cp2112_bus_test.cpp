@@ -31,7 +31,7 @@ std::vector<int> begin_of(std::vector<std::byte> const& report, std::size_t size
 // A bus with an MCP3421, driven by reports as the kernel's hid-cp2112 and mcp3422 send them.
 class Cp2112BusTest : public testing::Test {
 protected:
-    // Reads `size` bytes from an address; empty if nothing acknowledges it.
+    // Reads `size` bytes from an address; returns none if no chip acknowledges it.
     std::vector<int> read(int address, int size)
     {
         EXPECT_TRUE(bus.output(report_of({ 0x10, address << 1, 0, size })).empty());
@@ -60,7 +60,7 @@ protected:
                       .read = [this](std::size_t size) { return converter.read(size); } } };
 };
 
-// The values are those of the data sheet's tables 4-1 to 4-4.
+// The expected values are those of the data sheet's tables 4-1 to 4-4.
 TEST_F(Cp2112BusTest, ReadsTheConverterAtAllItsResolutions)
 {
     configure(0x10);

@@ -11,7 +11,7 @@
 
 namespace tractus::sim {
 
-// Result of a simulated run in a station.
+// Result of feeding a simulated run to a station's decoders and fuser.
 struct FusedRun {
     std::vector<TipSample> live;
     std::vector<TipSample> settled;
@@ -57,7 +57,7 @@ inline Hand fast_hand(std::uint64_t seed)
     auto const fast = [](PathShape const& shape) {
         return HandStroke { .path = make_path(shape), .speed_mm_s = 1000 };
     };
-    // 2.5 turns of 188.5 mm and 314 mm of rise: the ratio of the speeds, 300 to 200.
+    // The path is 2.5 turns of 188.5 mm with 314 mm of rise: the ratio of the speeds, 300 to 200.
     HelixShape const up {
         .foot_mm = { 0, 0, 20 }, .radius_mm = 30, .end_radius_mm = 30, .turns = 2.5, .rise_mm = 314
     };

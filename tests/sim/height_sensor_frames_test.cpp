@@ -24,7 +24,7 @@ bool set(HeightSensorModel& model, drivers::HeightSensorRequest request, std::ui
                         data);
 }
 
-// The listings in firmware-notes/height-sensor-protocol.md.
+// Compares with the listings in firmware-notes/height-sensor-protocol.md.
 TEST(HeightSensorModel, HasTheDescriptorsOfTheProtocol)
 {
     HeightSensorModel const model;
@@ -51,7 +51,7 @@ TEST(HeightSensorModel, TellsWindowsWhichDriverToTake)
     ASSERT_TRUE(set);
     EXPECT_EQ(*set, model.microsoft_os_descriptors());
     ASSERT_EQ(set->size(), 162u);
-    // Each part contains its length; their sum is the whole.
+    // Each part of the set contains its own length; the lengths add up to that of the whole set.
     auto const length = [&](std::size_t at) { return std::to_integer<std::size_t>((*set)[at]); };
     EXPECT_EQ(length(0) + length(10) + length(30), set->size());
     EXPECT_EQ(length(8), set->size());
@@ -76,13 +76,13 @@ TEST(HeightSensorModel, StallsWhatItDoesNotDoAndKeepsItsSettings)
 {
     HeightSensorModel model;
     using Request = drivers::HeightSensorRequest;
-    // The rate is too high.
+    // A rate that is too high is refused.
     EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("01 00 05 00")));
-    // A frame of 24 readings is too long.
+    // A frame of 24 readings is too long and is refused.
     EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 18 00")));
-    // A frame without readings.
+    // A frame without readings is refused.
     EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 00 00")));
-    // A reserved byte is set.
+    // A reserved byte that is set is refused.
     EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 05 01")));
     EXPECT_FALSE(set(model, Request::SetRate, 0, drivers::bytes("e8 03 05")));
     EXPECT_FALSE(set(model, Request::SetRate, 1, drivers::bytes("d0 07 05 00")));

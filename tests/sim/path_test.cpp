@@ -52,7 +52,7 @@ TEST(Path, BranchSetsOutInItsDirectionAndBends)
     EXPECT_NEAR(path.length_mm(), 200, 1e-6);
     EXPECT_LT((path.direction(0) - Vec3(0, 0, 1)).norm(), 0.01);
     EXPECT_LT((path.direction(200) - Vec3(0, 1, 0)).norm(), 0.01);
-    // A quarter of a circle.
+    // The path is a quarter of a circle.
     EXPECT_LT((path.points_mm().back() - Vec3(0, 400 / kPi, 400 / kPi)).norm(), 0.01);
 }
 

@@ -145,7 +145,7 @@ TEST(SimulatedHeight, ReportsDecodeToTheCountsOfTheTrueHeight)
     }
     double const count = static_cast<double>(run.height.reports.size());
     EXPECT_NEAR(count, to_seconds(hand.end()) * 500, 2);
-    // One count of noise, and 1/12 squared count for the rounding.
+    // Expected deviation: one count of noise, and a variance of 1/12 squared count for rounding.
     EXPECT_NEAR(std::sqrt(sum_of_squares / count), std::sqrt(1 + 1.0 / 12), 0.05);
 }
 
@@ -245,8 +245,8 @@ TEST(SimulatedRig, FramesAreNoWorseThanASlider)
     EXPECT_LT(frames_errors.max_mm, 1.02 * slider_errors.max_mm);
 }
 
-// Delays reports that arrive while the host is stalled, 60 ms in each half second, to the end of
-// the stall.
+// Delays reports that arrive while the host is stalled, for 60 ms of each half second, to the end
+// of the stall.
 void look_away(SimulatedDevice& device)
 {
     for (auto& report : device.reports)
@@ -269,7 +269,7 @@ TEST(SimulatedRig, AWrongHeightModelMissesTheTruth)
 {
     auto const hand = fast_hand(1);
     auto const run = simulate_rig(hand, {});
-    // The straight line through both ends of the travel.
+    // Reference: the straight line through both ends of the travel.
     RigGeometry const geometry;
     double const low = ideal_counts(geometry, 0);
     double const high = ideal_counts(geometry, geometry.travel_mm);

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-// Error messages for kernels without gadget support; gadgets themselves are tested in tests/vm.
+// Tests the error messages for kernels without gadget support; gadgets themselves are tested in
+// tests/vm.
 
 namespace tractus::sim {
 
@@ -41,7 +42,7 @@ TEST_F(UsbGadgetTest, SaysWhichModuleIsMissing)
 
 TEST_F(UsbGadgetTest, LeavesNothingBehindWhenTheKernelRefuses)
 {
-    // There is no kernel to create the attributes.
+    // No kernel creates the attributes in this imitated folder.
     fs::create_directories(place.configfs / "usb_gadget");
     EXPECT_NE(refusal().find("idVendor"), std::string::npos) << refusal();
     EXPECT_TRUE(fs::is_empty(place.configfs / "usb_gadget"));

@@ -16,8 +16,8 @@ namespace tractus {
 
 void print_figure(std::string const& name, double value, std::string const& unit);
 
-// A gadget learns that it is read only when its first report is taken, and repeats it until then.
-// Linux drops such repetitions, hidapi's libusb back end does not.
+// A gadget learns that it is read only when its first report is taken, and repeats that report
+// until then. Linux drops such repetitions, hidapi's libusb back end does not.
 enum class FirstReport {
     Once,
     Repeated,
@@ -37,7 +37,7 @@ struct HeightExpectation {
     double tolerance = 0.0005; // Greatest deviation of any sample from the mean.
 };
 
-// Checks that the log's first height sensor always had the same height.
+// Checks that the log's first height sensor measured the same height throughout.
 Result<void> check_height(std::string const& log_name, HeightExpectation const& expected);
 
 // Checks that the log's first height sensor measured the heights of another log, with a constant
@@ -63,12 +63,12 @@ Result<void> check_stream(std::string const& log_name, StreamExpectation const& 
 struct TruthOptions {
     std::string script;      // Script of the simulated hand, one stroke for each gesture.
     std::string sent;        // Log sent by the simulated rig.
-    std::string got;         // Recording of the log, with the rig's calibration.
+    std::string got;         // Recording of what was received, with the rig's calibration.
     std::string model;       // Plant with which the script was recorded.
     std::size_t strokes = 0; // Required number of strokes; 0: as many as the hand draws.
     bool is_torn = false;    // True: the recording may end before the sent log does.
-    double limit_rms_mm = 1; // Limit of the root mean square distance.
-    double limit_max_mm = 3; // Limit of the greatest distance.
+    double limit_rms_mm = 1; // Limit of the root mean square distance from the hand.
+    double limit_max_mm = 3; // Limit of the greatest distance from the hand.
     // Limit of the greatest distance from where the hand was within 20 ms, which excludes the
     // lateness of reports.
     double limit_path_mm = 3;
@@ -94,8 +94,8 @@ Result<void> check_interrupted_strokes(std::string const& log_name, std::string 
 struct WatchedWindow {
     std::string model;        // Plant to draw on.
     std::string rig_file;     // Calibration of the devices.
-    std::string session {};   // Session that keeps the drawing and is continued; empty: none.
-    std::string recording {}; // New log of all input; empty: none.
+    std::string session {};   // Session that stores the drawing and is continued; empty: none.
+    std::string recording {}; // New log in which all input is recorded; empty: none.
     // Log whose tools are chosen one after the other, one for each stroke. Empty: the first tool is
     // kept.
     std::string tools {};
@@ -106,8 +106,8 @@ struct WatchedWindow {
 // is finished, or a device has a problem.
 Result<void> watch_live_window(WatchedWindow const& watched);
 
-// Reads a device on a thread of its own while its reports are not fetched for `seconds`; all
-// reports that were sent must then be there, in order.
+// Reads a device on a thread of its own while its reports are not fetched for `seconds`. Checks
+// that all reports that were sent are there afterwards, in order.
 Result<void> read_late(std::string const& node, std::string const& sent_name, double seconds);
 
 } // namespace tractus

@@ -17,7 +17,7 @@ namespace tractus {
 
 namespace {
 
-// Sets the clock of a stroke's beginning to zero, because each recording has a clock of its own.
+// Sets the clock of a stroke's beginning to zero, because each recording has its own clock.
 class FromItsBegin final : public scene::Fields {
 public:
     void field(char const*, scene::FieldRef) override { }

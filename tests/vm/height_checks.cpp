@@ -44,7 +44,7 @@ Result<DecodedHeights> decode_heights(std::string const& log_name)
     return fail(Fault::Device, fmt::format("{} has no height sensor", log_name));
 }
 
-// Returns the greatest distance of samples from a curve that is delayed by `offset`.
+// Returns the greatest distance of the samples from a curve that is delayed by `offset`.
 double farthest(sim::HeightCurve const& curve, std::vector<drivers::HeightSample> const& samples,
                 Duration offset)
 {
@@ -56,7 +56,7 @@ double farthest(sim::HeightCurve const& curve, std::vector<drivers::HeightSample
     return far;
 }
 
-// Returns the greatest distance of samples from a curve, with the best common delay.
+// Returns the greatest distance of the samples from a curve, with the best common delay.
 double farthest_at_best(sim::HeightCurve const& curve,
                         std::vector<drivers::HeightSample> const& samples)
 {
@@ -110,7 +110,8 @@ Result<void> compare_encoder(std::string const& sent_name, std::string const& go
     auto const last = heights.samples.back().counts;
     fmt::print("{} samples, from count {} to {}\n", heights.samples.size(), first, last);
     print_figure("encoder behind by", farthest_counts, "counts");
-    if (farthest_counts > 1 + kMaxBehind) // A count is one unit high.
+    // Heights are rounded down to counts, which allows a difference of one count.
+    if (farthest_counts > 1 + kMaxBehind)
         return fail(Fault::Device, "these are not the heights that were sent");
     if (last != count_at(curve.end()))
         return fail(Fault::Device, fmt::format("expected to end at {}", count_at(curve.end())));

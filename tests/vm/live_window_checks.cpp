@@ -41,7 +41,7 @@ Result<controllers::LiveWindow> open_window(WatchedWindow const& watched)
     return controllers::LiveWindow::create(std::move(devices), std::move(options));
 }
 
-// Simulated user who chooses the tools of a recording, one for each stroke.
+// A simulated user who chooses the tools of a recording, one for each stroke.
 class Chooser {
 public:
     static Result<Chooser> create(std::string const& log_name)
@@ -68,7 +68,7 @@ private:
     std::size_t next_ = 0;
 };
 
-// Prints what the window shows for the first time.
+// Prints each change of the window's strokes, pen contact and problems.
 class Teller {
 public:
     void look_at(controllers::LiveWindow const& window)

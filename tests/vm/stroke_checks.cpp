@@ -44,11 +44,11 @@ Result<Duration> clock_offset(drivers::Log const& sent, drivers::Log const& got,
     return *middle;
 }
 
-// Distances of tips from where the hand was.
+// Distances of tips from where the hand was at their time.
 struct StrokeErrors {
     double sum_of_squares = 0;
     double largest_mm = 0;
-    // Distance from where the hand was at any time within kLateness.
+    // Greatest distance of a tip from the hand's path within kLateness of the tip's time.
     double largest_from_path_mm = 0;
     std::size_t count = 0;
 

@@ -8,7 +8,7 @@
 namespace tractus::methods {
 
 // Describes which methods can use a checked model. Returns lines of text; an empty line precedes
-// each part. `options` apply where a model has to be grown to find out.
+// each part. Some checks grow the model, with `options`.
 std::string describe_uses(std::filesystem::path const& model, scene::LoadOptions const& options);
 
 } // namespace tractus::methods

@@ -30,7 +30,7 @@ static Report print_boundaries(Construction const& construction)
     constexpr int kPlaces = 21;
     Report list = Report::array();
     for (auto const& side : construction.around) {
-        // This copy has the boundary's sizes in place of those of the left side.
+        // In this copy, the sizes at this azimuth replace those of the left boundary.
         auto along = construction;
         for (std::size_t i = 0; i < along.nodes.size(); ++i)
             along.nodes[i].left_size = side.sizes[i];

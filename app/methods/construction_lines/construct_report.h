@@ -14,8 +14,7 @@ namespace tractus::lines {
 //   lines        [x, …]: where the inclination lines cross the stem, from the base
 //   d1, d2       length of the stem below the lowest line, and above the topmost one
 //   node_x       [x, …]: places of the nodes
-//   functions    {"heading", "depth", "alpha", "beta", "left_size", "right_size"}: the values of
-//   each
+//   functions    {"heading", "depth", "alpha", "beta", "left_size", "right_size"}: values of each
 //                at x = 0, 0.05, … 1. "heading" is the stem's angle from up, positive to the left;
 //                "depth" its pitch towards the viewer; "alpha" and "beta" are the angles of the
 //                left and right organs
@@ -25,7 +24,7 @@ namespace tractus::lines {
 //                "stem", "left", "right", "inclination", "half inclination", "outline" (both
 //                boundaries), "around" or "unsure". A stroke that continues or corrects an earlier
 //                one is {"role": "left", "of": 2}, where 2 is that one's number, counted from 1
-//   unplaced     [N, …]: the numbers, counted from 1, of strokes that are no line of the sketch
+//   unplaced     [N, …]: the numbers, counted from 1, of strokes outside the sketch
 //   notes        guesses that had to be made
 //
 // A plant of several stems has the first five members for its first stem, and also:

@@ -33,7 +33,7 @@ Eraser eraser_of(ActiveSketch const& active, Stroke const& stroke)
     for (auto const& tip : stroke.tips)
         way_mm.emplace_back(active.sheet.on_sheet(tip.position_mm.head<2>()));
     way_mm = without_repeats(way_mm);
-    if (way_mm.size() == 1) // A single touch: make it a very short line.
+    if (way_mm.size() == 1) // A single touch becomes a very short line.
         way_mm.emplace_back(way_mm.front() + Vec2(1e-3, 0));
     return { DrawnLine(std::move(way_mm)), active.sheet.size * EraseLineTool::kRadius_mm };
 }
@@ -46,8 +46,8 @@ Result<bool> runs_over(Eraser const& eraser, SketchLine const& line)
     return eraser.runs_over(DrawnLine(std::move(points)));
 }
 
-// Lines cross their stem, and removing a stem removes all its lines. So the stem is erased only if
-// the stroke touches no other line.
+// Erases the touched lines; a stem only if the stroke touches no other line, as other lines cross
+// their stem and removing a stem removes all of them.
 Result<std::vector<scene::Edit>> erase(tools::Tool const&, Stroke const& stroke,
                                        scene::Scene const& scene)
 {

@@ -11,7 +11,7 @@ namespace tractus::lines {
 
 namespace {
 
-// Names in the order of `What`.
+// Option words, in the order of the enumeration What.
 constexpr std::array<tools::OptionWord, 3> kWords { {
     { "touched", "Nodes of a layer" },
     { "more", "One node more", nullptr, true },

@@ -10,7 +10,7 @@ struct LayerNodesTool {
     static tools::ToolKind const kKind;
 
     enum class What {
-        Touched, // Gives `nodes` nodes to the layer beside which the stroke ends.
+        Touched, // The layer beside which the stroke ends gets `nodes` nodes.
         More,    // Adds a node to the topmost layer.
         Fewer,   // Removes a node from the topmost layer.
     };

@@ -13,7 +13,7 @@ namespace tractus::lines {
 
 namespace {
 
-// Names in the order of `What`.
+// Option words, in the order of the enumeration What.
 constexpr std::array<tools::OptionWord, 4> kLayerWords { {
     { "layer_organ", "Layer's organ" },
     { "layer_pattern", "Layer's pattern" },
@@ -26,9 +26,9 @@ void visit(tools::OptionVisitor& visitor, LayerOrgansTool& tool)
     visitor.choice({ kLayerWords, tools::WordOption::Offered::InHand }, tool.what);
 }
 
-// The inclination line that bounds the touched layer, and what the layer bears.
+// The inclination line that bounds the touched layer, and the layer's organs.
 struct TouchedLayer {
-    // Line that bounds the layer; 0: all layers, if no line bounds the only one yet.
+    // Line that bounds the layer; 0: the stem has a single layer, which no line bounds yet.
     scene::ItemId line = 0;
     lines::Pattern pattern {};
     scene::ItemId organ = 0;
@@ -44,7 +44,7 @@ Result<TouchedLayer> touched_layer(ActiveSketch const& active, Stroke const& str
                           line.organ.value_or(sketch.organ) };
 }
 
-// The kind of organ after this one, in a ring that starts with plain leaves.
+// The kind of organ after `organ`, in a ring that starts with plain leaves.
 Result<scene::ItemId> next_organ(lines::PenSketch const& sketch, scene::ItemId organ)
 {
     if (sketch.organs.empty())
@@ -68,7 +68,8 @@ scene::ItemId leaf_at(lines::PenSketch const& sketch, Vec2 const& place_mm)
     return 0;
 }
 
-// Object on which the stroke begins: a drawn leaf, or a plant touched at its construction lines.
+// The organ to be that the stroke begins on: a drawn leaf, or a plant touched at its construction
+// lines.
 struct Dragged {
     scene::ItemId plant = 0;
     scene::ItemId organ = 0;

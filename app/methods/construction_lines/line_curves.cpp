@@ -17,10 +17,10 @@ using lines::StemSide;
 constexpr double kLow = -0.9; // Height of the stem's base in the gizmo's frame.
 constexpr double kHigh = 0.9; // Height of the stem's tip in the gizmo's frame.
 constexpr int kSamples = 60;
-constexpr double kMinRange = 0.6; // Smallest range that a column of sizes spans.
+constexpr double kMinRange = 0.6; // Minimum range of the columns of sizes.
 
-// A column of the gizmo's frame on its right side; the left side mirrors it. Values increase
-// outwards.
+// A column on the right side of the gizmo's frame, from x = `from` to `to`; the left side mirrors
+// it. Values increase outwards.
 struct Column {
     double from = 0;
     double to = 1;
@@ -43,11 +43,11 @@ constexpr double kSizesTo = 0.52;
 enum class What { Angle, Size, Fewer, More, Heading, Internode };
 constexpr std::size_t kWhats = 6;
 
-// A handle's meaning, encoded in its number.
+// What a handle sets; encoded in the handle's id.
 struct HandleName {
     What what = What::Angle;
     StemSide side = StemSide::Left;
-    // Index of the line, the sampling place, or the layer, depending on `what`.
+    // Index of the line, of the sampled place, or of the layer, depending on `what`.
     std::size_t number = 0;
 
     std::size_t id() const
@@ -82,7 +82,7 @@ double size_of(lines::FunctionValues const& values, StemSide side)
     return side == StemSide::Left ? values.left_size : values.right_size;
 }
 
-// The active sketch, prepared for the curves.
+// The active sketch, and the values that the curves show.
 struct Shown {
     ActiveSketch active;
     Construction construction;
@@ -96,8 +96,8 @@ struct Shown {
     }
 };
 
-// Range of the size column. It grows in steps, so that the scale stays still under the pen that
-// drags a size.
+// Range of the size columns. It grows in steps, so that the scale does not change continually while
+// the user drags a size.
 double range_for(double largest)
 {
     double range = kMinRange;
@@ -143,7 +143,7 @@ double heading_at(Shown const& shown, double x)
     return lines::values_at(shown.construction, x).heading_deg;
 }
 
-// Horizontal place of a heading; greater headings stay at the edge of the column.
+// Horizontal place of a heading in the middle column; headings out of range are at its edge.
 double place_of_heading(double heading_deg)
 {
     return std::clamp(-kHeadingHalf * heading_deg / kHeadingRange_deg, -kHeadingHalf, kHeadingHalf);
@@ -291,7 +291,8 @@ Result<std::vector<scene::Edit>> with_other_count(ActiveSketch const& active, st
     return std::vector<scene::Edit> { lines::SetLayerNodes { active.plant, layer.line, nodes } };
 }
 
-// Changes the layer's number of nodes to as many as fit if the second node is at `x`.
+// Changes the layer's number of nodes to as many as fit if the second node is at the place `x`
+// along the stem.
 Result<std::vector<scene::Edit>> with_internode(ActiveSketch const& active, std::size_t number,
                                                 double x)
 {
@@ -318,7 +319,8 @@ Result<std::vector<scene::Edit>> with_other_heading(Shown const& shown, std::siz
         std::clamp(heading_deg, -lines::kGreatestHeading_deg, lines::kGreatestHeading_deg) } };
 }
 
-// Dragged values are rounded to whole degrees and to hundredths of the stem's length.
+// Edits for a dragged or pressed handle. Values are rounded to whole degrees and to hundredths of
+// the stem's length.
 Result<std::vector<scene::Edit>> drag(scene::Scene const& scene, std::size_t handle, Vec2 const& to)
 {
     auto const shown = TRY(shown_of(scene));

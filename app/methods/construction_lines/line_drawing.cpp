@@ -17,8 +17,8 @@ namespace tractus::lines {
 
 namespace {
 
-// Smooths a line like a pen's stroke. A line with fewer than two distinct points stays as it is;
-// reading the sketch then refuses it.
+// Smooths a line like a pen's stroke. A line with fewer than two distinct points is returned
+// unchanged, and later refused when the sketch is read.
 std::vector<Vec3> captured(std::vector<Vec3> const& tips)
 {
     auto const points = distinct_points(tips);
@@ -87,7 +87,7 @@ private:
     // Finds the stem that each stroke belongs to, and which strokes have depth.
     Result<void> find_stems()
     {
-        // The last stem; the depths of the next strokes are compared with its length.
+        // The newest stem; the depths of the strokes after it are compared with its length.
         std::vector<Vec3> stem_before;
         nodes_of_stems_ = { file_.sketch.nodes_per_layer };
         for (std::size_t i = 0; i < file_.strokes.size(); ++i) {
@@ -167,7 +167,7 @@ private:
     }
 
     // Number of nodes for each layer. A sketch of strokes need not give one per layer, as its
-    // author cannot know how many layers they make.
+    // author cannot know how many layers the strokes make.
     std::vector<int> nodes_for(LineSketch const& sketch, std::size_t stem)
     {
         constexpr int kNodes = 8; // Number of nodes that the line tool uses by default.

@@ -11,11 +11,12 @@ namespace {
 using Lines = std::vector<std::vector<Vec3f>>;
 using enum lines::Role;
 
-// Places a line on the paper where the plant stands now, which may differ from where it was drawn.
+// Places a line on the sheet at the plant's present place, which may differ from where it was
+// drawn.
 std::vector<Vec3f> shown(lines::SketchLine const& line, lines::SheetPlacement const& sheet,
                          scene::Paper const& paper)
 {
-    constexpr float kApart_mm = 0.5f; // Closer points add nothing visible.
+    constexpr float kApart_mm = 0.5f; // Points closer together than this add nothing visible.
     std::vector<Vec3f> points;
     auto const tips = line.stroke.tips.in_memory();
     if (!tips)
@@ -46,7 +47,7 @@ Lines to_be_drawn(scene::BuiltPlant const& plant)
     return result;
 }
 
-// Lines of the sketch of a plant on paper. `list` calls its second argument for each line to show.
+// Lines of the sketch of a plant on paper. `list` calls its second argument with each line to show.
 template<typename List> Lines lines_on_paper(scene::BuiltPlant const& plant, List const& list)
 {
     Lines result;
@@ -72,7 +73,7 @@ Lines lines_where(scene::BuiltPlant const& plant, Condition const& is_shown)
     });
 }
 
-// Two alternating colours tell consecutive stems apart.
+// Consecutive stems are shown in two alternating colours.
 enum class Turn { First, Second };
 
 template<Turn turn, lines::Role... roles> Lines lines_of(scene::BuiltPlant const& plant)
@@ -87,7 +88,7 @@ Lines unsure_lines(scene::BuiltPlant const& plant)
     return lines_where(plant, [](lines::SketchLine const& line) { return line.role == Unsure; });
 }
 
-// The lines of leaves, where they were drawn.
+// The lines of the plant's drawn leaves, at their places on the sheet.
 Lines organ_lines(scene::BuiltPlant const& plant)
 {
     return lines_on_paper(plant, [](lines::PenSketch const& sketch, auto const& add) {

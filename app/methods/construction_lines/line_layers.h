@@ -5,7 +5,7 @@
 namespace tractus::lines {
 
 // Layer of the active plant's first stem, third stem and so on. Layers of construction lines show
-// them where they stand in front of the plant.
+// them on the plant's sheet, in front of the plant.
 extern tools::Layer const kStemLayer;
 // Layer of the boundaries (the outlines that organs reach).
 extern tools::Layer const kBoundaryLayer;

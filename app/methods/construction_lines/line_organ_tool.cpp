@@ -16,7 +16,7 @@ namespace tractus::lines {
 
 namespace {
 
-// Names in the order of `What`.
+// Option words, in the order of the enumeration What.
 constexpr std::array<tools::OptionWord, 4> kOrganWords { {
     { "edge", "Leaf's edge" },
     { "midrib", "Its midrib" },
@@ -24,7 +24,7 @@ constexpr std::array<tools::OptionWord, 4> kOrganWords { {
     { "another_leaf", "Another leaf" },
 } };
 
-// Names in the order of lines::OrganColor.
+// Option words, in the order of lines::OrganColor.
 constexpr std::array<tools::OptionWord, 8> kColorWords { {
     { "green", "green" },
     { "white", "white" },
@@ -44,7 +44,7 @@ void visit(tools::OptionVisitor& visitor, LineOrganTool& tool)
         tool.color);
 }
 
-// The leaf that new lines belong to: the newest one. 0 if there is none.
+// The leaf to which new lines belong: the newest leaf; 0 if there is none.
 scene::ItemId leaf_in_hand(lines::PenSketch const& sketch)
 {
     auto const found = std::find_if(sketch.organs.rbegin(), sketch.organs.rend(),
@@ -67,8 +67,9 @@ lines::OrganView organ_view(LineOrganTool::What what)
     return lines::OrganView::Side;
 }
 
-// The picture (texture) of a leaf after the line was added, cut from the image behind it; the
-// leaf's own picture if no image lies there. No value if the picture does not change.
+// The picture (texture) of a leaf after the line was added, cut from the image behind it; no value
+// if the leaf keeps the picture that it has. Fails with a user error if no image is there and the
+// leaf has no picture yet.
 Result<std::optional<std::string>> picture_with(SketchOrgan organ, SketchOrgan::Line line,
                                                 scene::Scene const& scene)
 {

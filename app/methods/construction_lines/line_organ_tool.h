@@ -5,8 +5,8 @@
 
 namespace tractus::lines {
 
-// A stroke is a line of one of the active plant's leaves, which is drawn in three views: from
-// above, from the side and from the front (Anastacio, Prusinkiewicz, Sousa 2008, section 6).
+// Draws lines of the active plant's leaves in three views: from above, from the side and from the
+// front (Anastacio, Prusinkiewicz, Sousa 2008, section 6).
 struct LineOrganTool {
     static tools::ToolKind const kKind;
 

@@ -18,7 +18,7 @@ lines::Pattern with_other_sizes(lines::Pattern pattern)
     return pattern;
 }
 
-// Names in the order of `What`.
+// Option words, in the order of the enumeration What.
 constexpr std::array<tools::OptionWord, 4> kPatternChanges { {
     { "next", "Next pattern", nullptr, true },
     { "sizes", "Sizes around", nullptr, true },

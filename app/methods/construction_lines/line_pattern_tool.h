@@ -14,14 +14,14 @@ struct LinePatternTool {
     enum class What {
         Next,  // Switches to the next pattern (phyllotaxis).
         Sizes, // Toggles how sizes change around the stem: along half-ellipses or linearly.
-        Face,  // Changes how organs are turned about their length.
+        Face,  // Changes how organs are rotated about their length.
         Rules, // Restores the pattern's own L-system rules if they were edited.
     };
     What what = What::Next;
 };
 
-// The next choice in a ring: of the patterns that bear organs, and of the organs' orientations
-// (flat, upper side up, upper side down).
+// Return the pattern with the next choice in a ring of choices: of arrangements with organs, or of
+// the organs' orientations (flat, upper side up, upper side down).
 Pattern next_pattern(Pattern pattern);
 Pattern next_face(Pattern pattern);
 

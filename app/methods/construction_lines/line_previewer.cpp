@@ -12,7 +12,7 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr int kMaxNodesShown = 60; // Most nodes of a layer that the preview shows.
+constexpr int kMaxNodesShown = 60; // Maximum number of nodes shown per layer.
 
 tools::SkeletonLine line_through(std::vector<Vec3> const& points_mm, double width_mm,
                                  scene::DeskPlacement const& from, scene::DeskPlacement const& to)
@@ -73,7 +73,8 @@ std::vector<tools::SkeletonLine> skeleton_of(Plant const& plant, scene::DeskPlac
     return lines;
 }
 
-// A preview has no pictures, and looking one up takes time.
+// The tool with a plain colour instead of a picture, which takes time to find and which previews do
+// not show.
 tools::Tool without_picture(tools::Tool const& tool)
 {
     auto const* const organ = tool.get<LineOrganTool>();

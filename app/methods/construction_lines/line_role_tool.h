@@ -10,7 +10,7 @@ struct LineRoleTool {
     static tools::ToolKind const kKind;
 
     lines::Role role = lines::Role::Inclination;
-    bool turn_round = false; // True: the line is reversed and keeps its role.
+    bool turn_round = false; // Reverses the line, which keeps its role.
 };
 
 } // namespace tractus::lines

@@ -24,10 +24,11 @@ constexpr std::array kStemKeys { "stem",       "left",         "right",
                                  "boundaries", "inclinations", "nodes_per_layer" };
 constexpr std::array kOtherKeys { "pattern", "divergence", "face",    "sizes",
                                   "organs",  "organ",      "strokes", "stems" };
-constexpr std::size_t kMaxStrokes = 100; // Limit for the strokes, and for the stems, of a file.
+// Maximum number of strokes in a file, and of stems.
+constexpr std::size_t kMaxStrokes = 100;
 
-// Reads a boundary; the stem has to be read before. A boundary whose depth differs from the stem's
-// counts as a line in space.
+// Reads a boundary; the stem has been read before. A boundary that is not flat is added to the
+// boundaries in space, and the result is then empty.
 Result<std::vector<Vec2>> read_side(json const& file, char const* key, LineSketch& sketch)
 {
     if (!has_value(file, key))
@@ -111,7 +112,7 @@ Result<void> read_stem_stroke(json const& stroke, LineSketchFile& result)
     return {};
 }
 
-// Reads the strokes; the numbers of nodes have to be read before.
+// Reads the strokes; the numbers of nodes have been read before.
 Result<void> read_strokes(json const& file, LineSketchFile& result)
 {
     if (!has_value(file, "strokes"))
@@ -174,7 +175,7 @@ Result<void> read_stems(json const& file, LineSketchFile& result)
 Result<void> read_first_nodes(json const& file, LineSketch& sketch)
 {
     if (!has_value(file, "nodes_per_layer") && has_value(file, "strokes"))
-        return {}; // The numbers of nodes stay empty; layers then get the line tool's default.
+        return {}; // The numbers stay empty; the layers get the line tool's default.
     if (!has_value(file, "nodes_per_layer"))
         return fail(Fault::User,
                     "nodes_per_layer is missing: give the number of nodes of each layer "
@@ -258,7 +259,7 @@ Result<json> parse_json(std::string_view text, std::string const& name)
     }
 }
 
-// Combines a file's sketch with the values that were given besides it.
+// Reads a file's sketch; the values in `given` override those in the file.
 Result<LineSketchFile> read_file_sketch(Result<json> file, std::string const& name,
                                         SketchOverrides const& given)
 {

@@ -21,19 +21,22 @@ struct LineSketchFile {
     LineSketch sketch;
     // Further stems of the same plant, each with its own lines.
     std::vector<LineSketch> further_stems {};
-    // Unsorted strokes in drawing order (StemRecogniser), in place of all the lines above.
+    // Unsorted strokes in drawing order (StemRecogniser), used instead of `sketch` and
+    // `further_stems`.
     std::vector<std::vector<Vec3>> strokes;
-    // Strokes that begin another stem, by index, and the numbers of nodes of that stem's layers.
+    // For each stroke that begins another stem, by its index: the numbers of nodes of that stem's
+    // layers.
     std::map<std::size_t, std::vector<int>> stem_strokes {};
     Pattern pattern;
     // Organs of the layers of all stems; see LineSketch::organs_per_layer.
     std::vector<LayerOrgans> layers {};
-    std::vector<OrganSource> organs {}; // Kinds of organs; LayerOrgans refer to them by index.
+    // Kinds of organs; `layers` refers to them by index.
+    std::vector<OrganSource> organs {};
     OrganSource organ {}; // Shape of the leaves; without patches they are plain blades.
     std::vector<std::string> unknown_keys; // Keys of the file that were not understood.
 };
 
-// Values that are given besides a sketch's file and override those in it.
+// Values that override those in a sketch's file.
 struct SketchOverrides {
     std::string pattern;
     std::string sizes {};

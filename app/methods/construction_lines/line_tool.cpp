@@ -13,13 +13,13 @@ namespace tractus::lines {
 
 namespace {
 
-// Names in the order of LineTool::Plant.
+// Option words, in the order of LineTool::Plant.
 constexpr std::array<tools::OptionWord, 3> kPlantWords { {
     { "go_on", "Line" },
     { "another_stem", "Another stem" },
     { "new_stem", "Another plant" },
 } };
-// Names in the order of Pattern::Kind.
+// Option words, in the order of Pattern::Kind.
 constexpr std::array<tools::OptionWord, 5> kPatternWords { {
     { "distichous", "Two rows" },
     { "decussate", "Crossed pairs" },
@@ -28,15 +28,16 @@ constexpr std::array<tools::OptionWord, 5> kPatternWords { {
     { "whorled", "Whorls" },
 } };
 
-// Names in the order of lines::DepthBy. Logs from before boundaries had depth lack this option.
+// Option words, in the order of lines::DepthBy. Logs from before boundaries had depth lack this
+// option.
 constexpr std::array<tools::OptionWord, 3> kDepthWords { {
     { "stems_height", "height, stem" },
     { "height", "height" },
     { "pressure", "pressure, stem" },
 } };
 
-// Names in the order of lines::Reading. Logs from before lines were interpreted together lack this
-// option.
+// Option words, in the order of lines::Reading. Logs from before lines were interpreted together
+// lack this option.
 constexpr std::array<tools::OptionWord, 2> kReadingWords { {
     { "one_by_one", "one by one" },
     { "together", "together" },

@@ -5,9 +5,9 @@
 
 namespace tractus::lines {
 
-// A stroke is a line of a sketch: first the stem, then boundaries and inclination lines, recognised
-// by how they lie relative to the stem (Anastacio, Prusinkiewicz, Sousa 2008). The plant follows
-// each line.
+// Draws a plant by construction lines (Anastacio, Prusinkiewicz, Sousa 2008): first the stem, then
+// boundaries and inclination lines, recognised by their position relative to the stem. Each line
+// updates the plant.
 struct LineTool {
     static tools::ToolKind const kKind;
 
@@ -20,11 +20,11 @@ struct LineTool {
     Plant plant = Plant::GoOn;
     lines::DepthBy depth_by = lines::DepthBy::Height;
     lines::Reading reading = lines::Reading::Together;
-    double nodes = 8; // Nodes in the layer above the line.
+    double nodes = 8; // Nodes in the layer above a new inclination line.
     // Phyllotaxis of a new plant.
     lines::Pattern::Kind pattern = lines::Pattern::Kind::Distichous;
     double divergence_deg = 137.5; // Divergence angle of a spiral.
-    double organs = 3;             // Organs of each whorl.
+    double organs = 3;             // Organs in each whorl of a whorled pattern.
 };
 
 // Interprets an unfinished or finished stroke of the tool as an edit.

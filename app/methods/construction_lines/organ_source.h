@@ -6,7 +6,7 @@
 
 namespace tractus::lines {
 
-// Leaves of a sketch, as its file gives them: another file, or a surface.
+// Shape of a sketch's leaves as stated in its file: another file, or a surface.
 struct OrganSource {
     // Another sketch or a leaf in three views (.organ), as a path relative to the sketch, or the
     // name of a built-in leaf. Empty: use `surface`.

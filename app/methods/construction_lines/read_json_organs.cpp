@@ -25,7 +25,7 @@ namespace {
 constexpr std::array kViewKeys { "left", "right", "midrib", "section" };
 constexpr std::array kLayerKeys { "pattern", "divergence", "face", "organ" };
 
-// Parses "whorled(N)"; "whorled" alone means three.
+// Parses "whorled(N)" to the number of organs per whorl, N; "whorled" alone means 3.
 std::optional<int> whorl_of(std::string_view word)
 {
     constexpr std::string_view kWhorled = "whorled";

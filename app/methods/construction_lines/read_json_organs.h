@@ -21,7 +21,7 @@ Result<Pattern> read_pattern(nlohmann::json const& file);
 // Organs of all layers.
 struct LayersRead {
     std::vector<LayerOrgans> layers {}; // One entry per layer; see LineSketch::organs_per_layer.
-    std::vector<OrganSource> organs {}; // Kinds of organs; LayerOrgans refer to them by index.
+    std::vector<OrganSource> organs {}; // Kinds of organs; `layers` refers to them by index.
 };
 
 // Loads an image file by the name that "texture" gives.
@@ -31,8 +31,8 @@ using PictureReader = std::function<Result<std::string>(std::string const& name)
 Result<LayersRead> read_organs(nlohmann::json const& file, Pattern const& pattern,
                                PictureReader const& pictures);
 
-// Reads "organ"; has neither file nor patches if the key is missing. Also fails if the views give
-// no surface or the texture is not an image.
+// Reads "organ"; the result has neither file nor patches if the key is missing. Also fails if the
+// views do not define a surface or the texture is not an image.
 Result<OrganSource> read_organ(nlohmann::json const& file, PictureReader const& pictures);
 
 } // namespace tractus::lines

@@ -13,7 +13,8 @@ struct ActiveSketch {
     lines::SheetPlacement sheet; // Placement of the sketch's sheet on the tablet.
 };
 
-// Fails with a user error if the active plant is not drawn with construction lines.
+// Returns the active plant's sketch. Fails with a user error if that plant is not drawn with
+// construction lines.
 Result<ActiveSketch> active_sketch(scene::Scene const& scene);
 
 // Place on the sheet where a stroke ended.

@@ -47,7 +47,7 @@ public:
         return sheet_.on_tablet(base_ + place.x() * right + place.y() * along_);
     }
 
-    // Greatest width divided by the length.
+    // Greatest width of the leaf divided by its length.
     double slenderness() const
     {
         double breadth = 0;
@@ -70,7 +70,7 @@ private:
     Vec2 along_ = Vec2::UnitY();
 };
 
-// The image as it lies on the tablet.
+// The image behind the sheet, with its place on the tablet.
 class LaidImage {
 public:
     LaidImage(render::Image image, scene::PicturePlace const& place)
@@ -137,10 +137,11 @@ private:
     int count_ = 0;
 };
 
-// Samples per pixel of the leaf, along each side, needed to skip little of the image.
+// Number of samples along each side of a pixel of the leaf's picture, so that few pixels of the
+// image are skipped.
 int samples_a_side(LeafOnTablet const& leaf, LaidImage const& image)
 {
-    constexpr double kMax = 4; // Limit; a finer image is assumed to be even between the samples.
+    constexpr double kMax = 4; // Maximum; between samples, a finer image is assumed to be even.
     Vec2 const way = image.pixel_of(leaf.at(1, 0.5)) - image.pixel_of(leaf.at(0, 0.5));
     return static_cast<int>(std::clamp(std::ceil(way.norm() / kLeafPictureLength), 1.0, kMax));
 }

@@ -10,14 +10,14 @@ namespace tractus::indicators {
 
 namespace {
 
-// Names in the order of Reach.
+// Option words, in the order of the enumeration Reach.
 constexpr std::array<tools::OptionWord, 3> kReachWords { {
     { "everywhere", "Everywhere" },
     { "below", "Selected and above" },
     { "near", "Near it" },
 } };
 
-// Names in the order of MotionIndicator::Kind.
+// Option words, in the order of MotionIndicator::Kind.
 constexpr std::array<tools::OptionWord, 2> kIndicatorWords { {
     { "push", "Wind" },
     { "light", "Light" },

@@ -11,8 +11,8 @@ struct IndicateTool {
 
     enum class Reach {
         Everywhere,
-        Below, // Affects the selected branches and everything they bear.
-        Near,  // Affects branches near the stroke, falling off with distance.
+        Below, // Affects the selected branches and their descendants.
+        Near,  // Affects branches near the stroke, less so with distance.
     };
     Reach reach = Reach::Everywhere;
     variation::MotionIndicator::Kind indicator = variation::MotionIndicator::Kind::Push;

@@ -6,8 +6,7 @@
 
 namespace tractus::indicators {
 
-// The motion indicators of a plant, as arrows. See ListDrawnCurves; empty for a plant that was not
-// drawn so.
+// The motion indicators of a plant, as arrows. See ListDrawnCurves; empty if it has none.
 std::vector<tools::DrawnCurve> indicator_curves(scene::BuiltPlant const& plant);
 
 } // namespace tractus::indicators

@@ -11,11 +11,11 @@ namespace tractus::indicators {
 
 // The motion indicator that passes near the start of a stroke.
 struct TouchedIndicator {
-    std::size_t number = 0;         // Index in the scene's indicators.
-    variation::MotionIndicator way; // Vector from the start of the stroke to its end.
+    std::size_t number = 0;         // Index of the touched indicator in the scene.
+    variation::MotionIndicator way; // The stroke's vector, from start to end.
 };
 
-// Fails with a user error if no indicator is near.
+// Finds the indicator nearest to the stroke's start. Fails with a user error if none is near.
 Result<TouchedIndicator> touched_indicator(Stroke const& stroke, scene::Scene const& scene);
 
 } // namespace tractus::indicators

@@ -23,11 +23,11 @@ struct AtlasLeaf {
     std::string name;
     std::uint64_t seed = 0;
     double age = 0;
-    double pixel_mm = 0; // Length of a pixel on the leaf.
+    double pixel_mm = 0; // Side of a pixel, measured on the leaf.
     leaf::Cutout cutout;
 };
 
-// The maps of a page, in the order of the channels' list.
+// The maps of a page, in the order of AtlasChannels::maps.
 using PageMaps = std::vector<leaf::CellPage>;
 
 double gutter(int cell)

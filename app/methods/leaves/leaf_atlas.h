@@ -25,7 +25,7 @@ struct AtlasDamage {
 
 struct AtlasOptions {
     std::vector<std::string> leaves {}; // Grammars, as load_leaf_grammar() accepts them.
-    int count = 16;                     // Leaves of each kind.
+    int count = 16;                     // Number of leaves of each kind.
     // Side of a leaf's square cell in pixels; a power of two, as is the side of a page.
     int cell = 512;
     int page = 2048;
@@ -38,7 +38,8 @@ struct AtlasOptions {
     std::optional<int> steps {};
     AtlasDamage damage {};
     AtlasChannels channels {}; // Maps for the engine; one of atlas_channels().
-    // Whether mipmap levels of each map are written as well, each half as wide as the one before.
+    // Whether mipmap levels of each map are written as well, each half as wide as the level before
+    // it.
     enum class Mips { None, Files } mips = Mips::None;
 };
 

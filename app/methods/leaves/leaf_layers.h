@@ -4,8 +4,7 @@
 
 namespace tractus::leaf {
 
-// Layer of the leaf's outline. Layers of a leaf show the lines of its drawing where they stand
-// around it.
+// Layer of the leaf's outline. Layers of a leaf show the lines of its drawing in place around it.
 extern tools::Layer const kLeafOutlineLayer;
 // Layer of the midrib, the veins and the petiole.
 extern tools::Layer const kLeafVeinLayer;

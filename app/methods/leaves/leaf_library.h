@@ -30,7 +30,7 @@ Result<leaf::Grammar> load_own_leaf_grammar(std::string const& name);
 // Path of a built-in grammar. Fails like load_own_leaf_grammar().
 Result<std::filesystem::path> own_leaf_path(std::string const& name);
 
-// Reads the text of a leaf grammar's file. Fails with a user error if it exceeds 1 MiB.
+// Reads the text of a leaf grammar's file. Fails with a user error if the file exceeds 1 MiB.
 Result<std::string> read_leaf_text(std::filesystem::path const& path);
 
 // Parameters of one leaf. Its age runs from 0, a bud, over 0.35 to 0.65, an adult, to 1, a withered
@@ -39,7 +39,7 @@ struct LeafLife {
     double age = 0.5;
     std::uint64_t seed = 1;
     double variation = 1;        // Variation from leaf to leaf; 0 is none.
-    std::optional<int> steps {}; // Growth steps of an adult; default: the grammar's own.
+    std::optional<int> steps {}; // Growth steps of an adult; no value: the grammar's own.
 };
 
 // A leaf and its triangles. `grammar` must outlive it.
@@ -65,7 +65,7 @@ leaf::PaintOptions paint_options(leaf::Grammar const& grammar, LeafLife const& l
 // Damage of one leaf among many, whose average is `average`: between none and twice the average.
 lsystem::LeafDamage damage_of_leaf(lsystem::LeafDamage const& average, int number);
 
-// Adds the damage to the options.
+// Adds the damage to the paint options.
 void paint_damage(leaf::PaintOptions& options, lsystem::LeafDamage const& damage);
 
 // Short name of a leaf: the file's name without folder and extension.

@@ -13,7 +13,7 @@ namespace tractus::leaf {
 
 namespace {
 
-// Names in the order of LeafLineTool::Plant.
+// Option words, in the order of LeafLineTool::Plant.
 constexpr std::array<tools::OptionWord, 2> kPlantWords { {
     { "go_on", "Line" },
     { "new_leaf", "Another leaf" },
@@ -42,7 +42,7 @@ leaf::LeafForm form_of(LeafLineTool const& tool)
              .variation = tool.variation };
 }
 
-// Applies the change from `before` to `after`, if there is one.
+// Sets `value` to `after` if the user changed the number, that is, if `before` differs.
 template<typename T> void follow_number(T& value, T const& before, T const& after)
 {
     if (before != after)

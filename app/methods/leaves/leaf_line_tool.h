@@ -5,8 +5,8 @@
 
 namespace tractus::leaf {
 
-// A stroke is a line of a leaf on paper: its outline, midrib or a vein, told apart by how they lie.
-// The leaf follows each line. The tool's numbers change the active leaf.
+// Draws a leaf on paper. Each stroke is an outline, a midrib or a vein, which is recognised from
+// its position; the leaf is updated after each. The tool's numbers change the active leaf.
 struct LeafLineTool {
     static tools::ToolKind const kKind;
 

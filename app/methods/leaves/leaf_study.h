@@ -16,7 +16,7 @@ struct LeafLook {
     lsystem::LeafDamage damage {};
 };
 
-// A leaf on paper, its maps, and the first leaves that a plant would wear.
+// Pictures of a leaf on paper, of its maps, and of the first leaves that a plant would have.
 struct LeafStudy {
     render::Image leaf;
     render::Image relief;       // The leaf's normals, encoded as in glTF.

@@ -23,8 +23,8 @@ constexpr int kCell = 256; // Side of a cell in pixels.
 constexpr int kGutter = 8; // Empty border of a cell in pixels.
 constexpr int kMaxBends = 3;
 
-// Columns of a page for that many leaves. It is a power of two, as game engines prefer pages of
-// such sizes.
+// Number of columns of a page for `variants` leaves: a power of two, as game engines prefer such
+// page sizes.
 int columns_for(int variants)
 {
     int columns = 1;
@@ -54,8 +54,8 @@ std::vector<Vec2> cut_at_midrib(std::vector<Vec2> const& outline)
     return cut;
 }
 
-// Position relative to the petiole's end. Corners within a pixel of the midrib snap to it, as they
-// would make slivers.
+// Position of a corner relative to the petiole's end. Corners within a pixel of the midrib snap to
+// it, to avoid slivers.
 Vec2 from_stem(Vec2 const& pixel, Vec2 const& stem)
 {
     Vec2 const at(pixel.x() - stem.x(), stem.y() - pixel.y());
@@ -153,7 +153,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kMax = 8; // Most sheets in the cache, about 2 MB each.
+    static constexpr std::size_t kMax = 8; // Maximum number of cached sheets, about 2 MB each.
 
     struct Sheet {
         std::string key;

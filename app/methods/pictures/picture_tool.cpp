@@ -16,7 +16,7 @@ namespace {
 
 using Does = PictureTool::Does;
 
-// Names in the order of `Does`.
+// Option words, in the order of the enumeration Does.
 constexpr std::array<tools::OptionWord, 6> kDoesWords { {
     { "move", "Move", "Move the picture" },
     { "size", "Size", "Size the picture" },
@@ -52,7 +52,7 @@ Result<scene::PicturePlace> place_of(scene::Scene const& scene)
     return scene.state.picture->place;
 }
 
-// Scales and rotates about the picture's centre.
+// Moves the picture, or scales or rotates it about its centre.
 Result<scene::PicturePlace> dragged(scene::PicturePlace place, Does does, Vec2 const& from_mm,
                                     Vec2 const& to_mm)
 {
@@ -79,7 +79,8 @@ Result<scene::PicturePlace> dragged(scene::PicturePlace place, Does does, Vec2 c
     return place;
 }
 
-// A horizontal stroke is the horizon; a vertical one marks something of known height.
+// Interprets a stroke that places the ground: a horizontal one is the horizon; a vertical one marks
+// an object of height `height_m`.
 Result<scene::PictureGround> ground_drawn(scene::BackPicture const& picture, Stroke const& stroke,
                                           double height_m)
 {

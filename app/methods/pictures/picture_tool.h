@@ -6,7 +6,7 @@ namespace tractus::pictures {
 
 // Moves, scales or rotates the picture behind the drawing along with the stroke, locks it, or
 // removes it (back_picture.h). To place the ground, a horizontal stroke marks the picture's horizon
-// and a vertical one something of known height (picture_ground.h).
+// and a vertical one an object of known height (picture_ground.h).
 struct PictureTool {
     static tools::ToolKind const kKind;
 

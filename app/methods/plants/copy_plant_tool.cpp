@@ -10,7 +10,7 @@ namespace tractus::plants {
 
 namespace {
 
-// How far to the right a copy must be moved so that its bounding box clears those of all others.
+// World x coordinate for a copy's origin, so that its bounding box is to the right of all others.
 double free_x_mm(scene::BuiltPlant const& copied, scene::Scene const& scene)
 {
     constexpr double kGap_mm = 10;

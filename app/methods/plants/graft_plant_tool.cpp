@@ -9,7 +9,7 @@ namespace tractus::plants {
 
 namespace {
 
-// Names in the order of Grafting.
+// Option words, in the order of the enumeration Grafting.
 constexpr std::array<tools::OptionWord, 2> kGraftWords { {
     { "beside", "Put on" },
     { "instead", "Put in place", "Put a plant in the place of a branch" },

@@ -12,7 +12,7 @@ namespace tractus::plants {
 
 namespace {
 
-// Names in the order of `What`.
+// Option words, in the order of the enumeration What.
 constexpr std::array<tools::OptionWord, 2> kBranchWords { {
     { "selected", "Hide branch", nullptr, true },
     { "none", "Show branches", nullptr, true },
@@ -23,8 +23,8 @@ void visit(tools::OptionVisitor& visitor, HideBranchTool& tool)
     visitor.choice({ kBranchWords }, tool.what);
 }
 
-// First segments of the selected branches. Only the part of a path on its last axis counts, so that
-// the axes leading to the branch stay visible.
+// First segments of the selected branches. Of each selected path, only the part on its last axis
+// counts, so that the axes leading to the branch stay visible.
 std::set<SegmentId> chosen_branches(scene::BuiltPlant const& plant)
 {
     std::set<SegmentId> firsts;

@@ -10,7 +10,7 @@ namespace tractus::plants {
 
 namespace {
 
-// Names in the order of `What`.
+// Option words, in the order of the enumeration What.
 constexpr std::array<tools::OptionWord, 2> kWords { {
     { "active", "Hide", nullptr, true },
     { "none", "Show all", nullptr, true },

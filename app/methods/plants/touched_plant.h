@@ -9,7 +9,7 @@
 namespace tractus::plants {
 
 // The visible plant with the node nearest to a place on the tablet, seen from above. Fails with a
-// user error if none is near.
+// user error if there is none near the place.
 Result<std::shared_ptr<scene::BuiltPlant const>> plant_under(TipSample const& tip,
                                                              scene::Scene const& scene);
 

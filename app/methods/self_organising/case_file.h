@@ -26,7 +26,7 @@ struct Case {
 //    "parameters": {"environment": "space", "internode": 1, "apical_control": 0.46, …}}
 // Parameters have the names of the members of Laws without units; angles are in degrees. Missing
 // values default to those of Laws. The keys "name" and "expected" are ignored. Fails with a user
-// error that names the file and the place, if the text is no case or a law is out of range.
+// error that names the file and the place, if the text is not a case or a law is out of range.
 Result<Case> parse_case(std::string_view text, std::string const& name);
 Result<Case> load_case(std::filesystem::path const& path);
 

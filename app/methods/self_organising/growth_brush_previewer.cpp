@@ -50,7 +50,7 @@ private:
             if (!begun)
                 return {};
             tree = *std::move(begun);
-            if (tree.life.empty()) // The tree begins with the plant as it is shown.
+            if (tree.life.empty()) // The tree begins with the plant as shown.
                 scale = tree.start->scale;
         } else if (life.plant != 0) {
             tree = *grown_tree_of(scene.drawn->source);

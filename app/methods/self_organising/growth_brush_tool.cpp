@@ -19,7 +19,7 @@ namespace {
 
 using What = GrowthBrushTool::What;
 
-// Names of habits, in the order of Species.
+// Option words of the habits, in the order of Species.
 constexpr std::array<tools::OptionWord, 16> kHabitWords { {
     { "oak", "Oak" },
     { "beech", "Beech" },
@@ -39,7 +39,7 @@ constexpr std::array<tools::OptionWord, 16> kHabitWords { {
     { "larch", "Larch" },
 } };
 
-// Names in the order of `What`.
+// Option words, in the order of the enumeration What.
 constexpr std::array<tools::OptionWord, 10> kWhatWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },

@@ -43,12 +43,12 @@ struct GrowthBrushTool {
         TenYears,
         Habit,  // Needs no stroke: regrows the active tree with the tool's habit.
         Reseed, // Needs no stroke: regrows the active tree with another random seed.
-        // Continues the active plant, of whatever method, as it stands, with all bends: its
-        // branches become wood.
+        // Continues the active plant, whichever method made it, in its present shape: its branches
+        // become wood.
         From,
-        FromYear,    // Needs no stroke: the same, for a year without a brush.
+        FromYear,    // Needs no stroke: like From, for a year without a brush.
         AllYear,     // Needs no stroke: all trees of the drawing grow for a year beside each other.
-        AllTenYears, // The same for ten years.
+        AllTenYears, // Needs no stroke: like AllYear, for ten years.
     } what
         = What::GoOn;
 };
@@ -56,12 +56,13 @@ struct GrowthBrushTool {
 // Passes a choice of species to a visitor of options.
 void visit_species(tools::OptionVisitor& visitor, GrowthBrushTool::Species& species);
 
-// True if strokes have not bent the plant, and nothing of it was grafted or hidden.
+// True if strokes have not bent the plant and it has no grafted or hidden parts.
 bool is_unmodified(scene::PlantState const& plant);
 
-// The edit that lets the active plant of a scene grow on as it stands. A self-organising tree that
-// nothing has bent, grafted or hidden grows on as it would have; any other plant becomes wood first
-// (GrowFrom), by `habit` unless it is such a tree. Fails with a user error if there is no plant.
+// The edit that lets the active plant of a scene continue to grow. An unmodified self-organising
+// tree (is_unmodified()) simply continues; any other plant first becomes wood (GrowFrom). `habit`
+// applies to plants that are not self-organising trees yet. Fails with a user error if there is no
+// plant.
 Result<scene::Edit> grow_from_active(scene::Scene const& scene, Habit const& habit,
                                      LifePeriod part);
 
@@ -70,7 +71,7 @@ Habit habit_of(GrowthBrushTool::Species species);
 
 // Meaning of a stroke of the tool: a new tree, or further growth of the active one.
 struct BrushStrokeLife {
-    scene::ItemId plant = 0; // Tree to continue; 0: a new one.
+    scene::ItemId plant = 0; // Tree to continue; 0: a new tree.
     LifePeriod part {};
 };
 

@@ -16,7 +16,7 @@ namespace tractus::self_organising {
 
 namespace {
 
-// Names in the order of PruneTool::What.
+// Option words, in the order of PruneTool::What.
 constexpr std::array<tools::OptionWord, 2> kPruneWords { {
     { "prune", "Prune", "Prune a tree" },
     { "clear", "Clear space", "Clear space of the growth brush" },
@@ -83,7 +83,7 @@ Result<std::vector<scene::Edit>> prune_edits(tools::Tool const& tool, Stroke con
                       .stands_at_mm = scene.drawn->stands_at_mm,
                       .scale = scene.placement.scale };
     TRY(check_life(part));
-    if (clears) // The shape of the wood does not matter.
+    if (clears) // Clearing space does not depend on the wood.
         return std::vector<scene::Edit> { GrowOn { scene.drawn->id, std::move(part) } };
     if (!TRY(touches(part, scene)))
         return fail(Fault::User, "the brush touched no branch: move it over what shall be cut off");

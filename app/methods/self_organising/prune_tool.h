@@ -5,7 +5,7 @@
 namespace tractus::self_organising {
 
 // Prunes the active self-organising tree with a spherical brush, or takes back space that the
-// growth brush has swept. It is also what the other end of the growth brush's pen does.
+// growth brush has swept. With the growth brush selected, the pen's other end is this tool.
 struct PruneTool {
     static tools::ToolKind const kKind;
 

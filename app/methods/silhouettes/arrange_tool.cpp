@@ -10,7 +10,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Names in the order of To: "next", then the patterns in the order of Pattern::Kind.
+// Option words, in the order of the enumeration To: "next", then the patterns in the order of
+// Pattern::Kind.
 constexpr std::array<tools::OptionWord, 7> kTo { {
     { "next", "Next", nullptr, true },
     { "even", "Even", nullptr, true },
@@ -22,7 +23,7 @@ constexpr std::array<tools::OptionWord, 7> kTo { {
 } };
 constexpr int kPatterns = static_cast<int>(kTo.size()) - 1;
 
-// Names in the order of Around.
+// Option words, in the order of the enumeration Around.
 constexpr std::array<tools::OptionWord, 2> kAround { {
     { "trunk", "Around the trunk" },
     { "branches", "Around branches" },

@@ -18,7 +18,7 @@ using silhouette::CrownLine;
 using silhouette::DrawTree;
 using silhouette::OutlinedTree;
 
-// Names in the order of `What`.
+// Option words, in the order of the enumeration What.
 constexpr std::array<tools::OptionWord, 2> kCrownWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },
@@ -34,7 +34,7 @@ void visit_crown(tools::OptionVisitor& visitor, CrownTool& tool)
 }
 
 // The active tree if the line goes around its trunk, and thus belongs to its crown; null otherwise.
-// The line lies on the tree's sheet.
+// The line is in coordinates of the tree's sheet.
 Result<OutlinedTree const*> tree_inside(CrownLine const& line, scene::Scene const& scene)
 {
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
@@ -65,7 +65,7 @@ std::string counted_lines(std::size_t count, char const* one, char const* many)
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-// Tells the user which lines define the crown's surface now.
+// Message for the user: which lines now define the crown's surface.
 std::string describe_crown(tools::Tool const&, scene::Scene const& after)
 {
     auto const* const tree = silhouette::outlined_tree(*after.drawn);

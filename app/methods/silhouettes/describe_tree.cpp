@@ -36,7 +36,8 @@ std::optional<std::size_t> count_on(OutlinedTree on_trunk, std::string const& pa
     return parent ? std::optional(skeleton->branches_on(*parent)) : std::nullopt;
 }
 
-// Sentence about the branch that the last edit drew on; empty if the last line was of another kind.
+// Sentence about the branch that the last edit drew on; empty if that edit did not draw on a
+// branch.
 std::string describe_branch(OutlinedTree const& tree, std::uint64_t last_edit)
 {
     auto const* const own = drawn_by(tree.own_outlines, last_edit);
@@ -60,7 +61,7 @@ std::string describe_branch(OutlinedTree const& tree, std::uint64_t last_edit)
                  : std::string();
 }
 
-// Sentence about lines that were drawn on branches which the tree no longer has.
+// Part of a sentence about lines drawn on branches that the tree no longer has.
 std::string describe_waiting(OutlinedTree const& tree)
 {
     auto const waiting = count_without_effect(tree);

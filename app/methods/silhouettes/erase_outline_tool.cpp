@@ -22,8 +22,8 @@ bool runs_over(Stroke const& eraser, std::vector<Vec2> const& line)
     });
 }
 
-// Erases touches on bumps first; then branches before the branches that bear them, and branches'
-// outlines before the crown's. Where lines meet, the smaller one is most likely meant.
+// Erases touches on bumps first, then branches before their parents, and branches' outlines before
+// the crown's. Where lines meet, the user most likely means the smaller one.
 Result<std::vector<scene::Edit>> erase(tools::Tool const&, Stroke const& stroke,
                                        scene::Scene const& scene)
 {

@@ -6,13 +6,12 @@ namespace tractus::silhouette {
 
 void visit_nodes(tools::OptionVisitor& visitor, NodesOption& nodes)
 {
-    // Names in the order of NodesOption.
+    // Option words, in the order of the enumeration NodesOption.
     static constexpr std::array<tools::OptionWord, 2> kWords { {
         { "nodes_as_at_first", "as at first" },
         { "whole_nodes", "whole" },
     } };
-    // This place hides the option: none of these tools has a gizmo beside which a button would
-    // appear.
+    // BesideGizmo hides the option, as no tool with this option has a gizmo.
     visitor.choice(
         { .words = kWords, .offered = tools::WordOption::Offered::BesideGizmo, .label = "Nodes" },
         nodes);
@@ -20,7 +19,7 @@ void visit_nodes(tools::OptionVisitor& visitor, NodesOption& nodes)
 
 void visit_fills(tools::OptionVisitor& visitor, FillsOption& fills)
 {
-    // Names in the order of FillsOption.
+    // Option words, in the order of the enumeration FillsOption.
     static constexpr std::array<tools::OptionWord, 2> kWords { {
         { "fills_as_at_first", "as at first" },
         { "fills_by_spacing", "by spacing" },

@@ -14,7 +14,7 @@ enum class NodesOption { AsAtFirst, Whole };
 // and get AsAtFirst.
 enum class FillsOption { AsAtFirst, BySpacing };
 
-// List the options for logs; they have no buttons.
+// Visit the options, which exist only in logs and have no buttons.
 void visit_nodes(tools::OptionVisitor& visitor, NodesOption& nodes);
 void visit_fills(tools::OptionVisitor& visitor, FillsOption& fills);
 

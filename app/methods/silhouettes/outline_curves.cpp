@@ -12,7 +12,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-enum class Lying { OnSheet, InSpace }; // In space, z is the distance behind the sheet.
+// Where a curve lies. In space, z is the distance behind the sheet.
+enum class Lying { OnSheet, InSpace };
 enum class Ends { Open, Closed };
 
 // Collects the curves of a tree that was drawn on paper.
@@ -58,14 +59,14 @@ std::vector<tools::DrawnCurve> outline_curves(scene::BuiltPlant const& plant)
         return {};
     CurvesOnPaper curves(*scene::paper_of(*plant.drawn));
     auto const* const label = OutlineTool::kKind.label;
-    auto const plant_id
-        = plant.drawn->id; // Trunk and crown have no ids: the plant began with them.
+    // The trunk and the crown have the plant's id, as the plant began with them.
+    auto const plant_id = plant.drawn->id;
     curves.add(plant_id, tree->trunk, label, "trunk");
     curves.add(plant_id, tree->outline, label, tree->is_leaf ? "leaf" : "crown", Ends::Closed);
     for (auto const& branch : tree->branches)
         curves.add(branch.id, branch.stroke, label, "branch of the trunk");
     for (auto const& own : tree->own_outlines)
-        if (!own.of_bump) // Otherwise it was touched and not drawn.
+        if (!own.of_bump) // The pen did not draw the outline of a bump.
             curves.add(own.id, own.stroke, label, own.is_leaf ? "leaf" : "crown of a branch",
                        Ends::Closed);
     for (auto const& own : tree->own_branches)

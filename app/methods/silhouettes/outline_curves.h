@@ -7,7 +7,7 @@
 namespace tractus::silhouette {
 
 // The trunk, the outlines, the branches and the lines in space of an outlined tree. See
-// ListDrawnCurves; empty for a plant that was not drawn so.
+// ListDrawnCurves; empty for a plant that was not drawn by its outline.
 std::vector<tools::DrawnCurve> outline_curves(scene::BuiltPlant const& plant);
 
 } // namespace tractus::silhouette

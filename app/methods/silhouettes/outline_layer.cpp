@@ -20,7 +20,7 @@ enum class Lies { OnSheet, InSpace };
 void add(Stroke const& stroke, scene::BuiltPlant const& plant, Lines& lines,
          Lies lies = Lies::OnSheet)
 {
-    constexpr float kApart_mm = 0.5f; // Closer points add nothing visible.
+    constexpr float kApart_mm = 0.5f; // Points closer together than this add nothing visible.
     auto const tips = stroke.tips.in_memory();
     if (!tips || tips->size() < 2 || !plant.drawn->paper_mm)
         return;
@@ -88,7 +88,7 @@ Lines trunk_of(scene::BuiltPlant const& plant)
     return lines;
 }
 
-// The branches of the trunk only, which are quick to compute.
+// Finds the trunk's branches only, which are quick to compute.
 std::optional<silhouette::BranchingSystem> system_of(scene::BuiltPlant const& plant)
 {
     auto const* const tree = silhouette::outlined_tree(*plant.drawn);

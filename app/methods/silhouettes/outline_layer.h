@@ -4,7 +4,8 @@
 
 namespace tractus::silhouette {
 
-// Layer of the outlines drawn for the active tree. Layers of a drawing show it where it stands.
+// Layer of the outlines drawn for the active tree. Layers of a drawing show its lines on the
+// plant's sheet in the world.
 extern tools::Layer const kOutlineLayer;
 // Layer of the drawn trunk and branches.
 extern tools::Layer const kTrunkLayer;

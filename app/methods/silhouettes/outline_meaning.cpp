@@ -32,7 +32,8 @@ bool has_any_inside(std::vector<Vec2> const& outline, std::vector<Vec2> const& p
                        [&](Vec2 const& point) { return is_inside(outline, point); });
 }
 
-// True if an outline belongs to the crown of this tree because they overlap.
+// True if the outline `points` belongs to the tree: it overlaps the crown or, if there is no crown
+// yet, contains part of the trunk.
 bool is_around(std::vector<Vec2> const& points, Drawing const& tree, OutlineTool::Reads reads)
 {
     if (tree.outline.empty())
@@ -56,7 +57,8 @@ bool is_trunk_of_crown(Drawing const& tree, std::vector<Vec2> const& points)
 // The role of an open line in a tree's drawing, or no value if it does not belong to the tree.
 std::optional<Part> part_on(Drawing const& tree, Vec2 const& foot, std::vector<Vec2> const& points)
 {
-    constexpr double kNear = 0.08; // Reach as a share of the drawing's diagonal.
+    // Largest gap that still counts as near, as a share of the drawing's diagonal.
+    constexpr double kNear = 0.08;
     auto all = tree.trunk;
     if (!tree.outline.empty())
         all.insert(all.end(), tree.outline[0].begin(), tree.outline[0].end());
@@ -106,8 +108,8 @@ Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const&
     return is_around(points, drawing, tool.reads) ? std::optional(Part::Outline) : std::nullopt;
 }
 
-// How far the trunk continues into the crown after this part is drawn. A new crown that the trunk
-// does not reach leaves the value unchanged.
+// Length by which the trunk continues into the crown once this part is drawn; the tree's old value
+// if the part is a crown that the trunk does not reach.
 Result<double> trunk_reach(OutlinedTree tree, Part part, std::vector<Vec2> const& points)
 {
     if (part != Part::Trunk && part != Part::Outline)
@@ -123,7 +125,7 @@ Result<double> trunk_reach(OutlinedTree tree, Part part, std::vector<Vec2> const
         : extension_into_crown(drawing.trunk, points).value_or(before_mm);
 }
 
-// The branch's outline with this id; null for the crown's outline and for an unknown id.
+// The outline of a branch with this id; null if the id is the crown's or unknown.
 DrawnOnBranch const* outline_of(OutlinedTree const& tree, scene::ItemId id)
 {
     auto const found
@@ -140,7 +142,7 @@ scene::Edit no_leaf_any_more(scene::ItemId plant, DrawnOnBranch const& leaf)
     return DeclareLeaf { plant, leaf.id, false };
 }
 
-// A stroke along the outline, with the touch's other pen data.
+// A stroke along the outline, with height, pressure and other pen data of the touch.
 Stroke stroke_around(std::vector<Vec2> const& outline, Stroke const& touch)
 {
     constexpr auto kStep = Duration(5'000'000);
@@ -179,7 +181,7 @@ Result<scene::Edit> declared_on(BumpLeaf const& bump, OutlineTool const& tool, S
                       .plant = plant };
 }
 
-// Gives a new tree its true size and its place on the picture's ground.
+// Gives a new tree its true size and places it on the picture's ground.
 void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Scene const& scene)
 {
     constexpr double kMetre_mm = 1000; // Millimetres of a plant per metre.

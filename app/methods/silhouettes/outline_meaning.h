@@ -19,9 +19,10 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
                             scene::Scene const& scene);
 
 // Interprets an open stroke of the leaf option: it declares a part of the crown to be a leaf, or
-// revokes that. On a bump in which a branch ends (bump_leaf.h) that branch's part of the crown is
-// meant, elsewhere the smallest outline of the active tree around the stroke's midpoint. No value
-// if the stroke is closed and thus an outline. Fails with a user error if it lies in no outline.
+// revokes that. On a bump in which a branch ends (bump_leaf.h), the part is that branch's part of
+// the crown; elsewhere, the smallest outline of the active tree around the stroke's midpoint. No
+// value if the stroke is closed and thus an outline. Fails with a user error if the stroke lies
+// outside all outlines.
 Result<std::optional<scene::Edit>> declared_leaf(OutlineTool const& tool, Stroke const& stroke,
                                                  scene::Scene const& scene);
 

@@ -53,8 +53,8 @@ public:
         auto const skeleton = silhouette::skeleton_of(*tree);
         if (!skeleton)
             return {};
-        // Branches with outlines of their own show the branches in these as well. An outline taken
-        // from the picture, which the pen has not drawn, is also shown.
+        // Shows the branches of all outlines, including those of branches. An outline taken from
+        // the picture, which the pen has not drawn, is also shown.
         std::vector<tools::SkeletonLine> lines { line_of(skeleton->systems[0].whole_trunk(),
                                                          scene) };
         for (auto const& system : skeleton->systems)
@@ -77,7 +77,8 @@ private:
         return points;
     }
 
-    // Branches whose style the line copies, and those that receive it.
+    // Lines of the branches that the stroke crosses: the one whose style is copied, and those that
+    // take it.
     static std::vector<tools::SkeletonLine> copied(std::span<TipSample const> ink,
                                                    scene::Scene const& scene)
     {
@@ -101,7 +102,7 @@ private:
         return lines;
     }
 
-    // True for an outline that is still small and lies over an existing crown: it may become a
+    // True for an outline over an existing crown that is still small: the finished line may be a
     // branch's outline or a new crown.
     static bool may_become_a_branchs(DrawTree const& edit, scene::Scene const& scene)
     {

@@ -16,7 +16,7 @@ namespace {
 
 using What = OutlineTool::What;
 
-// Names in the order of `What`.
+// Option words, in the order of the enumeration What.
 constexpr std::array<tools::OptionWord, 8> kWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },
@@ -28,7 +28,7 @@ constexpr std::array<tools::OptionWord, 8> kWords { {
     { "reseed", "Another one", nullptr, true },
 } };
 
-// Names in the order of OutlineTool::Form: the usual form, then the presets.
+// Option words, in the order of OutlineTool::Form: the usual form, then the presets.
 constexpr std::array<tools::OptionWord, 8> kFormWords { {
     { "usual", "Usual" },
     { "oak", "Oak" },
@@ -40,27 +40,27 @@ constexpr std::array<tools::OptionWord, 8> kFormWords { {
     { "fern", "Fern" },
 } };
 
-// Names in the order of OutlineTool::Branches.
+// Option words, in the order of OutlineTool::Branches.
 constexpr std::array<tools::OptionWord, 3> kBranchesWords { {
     { "of_trunk", "of the trunk" },
     { "of_nearest", "of its branches" },
     { "of_any", "of what they begin on" },
 } };
 
-// Names in the order of StyleScope.
+// Option words, in the order of the enumeration StyleScope.
 constexpr std::array<tools::OptionWord, 3> kStyleWords { {
     { "none", "of one branch" },
     { "siblings", "to its siblings" },
     { "deeper", "to siblings and below" },
 } };
 
-// Names in the order of OutlineTool::Reads.
+// Option words, in the order of OutlineTool::Reads.
 constexpr std::array<tools::OptionWord, 2> kReadsWords { {
     { "as_at_first", "as at first" },
     { "closely", "closely" },
 } };
 
-// Names in the order of OutlineTool::SeenFor.
+// Option words, in the order of OutlineTool::SeenFor.
 constexpr std::array<tools::OptionWord, 3> kSeenWords { {
     { "seen_fades", "fades" },
     { "seen_stays", "stays" },

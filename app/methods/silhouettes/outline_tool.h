@@ -21,7 +21,7 @@ struct OutlineTool {
     enum class What {
         GoOn,  // Adds to the active tree if the stroke lies on it, otherwise begins a new tree.
         New,   // Always begins a new tree.
-        Carry, // Copies the style of one branch of the active tree to those the line crosses.
+        Carry, // Copies the style of one branch of the active tree to others that the line crosses.
         Split, // Splits the touched bump of the active tree's outlines.
         Join,  // Joins the two bumps between which the pen touches.
         // A closed line draws a leaf's outline; a touch on a bump, or else inside an outline,
@@ -32,10 +32,10 @@ struct OutlineTool {
     } what
         = What::GoOn;
 
-    // The bearer of a drawn branch: always the trunk, the trunk's branch on which the line begins,
-    // or any branch on which it begins. `style` tells which other branches take the style of a
-    // branch that is drawn on. Logs from before these options lack them; their lines grow on the
-    // trunk, and no style is passed on.
+    // The parent of a drawn branch: always the trunk, the trunk's branch on which the line begins,
+    // or any branch on which it begins. `style` defines which other branches copy the style of a
+    // branch on which something is drawn. Logs from before these options lack them: their branches
+    // grow on the trunk, and no style is copied.
     enum class Branches { OfTrunk, OfNearest, OfAny } branches = Branches::OfAny;
     silhouette::StyleScope style = silhouette::StyleScope::Siblings;
 

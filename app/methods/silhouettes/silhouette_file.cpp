@@ -19,7 +19,7 @@ using nlohmann::json;
 constexpr std::string_view kExample = "write [[x, y], [x, y], …] in millimetres";
 constexpr std::string_view kExampleInSpace = "write [[x, y, z], [x, y, z], …] in millimetres";
 
-// True for keys that the reader uses or that are meant for other programs; any other key is
+// True for keys that the reader uses or that are reserved for other programs; any other key is
 // unknown.
 bool is_known(std::string const& key)
 {

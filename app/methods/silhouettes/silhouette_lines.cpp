@@ -21,7 +21,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-// How far the trunk continues into the crown; more than 0 if it was drawn to just below the crown.
+// Length by which the trunk is continued into the crown; more than 0 if it was drawn to just below
+// the crown.
 double trunk_reach(SilhouetteFile const& file)
 {
     auto const& drawing = file.drawing;
@@ -30,8 +31,8 @@ double trunk_reach(SilhouetteFile const& file)
     return extension_into_crown(drawing.trunk, drawing.outline).value_or(0);
 }
 
-// Touches on the crown's bumps are applied before the file's parts, touches inside parts after
-// them.
+// Which touches to apply: those on the crown's bumps, before the file's parts are drawn, or those
+// inside parts, after that.
 enum class TouchesOn { Crown, Parts };
 
 std::vector<BumpTouch> touches_of(SilhouetteFile const& file, TouchesOn which)
@@ -61,8 +62,8 @@ Result<void> carry_style(SilhouetteFile& file, std::vector<Vec2> const& line,
     return choose_styles(file.drawing.styles, carried, skeleton);
 }
 
-// Splits and joins bumps. Branches keep their names; new names are those that the same number of
-// edits with a pen would give.
+// Splits and joins bumps. Existing branches keep their names; new branches get the names that they
+// would have after the same number of edits with a pen.
 Result<void> touch_bumps(SilhouetteFile& file, TouchesOn which, SkeletonOptions& options,
                          std::size_t edits)
 {
@@ -188,7 +189,7 @@ public:
                  { one.place });
     }
 
-    DrawTree& edit() { return edit_; } // The edit to be added next.
+    DrawTree& edit() { return edit_; } // The edit that draw() adds next.
     std::vector<scene::Edit>& edits() { return edits_; }
 
 private:

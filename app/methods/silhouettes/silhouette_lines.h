@@ -15,8 +15,8 @@ namespace tractus::silhouette {
 // branch with parts or leaves. Fails with a user error that names the line.
 Result<Skeleton> infer_lines(SilhouetteFile& file, SkeletonOptions options, StyleScope style_to);
 
-// The edits of a pen that draws the file's lines. `first` holds the tree's form and scale. Fails
-// with a user error for an outline of several strokes, and like infer_lines().
+// The edits that a pen would make by drawing the file's lines. `first` holds the tree's form and
+// scale. Fails with a user error for an outline of several strokes, and like infer_lines().
 Result<std::vector<scene::Edit>> edits_of_lines(SilhouetteFile const& file, DrawTree const& first,
                                                 StyleScope style_to);
 

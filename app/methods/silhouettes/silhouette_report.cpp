@@ -41,7 +41,7 @@ static Report bump_json(Bump const& bump)
     return report;
 }
 
-// Statistics of the branches on a branch that was drawn on, or that has the style of such a branch.
+// Statistics of a branch's laterals, where the user drew on that branch or it copies such a branch.
 static Report bearing_json(Branch const& parent, BranchingSystem const& system)
 {
     auto const style = parent_style(parent, system);
@@ -101,7 +101,7 @@ static Report branch_json(Skeleton const& skeleton, std::size_t i)
     return report;
 }
 
-// Branches on branches that were drawn on, at any level.
+// Report of branches at deeper levels on which the user drew or that copy such a branch.
 static Report refined_json(Skeleton const& skeleton)
 {
     Report refined = Report::array();

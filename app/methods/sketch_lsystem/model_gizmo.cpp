@@ -13,7 +13,7 @@ namespace tractus::sketch {
 
 namespace {
 
-// A slightly curved stroke.
+// A short, slightly curved stroke along which the preset's model grows.
 Stroke short_stroke()
 {
     constexpr int kTips = 60;
@@ -67,7 +67,7 @@ tools::Gizmo draw_model(sketch::ModelRule const& model)
     FrontView const view(plant);
     auto order = axes_in_drawing_order(plant);
     order.resize(std::min(order.size(), kMaxLines));
-    // Reversed, so that the trunk is drawn last, above all others.
+    // Reversed, so that the trunk is drawn last, above all branches.
     std::reverse(order.begin(), order.end());
     for (auto const id : order) {
         tools::Gizmo::Line line;

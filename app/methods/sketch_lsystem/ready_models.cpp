@@ -7,7 +7,7 @@
 
 namespace tractus::sketch {
 
-// The view without its statements that order grown leaves.
+// The text of a view file without the statements that request grown leaves.
 static std::string without_grown_leaves(std::string_view view)
 {
     std::string result;

@@ -15,8 +15,8 @@ struct ModelTexts {
 };
 std::span<ModelTexts const> model_texts();
 
-// The built-in model with this name, which must exist. Its leaves are plain blades: grown leaves
-// would be stored in every edit.
+// The built-in model with this name, which must exist. Its leaves are plain blades, because grown
+// leaves would be stored in every edit.
 sketch::ModelRule ready_model(std::string_view name);
 
 } // namespace tractus::sketch

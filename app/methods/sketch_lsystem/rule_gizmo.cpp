@@ -15,11 +15,12 @@ namespace {
 
 using Color = tools::LayerStyle::Color;
 
-// Length of the parent in the gizmo's frame; part of it lies outside.
+// Length of the drawn parent branch in the gizmo's frame; part of it lies outside.
 constexpr double kParent = 0.86;
 constexpr double kWidth = 0.13; // Width of the drawn parent branch.
-constexpr double kDial = 0.24;  // Radius at which handles of twists lie around the parts they turn.
-constexpr double kAside = 0.3;  // Distance of a width's handle from its part at width 1.
+// Distance of a twist's handle from the end of the part that it turns.
+constexpr double kDial = 0.24;
+constexpr double kAside = 0.3; // Distance of a width's handle from its part at width 1.
 // Tilt of the view: closer points are drawn lower by this share of their distance.
 constexpr double kTilt = 0.35;
 // Length of the next ring's laterals, as a share of their true length.
@@ -39,8 +40,8 @@ enum HandleId : std::size_t {
     More
 };
 
-// Projects a point beside the vertical parent, around which the laterals turn. The first lateral
-// lies in the picture's plane; closer points are seen from above.
+// Projects a point to the picture. The parent branch is vertical and the first lateral lies in the
+// picture's plane; closer points appear lower, as seen from above.
 Vec2 seen(Vec3 const& point)
 {
     return { point.x(), point.y() - kTilt * point.z() };
@@ -117,14 +118,14 @@ tools::Gizmo::Line arc(Vec2 const& middle, double radius, double angle, double h
     return line;
 }
 
-// Shows how much the plants of a collection vary: the sector in which a lateral stays, with its
-// greatest length, and arcs for the twists outside the letters at both ends.
+// Shows how much the plants of a collection vary: the sector in which a lateral's tip can lie, and
+// arcs for the twists, outside the handles at the tips of the lateral and of the top internode.
 void add_spread(tools::Gizmo& gizmo, sketch::Rule const& rule)
 {
     if (rule.laterals == 0)
         return;
     Places const at(rule);
-    constexpr double kOutside = 1.75; // Radius of an arc as a multiple of the dial's radius.
+    constexpr double kOutside = 1.75; // Radius of the arcs, as a multiple of kDial.
     auto const most = [](double deviation) { return sketch::kMaxDeviations * deviation; };
     double const reach = (1 + most(sketch::kRuleSpread.share)) * (at.lateral_end - kNode).norm();
     auto edge = arc(kNode, reach, at.angle, radians(most(sketch::kRuleSpread.angle_deg)));
@@ -177,7 +178,7 @@ tools::Gizmo show_rule(void const* options)
     auto const rule = rule_of(tool);
     tools::Gizmo gizmo;
     add_parts(gizmo, rule);
-    // This preset stands for any plant; its rule cannot be edited here.
+    // The preset Plant copies the active plant, whose rule cannot be edited here.
     if (tool.card == SketchTool::Card::Plant)
         for (auto& line : gizmo.lines)
             line.color = Color::Grey;
@@ -192,8 +193,8 @@ tools::Gizmo show_rule(void const* options)
 // fifth of `coarse`), and clamps to the range.
 double snapped(double value, double coarse, double fine, double least, double greatest)
 {
-    // Greatest distance to a coarse step, as a share of a fine step, so that a value on the
-    // neighbouring fine step stays there.
+    // Greatest distance to a coarse step, as a share of a fine step, small enough that the
+    // neighbouring fine step can still be set.
     constexpr double kReach = 0.8;
     double const near = std::round(value / coarse) * coarse;
     double const taken
@@ -247,7 +248,7 @@ void drag_rule(void* options, std::size_t handle, Vec2 const& to)
     case TopWidth:
         rule.width_ratio = snapped_share((kNode.x() - to.x()) / kAside, 0.3, 1);
         break;
-    default: { // Twists of the new ring come from the rule for that number of laterals.
+    default: { // The preset's twist depends on the number of laterals.
         double const more = handle == More ? 1 : -1;
         tool.laterals = std::clamp(std::round(tool.laterals) + more, 0.0, 8.0);
         return;

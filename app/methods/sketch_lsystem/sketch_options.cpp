@@ -11,7 +11,8 @@ namespace tractus::sketch {
 
 namespace {
 
-// Names in the order of the tool's values; the first value is the default if the name is missing.
+// Option words in the order of the tool's values; the first is the default of logs that lack the
+// word.
 constexpr std::array<tools::OptionWord, 2> kLeavesOptions { {
     { "leafy", "Leaves" },
     { "bare", "Bare" },
@@ -59,8 +60,8 @@ constexpr std::array<tools::OptionWord, 17> kCardWords { {
     { "as_plant", "The plant's", "The plant grows anew along the stroke" },
 } };
 
-// Names in the order of SketchTool::Laterals: Fork is the behaviour in the paper, the others are
-// the first presets.
+// Option words, in the order of SketchTool::Laterals: Fork is the behaviour in the paper, the
+// others are the first presets.
 constexpr std::array<tools::OptionWord, 8> kLateralsWords { {
     { "fork", "fork" },
     { "by_opposite", "as opposite" },
@@ -72,7 +73,7 @@ constexpr std::array<tools::OptionWord, 8> kLateralsWords { {
     { "as_axis", "as the axis" },
 } };
 
-// Numbers of a preset, in the order of the names.
+// Numbers of a preset rule; kCards lists them in the order of the presets' words.
 struct RuleCard {
     double laterals;
     double angle_deg;
@@ -82,7 +83,7 @@ struct RuleCard {
     double shortest_mm;
     // Twist from ring to ring; no value: successive rings alternate.
     std::optional<double> twist_deg {};
-    bool goes_on = false; // True: the laterals repeat the rule.
+    bool goes_on = false; // The laterals grow by the same rule, at every level.
     double width_ratio = SketchTool().width_ratio;
 };
 constexpr std::array<RuleCard, 9> kCards { {
@@ -100,13 +101,13 @@ constexpr std::array<RuleCard, 9> kCards { {
 } };
 constexpr double kSlender = 0.15; // Diameter of the first internode as a share of its length.
 
-// True if a model is chosen; the tool's numbers then have no effect.
+// True if the tool's preset is a model; the tool's numbers then have no effect.
 bool is_of_model(SketchTool const& tool)
 {
     return static_cast<std::size_t>(tool.card) >= kCards.size();
 }
 
-// The tool's preset; the default one if the tool is set to a model.
+// The tool's preset rule; the default preset's if the tool is set to a model.
 RuleCard const& ready_rule_of(SketchTool const& tool)
 {
     return is_of_model(tool) ? kCards.front() : kCards[static_cast<std::size_t>(tool.card)];
@@ -138,7 +139,7 @@ double twist_of(RuleCard const& card, double laterals)
     return card.twist_deg.value_or(laterals > 0 ? 180 / laterals : 0);
 }
 
-// Twist from node to node for tool twists of 0.
+// The preset's twist from node to node, to which the tool adds its own.
 double twist_of_card(SketchTool const& tool)
 {
     return twist_of(ready_rule_of(tool), std::round(tool.laterals));
@@ -149,7 +150,8 @@ double twist_of_card(SketchTool const& tool)
 // level.
 std::vector<sketch::LateralRule> lateral_rules_of(SketchTool const& tool, sketch::Rule const& axis)
 {
-    constexpr double kShortest = 0.1; // Shortest internode as a share of the axis's first.
+    // Shortest internode, as a share of the axis's first internode.
+    constexpr double kShortest = 0.1;
     if (tool.go_on_by == SketchTool::Laterals::Fork)
         return {};
     if (tool.go_on_by == SketchTool::Laterals::AsAxis)
@@ -171,7 +173,7 @@ std::vector<sketch::LateralRule> lateral_rules_of(SketchTool const& tool, sketch
                .shortest_mm = kShortest * axis.first_length_mm } };
 }
 
-// The option that gives the rule's lateral rules, or no value if none does.
+// The option that reproduces the rule's lateral rules, or no value if none does.
 std::optional<SketchTool::Laterals> stated_laterals(SketchTool tool, sketch::Rule const& rule)
 {
     for (std::size_t i = 0; i < kLateralsWords.size(); ++i) {
@@ -318,7 +320,7 @@ SketchTool with_options_of_sketch(SketchTool const& tool, sketch::GrowAlongStrok
         if (matches_sketch(said, grown))
             return said;
     }
-    return said; // Returns the last preset, which stands for the active plant's own rule.
+    return said; // The last preset: a copy of the active plant's own rule.
 }
 
 SketchTool with_options_of_rule(SketchTool tool, sketch::Rule const& rule)

@@ -18,8 +18,8 @@ sketch::ModelRule model_of(SketchTool const& tool);
 // The rule given by the tool's preset and numbers; the default rule if the preset is a model.
 sketch::Rule rule_of(SketchTool const& tool);
 
-// The rule changed to the tool's settings. Numbers without an option, such as the most internodes,
-// are kept, and so is a stem more slender than the tool's.
+// The rule with the tool's settings applied. Numbers without an option, such as the most
+// internodes, are kept, and so is a stem more slender than the tool's.
 sketch::Rule with_options(sketch::Rule const& rule, SketchTool const& tool);
 
 // True if the rule agrees with all of the tool's settings except thickness.
@@ -31,7 +31,7 @@ bool matches_sketch(SketchTool const& tool, sketch::GrowAlongStroke const& grown
 // The tool with its options set to this rule.
 SketchTool with_options_of_rule(SketchTool tool, sketch::Rule const& rule);
 
-// The tool with its options set to what the active plant has grown by.
+// The tool with its options set to the rule or model of the sketch `grown`.
 SketchTool with_options_of_sketch(SketchTool const& tool, sketch::GrowAlongStroke const& grown);
 
 // Wraps an angle to the range -180 to 180 degrees.

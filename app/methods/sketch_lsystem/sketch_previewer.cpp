@@ -11,7 +11,8 @@ namespace tractus::sketch {
 namespace {
 
 constexpr double kMaxInternodes = 4000;
-constexpr std::size_t kMaxModules = 200'000; // Limit for a model that is regrown for each frame.
+// Maximum size of a model, as it is regrown for each frame.
+constexpr std::size_t kMaxModules = 200'000;
 
 tools::SkeletonLine line_of(Plant const& plant, Axis const& axis, scene::DeskPlacement const& from,
                             scene::DeskPlacement const& to)
@@ -42,7 +43,8 @@ Result<scene::BuiltSource> drawn_axis_of(sketch::GrowAlongStroke const& edit)
     return scene::BuiltSource { std::move(plant) };
 }
 
-// Note on what the rule's limit cuts off, and on what the preview leaves out in addition.
+// Note for the user on the forks that the rule's limit cuts off, and those that only the preview
+// omits.
 std::string note_of_depth(sketch::Rule const& whole, sketch::Rule const& shown, Plant const& plant)
 {
     auto const segments = static_cast<int>(plant.axes.front().segment_count);
@@ -71,8 +73,8 @@ public:
     }
 
 private:
-    // Inputs of the cached preview, except the stroke's path between its nodes. While they stay
-    // equal the lines do not change, and most pen samples add no node.
+    // Inputs of the cached preview, except the stroke's path between its nodes. While these inputs
+    // stay equal, the preview does not change; most pen samples add no node.
     struct Shown {
         sketch::Rule rule {};
         sketch::ModelRule model {};
@@ -158,7 +160,7 @@ private:
     std::optional<Shown> shown_; // Inputs of the cached lines and note below.
     std::vector<tools::SkeletonLine> shown_lines_;
     std::string shown_note_;
-    // Cached place on a branch, valid for the values below.
+    // Cached place on a branch, valid for the values of the next four members.
     std::optional<Result<std::optional<tools::BranchPlace>>> place_;
     StrokeSurface surface_ = StrokeSurface::Decided;
     Vec3 begin_mm_ = Vec3::Zero();

@@ -11,7 +11,7 @@
 
 namespace tractus::sketch {
 
-// Content of a report about a drawn axis.
+// The drawn axis, as input of a report.
 struct ReportedAxis {
     DrawnAxis axis {};
     std::vector<Vec3> nodes_mm {}; // Nodes on the desk as computed by the model's turtle.

@@ -48,8 +48,8 @@ Result<std::vector<scene::Edit>> change(SketchTool const& tool, scene::Scene con
             scene.drawn->id, grown.part, grown.sketch->rule, tool.leaves, std::move(model) } };
     auto const& before = grown.sketch->rule;
     auto rule = with_options(before, tool);
-    // Numbers that the user has not set are kept. Recordings rely on this, and on the thickness
-    // being set.
+    // Numbers that the user has not set keep the sketch's values, except the thickness, which is
+    // always set. Recordings rely on both.
     SketchTool const plain;
     rule.first_width_mm = rule_of(tool).first_width_mm;
     if (tool.width_ratio == plain.width_ratio)
@@ -72,7 +72,7 @@ Result<std::vector<scene::Edit>> draw_again(SketchTool const& tool, Stroke const
                                                              again.is_drawn_reversed } };
 }
 
-// Turns the stroke of the sketch grown last round. Done twice, the plant is again as it was.
+// Reverses the stroke of the sketch grown last. Doing so twice restores the plant.
 Result<std::vector<scene::Edit>> turn_round(scene::Scene const& scene)
 {
     auto const grown = TRY(grown_last(scene));
@@ -81,7 +81,7 @@ Result<std::vector<scene::Edit>> turn_round(scene::Scene const& scene)
         sketch::turned_round(grown.sketch->stroke), !grown.sketch->is_drawn_reversed } };
 }
 
-// Says that the stroke was turned round, and how to turn it back.
+// Message that the stroke was reversed, and how to reverse it again.
 std::string say_turned(tools::Tool const& tool, scene::Scene const& after)
 {
     auto const grown = sketch::newest_grown(*after.drawn);
@@ -122,7 +122,7 @@ std::optional<tools::Tool> like_drawn(tools::Tool const& tool, scene::Scene cons
     return tools::Tool(options);
 }
 
-// Ends of the internodes, one for each application of the rule.
+// Ends of the internodes along the stroke, one for each application of the rule.
 std::vector<Vec3> applications(tools::Tool const& tool, Stroke const& stroke,
                                scene::Scene const& scene)
 {
@@ -134,10 +134,10 @@ std::vector<Vec3> applications(tools::Tool const& tool, Stroke const& stroke,
         : grown_along(options, stroke, scene);
     auto nodes_mm = grown ? sketch::drawn_nodes_mm(*grown) : tl::unexpected(grown.error());
     if (!nodes_mm)
-        return {}; // Returns nothing, as the stroke is too short for an internode.
+        return {}; // The stroke is too short for an internode.
     std::vector<Vec3> ends_mm(nodes_mm->begin() + 1, nodes_mm->end());
     Vec3 const foot_mm = nodes_mm->front();
-    for (auto& end_mm : ends_mm) // Moves the ends, as a plant drawn on paper stands on the ground.
+    for (auto& end_mm : ends_mm) // A plant drawn on paper is moved to the ground.
         end_mm += sketch::stands_at_mm(*grown) - foot_mm;
     return ends_mm;
 }
@@ -182,9 +182,9 @@ static Result<void> take_from_plant(sketch::GrowAlongStroke& edit, scene::Scene 
     return {};
 }
 
-// Turns a stroke round that was drawn from the plant's tip to its foot. A plant on paper stands on
-// the desk. In space it stands where it was drawn, and what runs down there may hang: it is turned
-// if it ends as low as the other plants stand, or if there are none.
+// Reverses a stroke that was drawn from the plant's tip down to its foot. On paper, plants stand on
+// the desk. In space, a descending stroke may also be a hanging plant: it is reversed only if it
+// ends as low as the bases of the other plants, or if there are no other plants.
 static void stand_at_foot(sketch::GrowAlongStroke& edit, SketchTool const& tool,
                           scene::Scene const& scene)
 {

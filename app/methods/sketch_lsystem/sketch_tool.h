@@ -42,8 +42,8 @@ struct SketchTool {
     double first_length_mm = 30;
     double length_ratio = 0.9;
     double lateral_length = 0.62;
-    // How laterals continue: forking like the rule's, by the rule of a preset, or by the axis's own
-    // rule.
+    // How laterals continue: they fork as in the paper, or grow by a preset's rule or by the axis's
+    // own rule.
     enum class Laterals {
         Fork,
         Opposite,
@@ -62,24 +62,27 @@ struct SketchTool {
         Branch,  // The plant stands on the branch on which the stroke begins.
         InPlace, // The plant replaces the branch on which the stroke begins; that branch is hidden.
         Again,   // The sketch grown last is regrown along this stroke.
-        Change,  // Needs no stroke: the sketch grown last is regrown with these numbers.
-        // Needs no stroke: the stroke of the sketch grown last is turned round, tip for foot.
+        Change,  // Needs no stroke: the sketch grown last takes these numbers.
+        // Needs no stroke: the stroke of the sketch grown last is reversed, so that its tip becomes
+        // its foot.
         TurnRound,
     } place
         = Place::Ground;
-    // Whether plants grown by the rule follow when the user changes its numbers.
+    // Whether plants grown by the rule are regrown when the user changes its numbers.
     enum class Drawn { Follows, Stays } drawn = Drawn::Follows;
     // Numbers set by the gizmo; the twists are added to those of the preset.
     double width_ratio = 0.85;
     double lateral_width = 0.55;
     double axis_twist_deg = 0;
     double lateral_twist_deg = 0;
-    double shortest_mm = 0; // Shortest internode; 0: the preset's value.
+    double shortest_mm = 0; // Length of the shortest internode; 0: the preset's value.
     double room_mm
-        = 0; // Occupancy radius of laterals that give way (Rule::occupancy_radius_mm); 0: none.
-    // The end of a stroke at which the plant stands: always the beginning, or the foot, so that a
-    // stroke that was drawn down to the ground is turned round (foot_first.h). Logs from before
-    // this option existed lack it and get AsDrawn.
+        // Occupancy radius of laterals (Rule::occupancy_radius_mm); 0: they do not avoid each
+        // other.
+        = 0;
+    // The end of a stroke at which the plant stands. AsDrawn: the beginning. AtFoot: the foot, so a
+    // stroke that was drawn down to the ground is reversed (foot_first.h). Logs from before this
+    // option existed lack it and get AsDrawn.
     enum class Stands { AsDrawn, AtFoot } stands = Stands::AtFoot;
 };
 

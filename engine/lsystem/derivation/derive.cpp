@@ -19,7 +19,7 @@ namespace tractus::lsystem {
 
 namespace {
 
-// Modules and parameters are indexed by 32-bit numbers.
+// Maximum number of modules: 32-bit numbers must be able to index modules and parameters.
 constexpr std::size_t kMaxModules = 200'000'000;
 
 constexpr std::size_t kPiecesAtATime = 32;
@@ -185,8 +185,8 @@ Result<void> Derivation::step(int number)
     return {};
 }
 
-// Returns the size limit of the string that a step makes. The division by 3 leaves room for
-// columns, which grow by half; the old string and its branches stay in memory until the step is
+// Returns the size limit of the string that a step makes. Only two thirds of the memory are used,
+// because columns grow by half; the old string and its branches stay in memory until the step is
 // done.
 StringLimit Derivation::limit() const
 {
@@ -201,7 +201,7 @@ Result<void> Derivation::check_size(std::size_t modules, std::size_t parameters)
 {
     auto const most = limit();
     auto const where = step_ == 0 ? std::string("the axiom") : fmt::format("step {}", step_);
-    // The factor only keeps parameter indices within 32 bits; modules have few parameters.
+    // The factor 16 only keeps parameter indices within 32 bits; modules have few parameters.
     if (modules > most.modules || parameters / 16 > most.modules)
         return fail(Fault::User,
                     fmt::format("{}: {} makes more than {} modules; derive fewer steps or raise "
@@ -278,8 +278,8 @@ Result<void> Derivation::rewrite_in_pieces()
     return {};
 }
 
-// Returns where each piece of in_ begins, followed by the end of in_; and, if sizes are known,
-// where each result begins in out_.
+// Returns where each piece of in_ begins and, if sizes are known, where its result begins in out_.
+// The last entry is the end of both.
 std::vector<Derivation::PiecePlace> Derivation::find_pieces() const
 {
     auto const& kinds = model_.alphabet.kinds;
@@ -360,7 +360,7 @@ void Derivation::write_fixed(PiecePlace const& begin, PiecePlace const& end_plac
     auto const* parameters = in_.parameters.data() + from.parameter;
     auto const* const successors = &plan_.fixed(0);
     ModuleWriter writer(out_.kinds.data() + to.module, out_.parameters.data() + to.parameter);
-    // The next piece begins where this one ends, so wide moves must stop before the end.
+    // Wide moves must not write past the end, where another thread writes the next piece.
     auto const room = end_place.to.module - to.module;
     auto const* const wide_end
         = writer.kinds + (room >= FixedSuccessor::kShort ? room - FixedSuccessor::kShort + 1 : 0);

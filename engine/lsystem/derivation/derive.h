@@ -15,8 +15,8 @@
 namespace tractus::lsystem {
 
 struct DeriveOptions {
-    // Number of steps; no value: the model's derivation length. If it is given, the model cannot
-    // change it with SetDerivationLength().
+    // Number of derivation steps. A model cannot change a given number with SetDerivationLength().
+    // Default: the model's derivation length.
     std::optional<int> steps {};
     // Seed of the derivation, combined with the model's own; different seeds give different plants.
     std::uint64_t seed = 1;

@@ -121,8 +121,8 @@ public:
     // Returns false if the grid would be too large.
     bool fill(std::span<std::optional<Cell> const> cells, std::span<double const> weights);
 
-    // Weight in a square of layer y, `layer` layers above the cell: the cells at most `reach` away
-    // in x and in z.
+    // Returns the weight of a square of cells, `layer` layers above `cell`: those at most `reach`
+    // away from it in x and in z.
     double weight(Cell const& cell, std::int64_t layer, std::int64_t reach) const
     {
         auto const y = cell[1] + layer - low_[1];
@@ -230,7 +230,7 @@ private:
     Watch watch_;
     double cell_;
     double full_;
-    // Strength of the shade by the number of layers below the object that casts it.
+    // Strength of the shade, indexed by the number of layers below the object that casts it.
     std::vector<double> strengths_;
 };
 
@@ -259,7 +259,7 @@ private:
 
     // Balls are stored by size class (a power of 2 above their diameter) and by the voxel of their
     // centre. A voxel is at least as large as its balls, so only few voxels can hold a ball that
-    // touches.
+    // touches the new one.
     Result<bool> take(Vec3 const& center, double radius)
     {
         int size = 0;
@@ -291,7 +291,7 @@ private:
 
     Watch watch_;
     double radius_;
-    // Balls, keyed by power of 2 and voxel.
+    // Granted balls, by size class (power of 2) and voxel.
     std::map<int, std::map<Cell, std::vector<Ball>>> balls_;
 };
 

@@ -11,8 +11,8 @@ namespace tractus::lsystem {
 // Number of modules drawn between two checks of the limits.
 static constexpr std::size_t kDrawnBatch = 1024;
 
-// Largest number of copies of the drawing in memory at a time: an array, the array of twice the
-// size into which it grows, and the copy from which the plant is assembled.
+// Maximum number of copies of the drawing in memory at the same time: an array, the array of twice
+// the size into which it grows, and the copy from which the plant is assembled.
 static constexpr std::size_t kHeldTimes = 4;
 
 PieceTurtle::PieceTurtle(DrawingJob& job, BranchIndex const* index)
@@ -110,8 +110,8 @@ void PieceTurtle::count()
     job_.bytes += bytes - std::exchange(counted_bytes_, bytes);
 }
 
-// Draws a run of modules that only the turtle interprets: up to `end`, up to the first that needs
-// more, or up to a maximum number.
+// Draws a run of modules that need nothing but the turtle: up to `end`, up to the first other
+// module, or up to a maximum number.
 void PieceTurtle::draw_plain(std::size_t end, std::array<bool, 256> const& stops)
 {
     if (!job_.is_finite)

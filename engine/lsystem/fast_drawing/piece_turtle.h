@@ -52,7 +52,7 @@ struct DrawingJob {
     }
 };
 
-// Draws pieces one after another. Each thread needs its own.
+// Draws pieces one after another. Each thread needs a turtle of its own.
 class PieceTurtle {
 public:
     // `index` is nullptr if no branches are to be left out, or if a plan says which.
@@ -92,7 +92,7 @@ private:
     TurtleDrawing drawing_; // Drawing of the current piece; its memory is reused for the next one.
     std::array<bool, 256> has_rules_ {};
     std::array<bool, 256> opens_ {};
-    std::array<bool, 256> stops_ {}; // Kinds that need more than drawing a symbol.
+    std::array<bool, 256> stops_ {}; // True for kinds of modules that need more than drawing.
     std::array<std::uint8_t, 256> parameter_counts_ {};
     std::size_t at_ = 0;
     std::size_t parameter_ = 0;

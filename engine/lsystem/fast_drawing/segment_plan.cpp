@@ -79,7 +79,7 @@ bool are_plain(Alphabet const& alphabet, std::span<KindId const> kinds)
     return true;
 }
 
-// Counts the segments of pieces, one after another. Each thread needs its own.
+// Counts the segments of pieces, one after another. Each thread needs a counter of its own.
 class SegmentCounter {
 public:
     SegmentCounter(Model const& model, ModuleString const& string, TurtleOptions const& options,
@@ -160,7 +160,7 @@ bool SegmentCounter::count(PlannedPiece& piece, StepLengths lengths,
                            std::vector<PlannedPiece>& branches)
 {
     lengths_.clear();
-    // Upper bounds of the sizes of both arrays.
+    // Upper bound of the sizes of both arrays.
     lengths_.reserve(piece.end - piece.begin);
     stack_.reserve(piece.end - piece.begin);
     cutter_.begin(piece.begin, piece.end);

@@ -14,7 +14,7 @@ namespace tractus::lsystem {
 // Range of the magnitudes of a string's parameters.
 struct ParameterRange {
     bool has_zero = false;
-    float greatest = 0; // Largest magnitude; infinite if any parameter is infinite or NaN.
+    float greatest = 0; // Largest magnitude of a parameter; infinite if one is infinite or NaN.
 
     bool are_finite() const { return greatest <= std::numeric_limits<float>::max(); }
 };
@@ -37,7 +37,7 @@ struct PlannedPiece {
     std::vector<Gap> gaps;
     // Number of segments of each axis, in the order in which the axes begin.
     std::vector<std::uint32_t> axis_lengths;
-    // Counts, including those of the pieces that fill the gaps.
+    // Number of axes and segments, including those of the pieces that fill the gaps.
     std::size_t axis_count = 0;
     std::size_t segment_count = 0;
 };

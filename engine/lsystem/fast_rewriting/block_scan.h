@@ -15,10 +15,10 @@ public:
     // Largest number of modules in a part.
     static constexpr std::size_t kMax = 2048;
 
-    // Facts about a kind of module.
+    // What the scan needs to know about a kind of module.
     struct Kind {
         std::uint8_t parameter_count = 0;
-        bool changes = false; // False: modules of this kind stay as they are.
+        bool changes = false; // True if rewriting can change modules of this kind.
         bool draws = false;   // True if a random number for the module is drawn in advance.
     };
     using Kinds = std::array<Kind, 256>;

@@ -7,7 +7,7 @@
 
 namespace tractus::lsystem {
 
-// Keeps tables small enough for a processor's level 1 cache, or nearly.
+// Maximum number of bits of a kind: keeps tables about as small as a processor's level 1 cache.
 static constexpr unsigned kMaxKindBits = 5;
 
 static bool is_plain(Model const& model, Rule const& rule)

@@ -66,7 +66,8 @@ private:
     // Successor for each combination of a module's own kind and its neighbours', as an index into
     // successors_.
     std::vector<std::uint16_t> table_;
-    std::vector<KindId> one_to_one_; // Successor for each combination itself, if is_one_to_one_.
+    // Kind of the successor for each combination, if is_one_to_one_.
+    std::vector<KindId> one_to_one_;
     std::vector<FixedSuccessor> successors_;
     std::size_t longest_ = 1;
     // Reserved memory; only the part that is written is touched.

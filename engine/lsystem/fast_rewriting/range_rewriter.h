@@ -29,8 +29,7 @@ public:
     enum class Way : std::uint8_t {
         Copy,  // The module stays as it is.
         Fixed, // The module always has the same successor.
-        // Chance alone chooses, as for Chance; in addition, the programs of all rules can run for
-        // many modules at once.
+        // As Chance; in addition, the programs of all rules can run for many modules at once.
         Batch,
         Chance, // Chance alone chooses among rules without contexts and conditions.
         Search, // Rules must be tried one after another.
@@ -97,7 +96,8 @@ private:
     std::size_t most_parameters_ = 0;
 };
 
-// Rewrites a range of a string, module by module, from the left. Each thread needs its own.
+// Rewrites a range of a string, module by module, from the left. Each thread needs a rewriter of
+// its own.
 class RangeRewriter {
 public:
     // The arguments must outlive this object. `branches` describes the string to be rewritten; it

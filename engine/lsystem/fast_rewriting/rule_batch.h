@@ -14,8 +14,8 @@ namespace tractus::lsystem {
 // next one. Results are bit-identical to those of VirtualMachine.
 class RuleBatch {
 public:
-    // Returns true if the rule's program is nothing but arithmetic, and so the same for every
-    // module.
+    // Returns true if the rule's program consists of arithmetic only, so that the same instructions
+    // run for every module.
     static bool is_possible(Rule const& rule);
 
     // Prepares a rule without contexts and conditions, for modules that match it. The rule must

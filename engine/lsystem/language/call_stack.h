@@ -28,10 +28,11 @@ public:
         return index == 0 ? static_cast<LSystem const&>(model_) : model_.subsystems[index - 1];
     }
 
-    // The initial variables of a ?(...) that has not been rewritten yet.
+    // Returns the initial variables of a ?(...) that has not been rewritten yet.
     static SubsystemCall new_call(Model const& model, std::uint16_t subsystem);
 
-    // Index in Model::subsystems of the L-system with this id, the first parameter of a ?(...).
+    // Returns the index in Model::subsystems of the L-system with this id, the first parameter of a
+    // ?(...).
     // Fails with a user error if the model has none or if it is already active.
     Result<std::uint16_t> find(float id) const;
 

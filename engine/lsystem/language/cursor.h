@@ -24,8 +24,8 @@ public:
     // Skips whitespace between tokens: blanks, and line ends that do not end the statement.
     void skip();
 
-    // Returns the next character after skip(); '
-    // ' at the end of a statement, '\0' at the end of the text.
+    // Returns the next character after skip(): '\n' at the end of a statement, '\0' at the end of
+    // the text.
     char peek();
     bool at_end() { return peek() == '\0'; }
     bool at_line_end() { return at_end() || peek() == '\n'; }
@@ -44,7 +44,7 @@ public:
     // Line ends have no meaning in a block of statements.
     void enter_block() { ++block_depth_; }
     void leave_block() { --block_depth_; }
-    // True: from here on, an arrow on a line of its own begins another rule.
+    // If `seen` is true, an arrow on a line of its own begins another rule from here on.
     void set_arrow_seen(bool seen) { arrow_seen_ = seen; }
 
     std::size_t position() const { return at_; }

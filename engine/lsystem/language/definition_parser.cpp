@@ -10,7 +10,7 @@
 namespace tractus::lsystem {
 
 static constexpr double kMaxArraySize = 1e6;
-// Limit for all arrays of a file together.
+// Maximum number of elements of all arrays of a file together.
 static constexpr std::size_t kMaxArrayElements = 10'000'000;
 
 Result<double> constant_value(Cursor& cursor, Names& names)

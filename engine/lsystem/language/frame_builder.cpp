@@ -6,7 +6,7 @@
 
 namespace tractus::lsystem {
 
-// Indices of registers and instructions have 16 bits.
+// Limit on the numbers of registers and instructions: their indices have 16 bits.
 static constexpr std::size_t kMaxSize = 30000;
 
 Result<Register> FrameBuilder::add(double value)

@@ -23,7 +23,7 @@ struct MissingFunction {
         Window, // Functions of cpfg's window: its viewpoint, animation and sounds.
         Blobs,  // Functions of implicit surfaces.
     };
-    // Value of a call. As in cpfg, some of these functions return their first argument.
+    // What a call returns: `value`, or, as in cpfg for some functions, its first argument.
     enum class Value { Given, FirstArgument };
 
     std::string_view name;

@@ -89,7 +89,7 @@ private:
     std::vector<SymbolList> ignored_;
     bool has_axiom_ = false;
     bool has_seed_ = false; // True if the L-system being parsed has a seed.
-    // Place of its first production with a probability.
+    // Place of the first production with a probability in the L-system being parsed.
     std::optional<std::string> probability_place_;
 };
 
@@ -143,7 +143,7 @@ Result<void> Parser::rule_or_misspelt_statement()
     return no_statement("a rule, which has -->, or a statement");
 }
 
-// Makes the error for a line that is no statement of the language.
+// Makes the error for a line that is not a statement of the language.
 tl::unexpected<Error> Parser::no_statement(std::string_view expected)
 {
     auto const line = trimmed_line(cursor_.rest().substr(0, cursor_.rest().find('\n')));
@@ -416,7 +416,7 @@ Model Parser::finish()
                                 "sub-L-systems cannot keep it at the string's end",
                                 model_.name));
     model_.formats = std::move(names_.formats);
-    // What changes the plant most comes first.
+    // Warnings about what changes the plant most come first.
     auto& warnings = model_.warnings;
     warnings = std::move(names_.warnings);
     for (auto const& more : { names_.uses.warnings(cursor_.source()), model_.view.warnings,

@@ -59,7 +59,7 @@ struct SuccessorTemplate {
 
 // A rule: left < predecessor > right : {before} condition {after} --> successor : probability.
 struct Rule {
-    std::vector<KindId> left;        // Left context, in the order away from the predecessor.
+    std::vector<KindId> left;        // Left context, from the predecessor outwards.
     std::vector<KindId> predecessor; // Strict predecessor: at least one module.
     std::vector<KindId> right;
     // Number of parameters of the predecessor, the right and the left context, which are in the

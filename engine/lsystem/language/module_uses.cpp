@@ -12,7 +12,7 @@ namespace tractus::lsystem {
 
 namespace {
 
-constexpr std::size_t kMaxNames = 1000; // Limit against hostile models.
+constexpr std::size_t kMaxNames = 1000; // Limit on the number of names, against hostile models.
 
 bool is_small_letter(char c)
 {
@@ -43,7 +43,7 @@ std::string listed_letters(std::string_view letters)
     return text;
 }
 
-// Says that a letter has no effect, and what to write for the symbols of books.
+// Returns a message that a letter has no effect, and what to write for the symbols of books.
 std::string describe_letter(std::string_view character)
 {
     if (character == "'")
@@ -120,8 +120,8 @@ void ModuleUses::end_string()
     }
 }
 
-// Takes the names out of a run of letters and digits: a capital letter and at least two small ones,
-// as in "FLeaf", or at least three small letters and nothing else. Other letters are single ones.
+// Finds names in a run of letters and digits: a capital letter and at least two small ones, as in
+// "FLeaf", or at least three small letters and nothing else. Other letters are single modules.
 void ModuleUses::add_run(std::size_t begin, std::size_t end)
 {
     bool const is_small = std::all_of(string_.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -163,7 +163,8 @@ void ModuleUses::add_predecessor(std::string_view written, std::size_t module_co
     while (size < written.size() && (is_letter_or_digit(written[size]) || written[size] == '_'))
         ++size;
     auto const word = written.substr(0, size);
-    // Several modules may well be replaced together, but those would seldom be written like these.
+    // Several modules may also be replaced together, but are seldom written like a name: as three
+    // or more characters, or as a capital letter with an index.
     bool const is_long = size > 2;
     bool const has_index = size == 2 && is_capital_letter(word[0]) && !is_capital_letter(word[1]);
     if (size == module_count && (is_long || has_index))
@@ -184,7 +185,7 @@ bool ModuleUses::is_whole_known(Name const& name) const
                        [&](char letter) { return is_known(letter); });
 }
 
-// A letter by which a name may be called instead: one of its own if it is free. 0: none is free.
+// Returns a free letter for a name, one of the name's own if possible; 0 if none is free.
 char ModuleUses::free_letter(std::string_view name) const
 {
     auto const is_free = [&](char letter) {

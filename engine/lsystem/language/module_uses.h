@@ -33,8 +33,9 @@ public:
     // Adds a strict predecessor of `module_count` modules, as written at `position`.
     void add_predecessor(std::string_view written, std::size_t module_count, std::size_t position);
 
-    // Describes, each with its place, what has no effect: names of several letters, then single
-    // letters in the order of the text. Lists that are longer than kMaxListed end in a count.
+    // Returns warnings, with positions, of names and letters without effect: first names of several
+    // letters, then single letters in the order of the text. Lists that are longer than kMaxListed
+    // end in a count.
     std::vector<std::string> warnings(SourceText const& source) const;
 
     static constexpr std::size_t kMaxListed = 4;
@@ -66,7 +67,7 @@ private:
     bool calls_systems_ = false; // True if a ?(...) calls a sub-L-system, which a $ ends.
     std::array<bool, 256> known_ {};
     std::array<bool, 256> used_ {};
-    std::array<std::optional<std::size_t>, 256> first_ {}; // Position of the first use.
+    std::array<std::optional<std::size_t>, 256> first_ {}; // First use of each letter.
     std::vector<Name> names_;
 };
 

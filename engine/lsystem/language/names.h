@@ -44,11 +44,11 @@ struct Names {
     // many.
     Result<std::uint16_t> add_variable(std::string name, Cursor const& cursor);
     void warn(std::string warning); // Adds a warning unless it exists already.
-    // Adds a warning unless one about the same thing exists: the first place is enough.
+    // Adds a warning unless there is one about the same thing: its first place is enough.
     void warn_of(std::string const& thing, std::string warning);
     // Adds a warning that a name read at `place` has no definition, for its first place only.
     void warn_undefined(std::string const& name, std::string const& place);
-    // The warnings of undefined names: the first three, and how many more there are.
+    // Returns warnings of the first three undefined names, and how many more there are.
     std::vector<std::string> undefined_warnings() const;
 };
 

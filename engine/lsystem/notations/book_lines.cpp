@@ -19,14 +19,14 @@ struct Spelling {
     std::string_view cpfg;
 };
 
-// Characters of typeset books, anywhere.
+// Replacements of typographic characters, anywhere in modules and conditions.
 constexpr std::array kTypeset {
     Spelling { "\u2212", "-" },  Spelling { "\u2013", "-" },  Spelling { "\u00a0", " " },
     Spelling { "\u2264", "<=" }, Spelling { "\u2265", ">=" }, Spelling { "\u2260", "!=" },
     Spelling { "\u2227", "&&" }, Spelling { "\u2228", "||" }, Spelling { "\u00ac", "!" },
     Spelling { "\u00b7", "*" },  Spelling { "\u00d7", "*" },
 };
-// Modules outside parentheses.
+// Replacements of modules' symbols, outside parentheses only.
 constexpr std::array kModules {
     Spelling { "'", ";" },
     Spelling { "\u2019", ";" },
@@ -51,7 +51,7 @@ bool is_number_part(char c)
     return is_digit(c) || c == '.';
 }
 
-// Finds a character outside parentheses; kNotFound if there is none.
+// Finds a character outside parentheses, from index `from` on; kNotFound if there is none.
 std::size_t find_outside(std::string_view text, char wanted, std::size_t from = 0)
 {
     int depth = 0;
@@ -73,8 +73,8 @@ std::string_view arrow_at(std::string_view text)
     return {};
 }
 
-// Finds the arrow that divides a production: a predecessor stands before it, as in "-->+", where -
-// becomes +.
+// Finds the arrow between predecessor and successor. The predecessor is not empty: the line "-->+"
+// replaces the symbol - by +, so its arrow is ->.
 std::string_view dividing_arrow(std::string_view line)
 {
     for (std::size_t i = 0; i < line.size(); ++i)
@@ -100,7 +100,8 @@ std::string_view without_label(std::string_view text)
     return rest.empty() || rest.front() == '*' ? text : rest;
 }
 
-// Takes the probability that stands at an arrow: .33 or (.33), and a blank.
+// Removes the probability that follows an arrow, .33 or (.33), and returns it; empty if there is
+// none.
 std::string_view take_probability(std::string_view& successor)
 {
     bool const is_bracketed = successor.substr(0, 1) == "(";
@@ -118,8 +119,8 @@ std::string_view take_probability(std::string_view& successor)
     return number;
 }
 
-// Appends the character or spelling at `at` as one of the table gives it; returns the number of
-// bytes read, 0 if the table has nothing there.
+// Appends the table's replacement of the text at `at`; returns the number of bytes replaced, 0 if
+// the table has no entry for this text.
 template<std::size_t kCount>
 std::size_t append_spelling(std::array<Spelling, kCount> const& table, std::string_view text,
                             std::size_t at, std::string& to)
@@ -144,7 +145,7 @@ std::string with_typeset_characters(std::string_view text)
     return result;
 }
 
-// Returns true if a condition's =, & or | at `at` is single.
+// Returns true if the =, & or | at `at` is a complete operator, not a part of one such as == or <=.
 bool is_single(std::string_view text, std::size_t at)
 {
     char const c = text[at];
@@ -232,7 +233,7 @@ std::string_view book_without_comment(std::string_view line)
 {
     auto const trimmed = trimmed_line(line);
     if (trimmed.substr(0, 2) == "//") {
-        // Indented, it may be rolls that continue a production.
+        // In an indented line, // may be two rolls that continue a production.
         auto const behind
             = trimmed.substr(std::min(trimmed.find_first_not_of('/'), trimmed.size()));
         bool const is_module = !behind.empty()
@@ -284,7 +285,7 @@ std::string book_modules(std::string_view written)
 std::string book_condition(std::string_view written)
 {
     auto const text = with_typeset_characters(written);
-    bool const has_block = text.find('{') != std::string::npos; // Its = are assignments.
+    bool const has_block = text.find('{') != std::string::npos; // In a block, = is an assignment.
     std::string result;
     for (std::size_t at = 0; at < text.size(); ++at) {
         bool const is_operator = text[at] == '=' || text[at] == '&' || text[at] == '|';

@@ -9,8 +9,8 @@ namespace tractus::lsystem {
 // Parts of models as books print them; read_book_model() describes the notation. Each function
 // takes a line without its end.
 
-// A production as written, without its label: left < strict > right : condition -> successor, with
-// a probability at the arrow, or behind a colon as in cpfg.
+// A production as written, without its label: left < strict > right : condition -> successor. The
+// probability comes after the arrow, or after a colon as in cpfg.
 struct BookProduction {
     std::string_view predecessor;
     std::string_view condition;
@@ -19,10 +19,12 @@ struct BookProduction {
 };
 std::optional<BookProduction> book_production(std::string_view line);
 
-// The modules of an axiom, behind "ω:", "w:", "omega:" or "axiom:".
+// Returns the modules of an axiom, which follow "ω:", "w:", "omega:" or "axiom:"; no value for
+// other lines.
 std::optional<std::string_view> book_axiom(std::string_view line);
 
-// "n=5, δ=22.5°": the numbers as written, empty if not given.
+// Derivation length and angle increment in a line such as "n=5, δ=22.5°", as written; empty if not
+// given.
 struct BookFigure {
     std::string steps;
     std::string angle;
@@ -33,12 +35,12 @@ std::optional<BookFigure> book_figure(std::string_view line);
 bool is_cpfg_statement(std::string_view line);
 bool begins_with_word(std::string_view line, std::string_view lower_case_word);
 
-// The line without a comment that // begins.
+// Returns the line without a comment that begins with //.
 std::string_view book_without_comment(std::string_view line);
-// The text with /* */ comments as blanks; lines stay lines.
+// Returns the text with /* */ comments replaced by blanks; line ends in them are kept.
 std::string without_block_comments(std::string_view text);
 
-// Modules and conditions in cpfg's notation.
+// Translate modules and conditions to cpfg's notation.
 std::string book_modules(std::string_view text);
 std::string book_condition(std::string_view text);
 

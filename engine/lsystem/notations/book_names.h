@@ -11,26 +11,28 @@ namespace tractus::lsystem {
 // replace them in cpfg's language.
 class BookNames {
 public:
-    // Notes the name that a production replaces, if it has several letters. `predecessor` may have
+    // Adds the name that a production replaces, if it has several letters. `predecessor` may have
     // contexts and parameters.
     void add_predecessor(std::string_view predecessor);
-    // Chooses letters that do not occur in the text. Names for which none is left stay.
+    // Chooses a letter for each name, among those that do not occur in the text. If no letter is
+    // left, a name keeps its letters.
     void choose_letters(std::string_view text);
 
     // Returns a string of modules with names replaced by their letters.
     std::string in_modules(std::string_view modules) const;
 
-    // Rules by which the turtle draws the letters of names that begin with F, f, G or g as those;
-    // empty if there are none.
+    // Returns homomorphism rules that make the turtle draw names that begin with F, f, G or g like
+    // that letter; empty if there are no such names.
     std::string homomorphism_rules() const;
 
 private:
     struct Name {
-        char letter = 0; // 0: none was free.
+        char letter = 0; // Letter that replaces the name; 0 if none was free.
         std::size_t parameter_count = 0;
     };
 
-    std::map<std::string, Name, std::greater<>> names_; // Longer names before their beginnings.
+    // In descending order, so that a name comes before its prefixes.
+    std::map<std::string, Name, std::greater<>> names_;
 };
 
 } // namespace tractus::lsystem

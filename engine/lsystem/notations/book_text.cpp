@@ -43,7 +43,7 @@ private:
 
     BookNames names_;
     std::vector<std::string> lines_;
-    std::string steps_; // Derivation length from a line that has no statement's place in the text.
+    std::string steps_; // Derivation length from a caption, still to be written.
     std::string angle_;
     bool has_head_ = false; // True if the text has "Lsystem:".
     bool has_seed_ = false;
@@ -51,10 +51,11 @@ private:
     bool has_homomorphism_ = false;
     bool is_ended_ = false;     // True after "endlsystem".
     bool is_in_string_ = false; // True if the next line may continue an axiom or a production.
-    long open_braces_ = 0;      // Braces of cpfg's statements.
+    long open_braces_ = 0;      // Number of open braces in cpfg's statements.
 };
 
-// Reads "n=5, δ=22.5°", as figures are captioned.
+// Reads a line such as "n=5, δ=22.5°", as in the captions of figures; returns false for other
+// lines.
 bool BookReader::add_figure(std::string_view line)
 {
     auto const figure = book_figure(line);
@@ -69,8 +70,8 @@ bool BookReader::add_figure(std::string_view line)
     return true;
 }
 
-// Reads the book's #ignore, #consider and #include of a surface, which are no directives of a
-// preprocessor.
+// Reads #ignore, #consider and #include of a surface, which are statements of the book rather than
+// directives of a preprocessor.
 bool BookReader::add_directive(std::string_view line)
 {
     if (line.substr(0, 1) != "#")
@@ -112,7 +113,7 @@ void BookReader::add_statement(std::string_view line)
     lines_.emplace_back(line);
 }
 
-// Adds what the text lacks, and "endlsystem".
+// Adds the statements that the text lacks, and "endlsystem".
 void BookReader::add_end()
 {
     is_ended_ = true;
@@ -167,7 +168,7 @@ BookModel BookReader::read(std::string_view text)
     result.text = has_head_ ? "" : "Lsystem: 1\n";
     if (!steps_.empty())
         result.text += fmt::format("derivation length: {}\n", steps_);
-    // What follows has the line numbers of the text that was read.
+    // Makes the following lines keep the line numbers of the book's text.
     if (!result.text.empty())
         result.text += "#line 1\n";
     for (auto const& line : lines_)

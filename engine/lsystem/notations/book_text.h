@@ -7,15 +7,15 @@ namespace tractus::lsystem {
 
 // A model in cpfg's language, made from one in the notation of a book.
 struct BookModel {
-    std::string text; // The rules. Lines have the numbers that they have in the book's text.
+    std::string text; // The rules. Messages refer to line numbers of the book's text.
     std::string view; // Statements for the view: the angle increment, if the text gives it.
 };
 
 // Translates a model that is written as "The Algorithmic Beauty of Plants" (Prusinkiewicz and
-// Lindenmayer 1990) prints it, also where it stands between cpfg's statements:
+// Lindenmayer 1990) prints it, even between statements of cpfg:
 //
 // - // in axioms and productions is two rolls; a // begins a comment at the beginning of a line,
-//   or where blanks stand on both sides of it. /* */ are comments.
+//   or with blanks on both sides. /* */ are comments.
 // - ' is the next colour (cpfg: ;), and $ rolls until the left side is level (cpfg: @v).
 // - "p1:" before a production is its label. "ω:", "w:", "omega:" and "axiom:" begin the axiom.
 // - "->" and "→" are arrows as is "-->"; "→.33" or ".33" between "-->" or "->" and a blank is the
@@ -26,8 +26,8 @@ struct BookModel {
 // - Names of several letters, such as Fl or F_r, that productions replace become free letters. The
 //   turtle draws those that begin with F, f or G as it draws that letter.
 //
-// Missing "Lsystem:" and "endlsystem" are added, and a seed where productions have probabilities.
-// Never fails: what is not understood stays as it is, and the compiler then says so.
+// Missing "Lsystem:" and "endlsystem" are added, and a seed if productions have probabilities.
+// Never fails: what is not understood is kept, and the compiler reports it.
 BookModel read_book_model(std::string_view text);
 
 } // namespace tractus::lsystem

@@ -16,7 +16,7 @@ namespace tractus::lsystem {
 
 namespace {
 
-constexpr std::size_t kMaxLines = 5000; // How far to look for signs.
+constexpr std::size_t kMaxLines = 5000; // Number of lines that are searched for a known notation.
 
 std::string_view name_of(Notation notation)
 {
@@ -47,7 +47,7 @@ std::string in_small_letters(std::string_view text)
     return result;
 }
 
-// Returns true if the line is `word`, blanks, and one of `marks`.
+// Returns true if the line begins with `word`, followed by optional blanks and one of `marks`.
 bool is_word_before(std::string_view line, std::string_view word, std::string_view marks)
 {
     if (!line.starts_with(word))
@@ -62,7 +62,7 @@ bool begins_with_any(std::string_view line, std::initializer_list<std::string_vi
                        [&](std::string_view beginning) { return line.starts_with(beginning); });
 }
 
-// "rule 1 = A=FA", "rule1: ...", "premise = A".
+// True for rules and axioms of Houdini: "rule 1 = A=FA", "rule1: ...", "premise = A".
 bool is_houdini_line(std::string_view line)
 {
     if (is_word_before(line, "premise", ":="))
@@ -103,14 +103,14 @@ bool is_number(std::string_view text)
     return !text.empty() && text.find_first_not_of("0123456789.") == text.npos;
 }
 
-// Returns the line without LParser's comment.
+// Returns the line without a comment of LParser, which begins with #.
 std::string_view without_number_sign(std::string_view line)
 {
     return trimmed_line(line.substr(0, line.find('#')));
 }
 
-// LParser's files begin with three numbers, each on a line: recursion, angle and thickness; or in
-// version 5 with keywords.
+// Recognises LParser's files. They begin with three numbers, one per line: recursion, angle and
+// thickness; in version 5 with keywords before them.
 class LParserSigns {
 public:
     bool sees(std::string_view line)
@@ -130,10 +130,10 @@ public:
 
 private:
     int numbers_ = 0;
-    bool is_over_ = false; // True after a line that is no number.
+    bool is_over_ = false; // True after a line that is not a number.
 };
 
-// "Koch1 { ; Adrian Mariano" and "Angle 6" are Fractint's.
+// Recognises Fractint's files by lines such as "Koch1 { ; Adrian Mariano" and "Angle 6".
 class FractintSigns {
 public:
     bool sees(std::string_view line)
@@ -179,7 +179,7 @@ private:
     bool is_first_ = true; // True before the first line.
 };
 
-// A line that is not empty.
+// A line that is neither empty nor a // comment.
 struct SignLine {
     std::uint32_t number = 1;
     std::string_view text;

@@ -20,12 +20,12 @@ namespace {
 
 constexpr std::string_view kLetters = "ABCDEHIJKLMNOPQRSTUVWXYZabcdehijklmnopqrstuvwxyz0123456789";
 
-// Brackets may nest this deep; deeper ones share their factors.
+// Maximum depth of branches with factors of their own; deeper branches share their factors.
 constexpr int kMaxNesting = 2000;
 
 struct LParserModule {
     char letter = 0;
-    std::string number; // Empty: no parameter.
+    std::string number; // Parameter as written; empty if there is none.
 };
 using LParserString = std::vector<LParserModule>;
 
@@ -41,7 +41,7 @@ bool is_number_text(std::string_view text)
     return std::from_chars(text.data(), end, value).ptr == end && !text.empty();
 }
 
-// A file's name without its folders, such that it does not end the comment in which it stands.
+// Returns a file's name without its folders and without *, so that it cannot end a comment.
 std::string comment_name(std::string_view name)
 {
     auto result = shown(name.substr(name.rfind('/') + 1));
@@ -76,14 +76,16 @@ private:
 
     std::string const& name_;
     std::size_t line_ = 0;
-    std::array<std::string, 3> numbers_ { "1", "45", "100" }; // Recursion, angle, thickness.
+    std::array<std::string, 3> numbers_ {
+        "1", "45", "100"
+    }; // Recursion depth, angle and thickness, as written.
     std::size_t number_count_ = 0;
     std::optional<LParserString> axiom_;
     std::vector<LParserRule> rules_;
-    std::map<char, char> letters_; // The module of each letter that the model uses.
-    char reset_ = 0;               // Modules that set, copy and give back the factors.
-    char push_ = 0;
-    char pop_ = 0;
+    std::map<char, char> letters_; // cpfg's letter for each letter that the model uses.
+    char reset_ = 0;               // Letter of the module that sets the factors.
+    char push_ = 0;                // Letter of the module that copies the factors for a branch.
+    char pop_ = 0;                 // Letter of the module that restores the factors after a branch.
 };
 
 Result<LParserString> LParserReader::modules_in(std::string_view text)
@@ -121,7 +123,7 @@ Result<void> LParserReader::set_number(std::size_t index, std::string_view text)
     return {};
 }
 
-// Reads "X=STRING".
+// Reads a rule "X=STRING".
 Result<void> LParserReader::read_rule(std::string_view line)
 {
     auto const equals = trimmed_line(line.substr(std::min<std::size_t>(line.size(), 1)));
@@ -132,7 +134,7 @@ Result<void> LParserReader::read_rule(std::string_view line)
     return {};
 }
 
-// Reads a line of version 5; false if it is none.
+// Reads a line that begins with a keyword of version 5; returns false for other lines.
 Result<bool> LParserReader::read_keyword(std::string_view line)
 {
     auto const word = first_name(line);
@@ -157,7 +159,7 @@ Result<bool> LParserReader::read_keyword(std::string_view line)
     return true;
 }
 
-// Returns false at the end of the model.
+// Reads a line; returns false at the end of the model.
 Result<bool> LParserReader::read_line(std::string_view written)
 {
     auto const line = trimmed_line(written.substr(0, written.find('#')));
@@ -176,7 +178,7 @@ Result<bool> LParserReader::read_line(std::string_view written)
     return true;
 }
 
-// Keeps the letters that may be modules of cpfg's by themselves, and finds others for the rest.
+// Chooses cpfg's letters: letters that can be modules in cpfg stay, all others get a free letter.
 Result<void> LParserReader::choose_letters()
 {
     auto next = kLetters.begin();
@@ -213,7 +215,8 @@ std::string LParserReader::text_of(LParserString const& string) const
     return text;
 }
 
-// Parameters are text in LParser: that of a replaced letter follows what replaces it.
+// Writes a rule in cpfg's language. Parameters are text in LParser, so the parameter of a replaced
+// letter follows its successor.
 std::string LParserReader::rule_text(LParserRule const& rule) const
 {
     char const letter = letters_.at(rule.letter);

@@ -5,9 +5,10 @@
 
 namespace tractus::lsystem {
 
-// How LParser's turtle draws a letter, without a parameter and with one, x: the condition and
-// successor of a homomorphism rule. The arrays hold length, angle and width of the branch, d is its
-// depth. Source: the commands' list in LParser's manual.
+// How LParser's turtle draws a letter, without a parameter and with a parameter x: condition and
+// successor of a homomorphism rule. The arrays `len`, `turn` and `wide` hold length, angle and
+// width; their index d is the depth of the branch. Source: the list of commands in LParser's
+// manual.
 struct LParserCommand {
     char letter = 0;
     std::string_view plain;
@@ -31,7 +32,7 @@ inline constexpr std::array kLParserCommands {
     LParserCommand { 'z', "* --> f(len[d]/2)", "* --> f(x)" },
     LParserCommand { 'g', "* --> g(len[d])", "* --> g(x)" },
     LParserCommand { 'G', "* --> *", "* --> *" },
-    LParserCommand { 't', "* --> *", "* --> *" }, // Droop, which is left out.
+    LParserCommand { 't', "* --> *", "* --> *" }, // Droop is not supported.
     LParserCommand { 'c', "* --> ;", "* --> ;(x)" },
     LParserCommand { '"', "{len[d] = len[d] * 1.1;} 1 --> *", "{len[d] = len[d] * x;} 1 --> *" },
     LParserCommand { '\'', "{len[d] = len[d] * 0.9;} 1 --> *", "{len[d] = len[d] * x;} 1 --> *" },
@@ -45,7 +46,7 @@ inline constexpr std::array kLParserCommands {
                      "{wide[d] = wide[d] * x;} 1 --> *" },
 };
 
-// Statements for the view: colours by LParser's indices, near those of its viewer.
+// Statements for the view that define LParser's colour indices, close to the colours of its viewer.
 inline constexpr std::string_view kLParserColors
     = "color: 1 0.1,0.1,0.1\ncolor: 2 0.8,0.1,0.1\n"
       "color: 3 0.85,0.8,0.1\ncolor: 4 0.2,0.65,0.15\n"

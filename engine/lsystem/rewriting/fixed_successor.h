@@ -18,7 +18,7 @@ struct FixedSuccessor {
     std::array<KindId, kShort> first_kinds {};
     std::uint32_t length = 0;
     std::uint32_t parameter_count = 0;      // Number of parameters of the successor.
-    std::uint32_t read_parameter_count = 0; // Number of parameters of the module.
+    std::uint32_t read_parameter_count = 0; // Number of parameters of the replaced module.
     KindId const* kinds = nullptr;
     // Registers of the successor's parameters; nullptr: the module's parameters, in order.
     Register const* parameters = nullptr;
@@ -35,7 +35,7 @@ struct FixedSuccessor {
         return result;
     }
 
-    // The successor of a rule that needs no program. The rule must outlive it.
+    // Makes the successor of a rule that needs no program. The rule must outlive it.
     static FixedSuccessor of(Rule const& rule)
     {
         FixedSuccessor result;

@@ -58,7 +58,8 @@ struct HomomorphismOptions {
     StringLimit limit {};
     TimeLimit time {};
     std::function<void(std::string_view text)> print {}; // Receives the output of printf.
-    // A % cuts a branch only if it is in the string itself; one made by a rule has no effect.
+    // A % in the string itself cuts its branch. One made by a rule has no effect and is dropped by
+    // KeepThoseOfTheString.
     enum class Cuts { Keep, KeepThoseOfTheString };
     Cuts cuts = Cuts::Keep;
 };

@@ -20,7 +20,8 @@ namespace {
 
 // Limit against hostile models whose files include themselves.
 constexpr int kMaxIncludeNesting = 64;
-constexpr std::size_t kMaxFiles = 1000; // Nested includes can double in number at each level.
+// Limit on files, since nested includes can double in number at each level.
+constexpr std::size_t kMaxFiles = 1000;
 
 // Returns the path of a file in the folder of another file.
 std::string beside(std::string const& file, std::string const& name)
@@ -28,7 +29,7 @@ std::string beside(std::string const& file, std::string const& name)
     return file.substr(0, file.rfind('/') + 1) + name;
 }
 
-// Positions set by a #line directive for the lines after it.
+// File and line numbers that a #line directive sets for the lines after it.
 struct Presumed {
     std::uint32_t file = 0;
     std::uint32_t added_lines = 0; // Difference to the actual line number; may wrap around.
@@ -95,7 +96,8 @@ std::string_view meant_word(std::string_view word, std::string_view behind)
     return condition.empty() ? nearest_word(word, kWords) : condition;
 }
 
-// Returns true for "#define NAME(x)" and nothing else: its meaning is on the next line, after a \.
+// Returns true for "#define NAME(x)" and nothing else: its replacement is on the next line, after a
+// \.
 bool is_bare_definition(std::string_view line)
 {
     auto rest = trimmed_line(line);
@@ -235,7 +237,7 @@ void Preprocessor::warn_of_joined_line(PlacedText const& definition, PlacedText 
         files_[at.file], at.line, at.column, next));
 }
 
-// Executes a directive; returns false if the line is none.
+// Executes a directive; returns false if the line is not a directive.
 Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
 {
     auto rest = trimmed_line(line.characters);

@@ -14,7 +14,7 @@ namespace tractus::lsystem {
 // mm, the default of TurtleOptions, and at most kMaxRuledSegments segments.
 std::string rules_of_plant(Plant const& plant);
 
-// The largest number of elements that an array may have.
+// Maximum number of segments: the maximum size of an array in cpfg's language.
 constexpr std::size_t kMaxRuledSegments = 1'000'000;
 
 } // namespace tractus::lsystem

@@ -40,8 +40,8 @@ public:
         double scale = 1;
         double elasticity = 0; // Elasticity of the older kind of tropism.
         std::uint8_t color = 0;
-        // An open generalised cylinder: its control points are set by steps and dots, or by @Gc and
-        // dots.
+        // How control points of an open generalised cylinder are set: OfSteps by steps and dots,
+        // OfSymbols by @Gc and dots.
         enum class Path : std::uint8_t { None, OfSteps, OfSymbols };
         Path path = Path::None;
         TurtleDrawing::Place place;

@@ -17,7 +17,7 @@ namespace tractus::lsystem {
 // A piece is attached to a segment of another piece (kBelow) or stands on the ground (kNone).
 // Branches that are left out, as pieces of their own, are its gaps.
 struct TurtleDrawing {
-    // Value that represents the segment to which the piece is attached.
+    // Stands for the segment of another piece to which this piece is attached.
     static constexpr std::uint32_t kBelow = kNone - 1;
 
     // Place where the next segment is attached: the end of `segment`, which belongs to `axis`.

@@ -27,7 +27,7 @@ public:
         double cosine = 1;
     };
 
-    // Reduces angles beyond a full turn modulo 360 degrees.
+    // Returns the sine and cosine of an angle, reduced modulo 360 degrees.
     Entry const& at(double angle_deg)
     {
         auto const bits = std::bit_cast<std::uint64_t>(angle_deg);

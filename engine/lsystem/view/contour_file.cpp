@@ -41,7 +41,7 @@ private:
     std::string const& name_;
     TextLines lines_;
     ControlPoints read_;
-    std::size_t lines_to_skip_ = 0; // Lines of an editor's markers, which are skipped.
+    std::size_t lines_to_skip_ = 0; // Number of lines with an editor's markers still to be skipped.
 };
 
 Result<ControlPoints> ContourParser::parse()

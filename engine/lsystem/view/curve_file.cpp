@@ -111,7 +111,7 @@ Result<void> CurveParser::point(std::string_view line)
     return {};
 }
 
-// The curve's point at parameter t, from 0 to 1.
+// Returns the curve's point at parameter t, from 0 to 1.
 Vec3 point_at(CurveTable const& curve, double t)
 {
     if (curve.kind != CurveTable::Kind::Bezier)

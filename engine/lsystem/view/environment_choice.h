@@ -13,7 +13,7 @@ struct EnvironmentChoice {
     std::string name; // Name of the environment; empty: none.
     std::map<std::string, double, std::less<>> values;
 
-    // The value of the parameter with this name.
+    // Returns the value of the parameter with this name, which must exist.
     double operator[](std::string_view key) const { return values.find(key)->second; }
 };
 

@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    // Enough for ten bisections, which reach the precision.
+    // Number of cached points: enough for ten bisections, which reach the precision.
     static constexpr std::size_t kKept = 1024;
 
     Vec3 at(std::size_t half, double middle)

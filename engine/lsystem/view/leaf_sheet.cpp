@@ -137,7 +137,7 @@ MaterialTextures leaf_textures(LeafSheet const& sheet)
              .color = MaterialTextures::Color::Replaced };
 }
 
-// A grown leaf that replaces a shape has the same blade length.
+// Returns the length of an organ's blade, which a grown leaf keeps when it replaces the shape.
 static double blade_length_mm(OrganShape const& organ)
 {
     double const tip = organ.cut ? box_of(*organ.cut).max().y() : 1;

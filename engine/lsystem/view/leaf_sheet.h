@@ -25,8 +25,8 @@ struct LeafOrder {
     bool operator==(LeafOrder const&) const = default;
 };
 
-// Age of leaf `number`. Its difference from the order's age depends on the number and the spread
-// only, except near the ends of a leaf's life.
+// Returns the age of leaf `number`. Its difference from the order's age depends on the number and
+// the spread only, except near the ends of a leaf's life.
 double leaf_age(LeafOrder const& order, int number);
 
 // Formats the name of a sheet: "GRAMMAR VARIANTS AGE.leaf-sheet" or "GRAMMAR VARIANTS AGE
@@ -39,7 +39,7 @@ std::optional<LeafOrder> parse_leaf_sheet_name(std::string_view name);
 // Grown leaves as plain data: flat shapes, and one texture page with all their pictures.
 struct LeafSheet {
     std::vector<std::shared_ptr<CutLeaf const>> leaves;
-    Vec3f mean_color { 0.3f, 0.45f, 0.2f }; // Mean sRGB colour of the page, where there are leaves.
+    Vec3f mean_color { 0.3f, 0.45f, 0.2f }; // Mean sRGB colour of the leaves on the page.
     TextureSlot color;  // Page with sRGB colour and alpha. This slot and `normal` are never null.
     TextureSlot normal; // Page with normals, as in glTF.
 };

@@ -14,7 +14,7 @@ namespace {
 // Number of samples along a line from which its azimuth is computed.
 constexpr std::size_t kSamples = 200;
 
-// Minimum value of a size, the same as in models (line_rules.cpp).
+// Minimum size of organs, as a share of the stem's length, the same as in models (line_rules.cpp).
 constexpr double kNothing = 1e-6;
 
 // Sizes are represented by their inverse squares: for an ellipse around the stem these have the
@@ -30,16 +30,16 @@ double sin_deg(double angle_deg)
     return std::sin(radians(angle_deg));
 }
 
-// Interpolates along a quarter of an ellipse with these half-axes; `share` is from 0 at the first
-// axis to 1 at the second.
+// Interpolates sizes, as inverse squares, along a quarter of an ellipse with these half-axes;
+// `share` is from 0 at the first axis to 1 at the second.
 double quarter_at(double first, double second, double share)
 {
     double const sine = sin_deg(90 * share);
     return (1 - sine * sine) * inverse_square(first) + sine * sine * inverse_square(second);
 }
 
-// The ellipse through boundaries at the azimuths -before_gap, 0 and gap, by Lagrange interpolation
-// in sines.
+// Returns the inverse square of the size at the azimuth `turn_deg` on the ellipse through
+// boundaries at the azimuths -before_gap, 0 and gap, by Lagrange interpolation in sines.
 double ellipse_at(SizesAside const& sizes, double turn_deg)
 {
     double const gap = sin_deg(sizes.gap_deg);
@@ -59,12 +59,12 @@ SizesAside reversed(SizesAside const& sizes)
              sizes.behind_gap_deg, sizes.before, sizes.before_gap_deg };
 }
 
-// Correction from the quarter of an ellipse (`quarter`) towards the ellipse that also passes
-// through the preceding boundary.
+// Returns the correction of `quarter`, a value of quarter_at(), towards the ellipse that also
+// passes through the preceding boundary.
 double towards_ellipse(SizesAside const& sizes, double share, double quarter)
 {
-    // The correction is complete if the three boundaries span at least this much less than half a
-    // turn.
+    // The correction is applied fully if the three boundaries span less than half a turn by this
+    // angle or more.
     constexpr double kWhole_deg = 60;
     double const room_deg = 180 - sizes.gap_deg - sizes.before_gap_deg;
     if (room_deg <= 0)
@@ -93,11 +93,11 @@ double depth_of(std::span<Vec3 const> line, std::span<Vec3 const> stem)
 
 std::optional<double> azimuth_of(std::span<Vec3 const> line, DrawnStem const& stem)
 {
-    // Minimum resultant of the offsets, as a share of their sum: below it, the azimuth is
-    // undefined.
+    // Minimum length of the offsets' vector sum, as a share of the sum of their lengths: below it,
+    // the azimuth is undefined.
     constexpr double kMin = 0.01;
-    // Minimum mean distance from the stem, as a share of its length: below it, the line is the stem
-    // itself.
+    // Minimum mean distance of the line from the stem, as a share of the stem's length: below it,
+    // the line is the stem itself.
     constexpr double kOnStem = 1e-3;
     constexpr double kBeyond = 1e-6; // Weight of points beyond the stem's ends.
     Vec2 sum = Vec2::Zero();

@@ -42,12 +42,12 @@ std::optional<double> reach_mm(OrganRay const& organ, DrawnStem const& stem,
 
 // The gap around a stem's cross-section between two neighbouring boundaries.
 struct SizesAside {
-    double low = 0; // Sizes at the two boundaries, `low` and `high`.
+    double low = 0; // Sizes of organs at the gap's two boundaries.
     double high = 0;
-    // Difference in azimuth between the two boundaries; above 0, like the other gaps.
+    // Difference in azimuth between the two boundaries; above 0.
     double gap_deg = 360;
-    // Sizes of the boundary before the first one and of the one after the second, and the gaps to
-    // them; the neighbours may be the same two boundaries.
+    // Sizes at the next boundaries around the stem, before `low` and behind `high`, and the gaps to
+    // them, above 0. If there are only two boundaries in all, these are `high` and `low` again.
     double before = low;
     double before_gap_deg = 360;
     double behind = high;

@@ -29,7 +29,7 @@ struct MadeLine {
     std::vector<std::size_t> strokes; // Indices of the line's strokes, in drawing order.
 };
 
-// The part of a composed line that one stroke contributes.
+// One stroke's contribution to a composed line.
 struct Drawn {
     std::size_t stroke = 0;
     Polyline line;
@@ -53,7 +53,7 @@ Polyline run_on_side(Polyline points, StemAxis const& axis, double side)
         = [&](Vec3 const& point) { return axis.place(point.head<2>()).beside * side > 0; };
     bool const is_closed
         = (points.front() - points.back()).norm() < kClosed * polyline_length_mm(points);
-    // A closed stroke is rotated so that no run is divided between its end and beginning.
+    // Rotates the points of a closed stroke, so that its end and beginning do not divide a run.
     if (is_closed) {
         auto const other = std::find_if_not(points.begin(), points.end(), is_there);
         std::rotate(points.begin(), other, points.end());
@@ -72,7 +72,7 @@ Polyline run_on_side(Polyline points, StemAxis const& axis, double side)
     return best;
 }
 
-// Trims the parts of a line's ends that reach over the stem.
+// Trims the ends of a boundary that reach across the stem.
 Polyline on_side(Polyline const& line, StemAxis const& axis, double side)
 {
     auto const is_over
@@ -279,7 +279,8 @@ private:
         bring_together(all);
     }
 
-    // Finds the half that belongs to a line, or to a half on the other side of the stem.
+    // Finds the half line that complements a half on the other side of the stem, or replaces one
+    // half of a whole line.
     static std::vector<Across>::iterator nearest_half(std::vector<Across>& all,
                                                       Across const& across)
     {
@@ -296,8 +297,8 @@ private:
         return nearest;
     }
 
-    // Joins halves on both sides of a place to one line. A half drawn where a whole line exists
-    // replaces that half of it.
+    // Joins two half lines that begin near the same position on opposite sides of the stem. A half
+    // drawn where a whole line exists replaces that half of the line.
     void bring_together(std::vector<Across> all)
     {
         while (!all.empty()) {
@@ -330,7 +331,7 @@ private:
         }
     }
 
-    // One half of a line, ordered from the stem outwards.
+    // Returns one half of an inclination line, ordered from the stem outwards.
     Polyline half_of(Polyline const& line, Across::Reach reach) const
     {
         double const side = reach == Across::Reach::Left ? 1 : -1;
@@ -343,7 +344,8 @@ private:
         return half;
     }
 
-    // Makes a line that crosses the stem once, by replacing repeated crossings by a straight piece.
+    // Makes an inclination line cross the stem only once: repeated crossings become a straight
+    // piece.
     Polyline whole(Across const& across) const
     {
         int changes = 0;
@@ -362,7 +364,7 @@ private:
         return line;
     }
 
-    // Extends a half line slightly beyond the stem, so that it crosses it.
+    // Extends a half line slightly beyond the stem, so that the two cross.
     Polyline from_stem(Across const& half) const
     {
         double const side = half.reach == Across::Reach::Left ? 1 : -1;
@@ -407,7 +409,8 @@ private:
                                          DrawnLine(on_paper(result_.sketch.stem))));
     }
 
-    // Explains why the sketch, without the line `without`, gives no plant; empty if it gives one.
+    // Explains why the sketch, without the inclination line `without`, gives no plant; empty if it
+    // gives one.
     std::string refusal(std::optional<std::size_t> without) const
     {
         auto tried = result_.sketch;
@@ -437,8 +440,8 @@ private:
                 result_.strokes[i] = { .role = Role::Unsure, .reason = reason };
     }
 
-    // Leaves out lines that prevent a plant: first an inclination line without which there is a
-    // plant, or else the newest one; in the end the boundaries.
+    // Leaves out lines until the sketch gives a plant: an inclination line whose removal is enough,
+    // or otherwise the last one; if no inclination line is left, the boundaries.
     void check_lines()
     {
         auto& sketch = result_.sketch;

@@ -14,9 +14,10 @@ namespace tractus::lines {
 
 namespace {
 
-// Number of iterations; each one brings the value closer to its target.
+// Maximum number of iterations; each one brings the edited value closer to its target.
 constexpr int kMaxRounds = 6;
-// Largest distance between an inclination line and its crossing, as a share of the stem's length.
+// A stroke belongs to an inclination line if it passes the line's crossing within this share of the
+// stem's length.
 constexpr double kNearStem = 0.03;
 
 double sign_of(StemSide side)
@@ -37,7 +38,7 @@ Result<DrawnLine> flat_line(SketchLine const& line)
     return DrawnLine(std::move(points));
 }
 
-// Returns the line's stroke with each tip moved on the sheet.
+// Returns the line's stroke with each of its samples moved on the sheet.
 Result<Stroke> moved(SketchLine const& line, std::function<Vec2(Vec2 const& sheet_mm)> const& move)
 {
     auto tips = TRY(line.stroke.tips.in_memory()).vector();
@@ -129,7 +130,7 @@ double size_at(Construction const& construction, double x, StemSide side)
     return side == StemSide::Left ? values.left_size : values.right_size;
 }
 
-// A ray from a place on the stem towards the boundary, along which an organ grows.
+// The direction of an organ: a ray from the stem towards the boundary.
 struct Ray {
     Vec2 from = Vec2::Zero();
     Vec2 way = Vec2::UnitY();
@@ -149,7 +150,8 @@ Ray ray_at(Construction const& of, double x, StemSide side)
     return { stem.at, direction(stem.heading_deg + sign_of(side) * angle_deg) };
 }
 
-// Returns, for each place, how far along the boundary its ray meets it; no value if it misses.
+// Returns, for each of size_places(), the arc length along the boundary at which the organs' ray
+// meets the boundary; no value if the ray misses it.
 std::vector<std::optional<double>> hits(Construction const& of, DrawnLine const& boundary,
                                         StemSide side)
 {
@@ -163,10 +165,10 @@ std::vector<std::optional<double>> hits(Construction const& of, DrawnLine const&
     return found;
 }
 
-// A smooth bump around a place of a line: 1 there, 0 from the neighbouring places on.
+// A smooth weight along a line: 1 at the place that is moved, and 0 from its neighbours on.
 struct Bump {
     double at_mm = 0;
-    double before_mm = 0; // Reach of the bump to both sides.
+    double before_mm = 0; // Distances from `at_mm` at which the bump ends.
     double behind_mm = 0;
 
     double operator()(double place_mm) const
@@ -180,7 +182,7 @@ struct Bump {
 Bump bump_at(std::vector<std::optional<double>> const& places, std::size_t number,
              DrawnLine const& boundary)
 {
-    // Smallest reach of a bump, as a share of the line's length.
+    // Minimum reach of a bump to either side, as a share of the boundary's length.
     constexpr double kMinReach = 0.05;
     double const at = *places[number];
     double before = at;
@@ -203,7 +205,8 @@ SketchLine const* boundary_of(PenSketch const& sketch, StemSide side)
     return found == sketch.lines.rend() ? nullptr : &*found;
 }
 
-// A stem bent about one of its places, by an angle that varies smoothly along it.
+// A stem bent at one of kHeadingPlaces, by an angle that falls smoothly to 0 at the neighbouring
+// places.
 class BentStem {
 public:
     BentStem(DrawnLine stem, std::size_t place, double by_deg)
@@ -251,8 +254,8 @@ private:
     DrawnLine after_;
 };
 
-// The stem with which a line moves when `stem` is bent: `stem` itself, or a stem attached to it
-// that bears the line's stem. No value: the line does not move.
+// Returns the stem with which a line of stem `of` moves when `stem` is bent: `stem` itself, or the
+// stem attached to it that carries `of`. No value: the line does not move.
 std::optional<std::size_t> copied_by(PenSketch const& sketch, std::size_t of, std::size_t stem)
 {
     for (std::size_t steps = 0; steps <= sketch.lines.size(); ++steps) {
@@ -287,7 +290,7 @@ double meets_mm(DrawnLine const& stem, DrawnLine const& line)
 // place where they meet the stem; boundaries bend as the stem does.
 Result<PenSketch> bent_with(PenSketch sketch, std::size_t stem, BentStem const& bent)
 {
-    // Positions along this stem of the feet of attached stems.
+    // Distances along this stem at which attached stems begin, by stem number.
     std::map<std::size_t, double> feet_mm;
     for (auto const& line : sketch.lines)
         if (line.role == Role::Stem && line.parent == stem)
@@ -316,7 +319,7 @@ Result<Construction> construction_of(PenSketch const& sketch)
     return measure_sketch(TRY(line_sketch(sketch)), Missing::Guessed);
 }
 
-// Returns the sketch of the current stem alone, the only one that is bent.
+// Returns the sketch of the current stem alone, whose lines are edited.
 static Result<PenSketch> drawing_in_hand(PenSketch const& whole)
 {
     return sketch_of_stem(whole, TRY(current_stem(whole)));

@@ -19,7 +19,7 @@ constexpr double kGreatestAngle_deg = 175;
 constexpr double kMinSize = 0.01; // Minimum size of organs, as a share of the stem's length.
 constexpr double kGreatestSize = 2;
 
-// A line of a sketch with its new tips.
+// A line of a sketch with its new stroke.
 struct BentLine {
     scene::ItemId line = 0;
     Stroke stroke {};
@@ -35,8 +35,8 @@ Result<Construction> construction_of(PenSketch const& sketch);
 Result<BentLine> with_angle(PenSketch const& whole, std::size_t number, StemSide side,
                             double angle_deg);
 
-// Positions along the stem at which sizes can be set, from below: the inclination lines, and the
-// middle between each two.
+// Positions along the stem at which sizes can be set, from below: at each inclination line, and
+// half-way between neighbouring ones.
 std::vector<double> size_places(Construction const& construction);
 
 // Moves the boundary along the ray of the organs at one of size_places(), so that their size there
@@ -52,8 +52,8 @@ constexpr double kGreatestHeading_deg = 90; // Maximum heading to either side.
 // Bends a stem so that at one of kHeadingPlaces it has the heading `heading_deg` on the sheet,
 // measured from up and positive to the left. The heading at the neighbouring places is unchanged.
 // The sheet bends with the stem: lines cross it where they did and reach as far, and stems attached
-// to it keep their shape. Foot and length are unchanged. Fails with a user error if the line is no
-// stem, or if the sketch would give no plant.
+// to it keep their shape. Foot and length are unchanged. Fails with a user error if the line is not
+// a stem, or if the sketch would give no plant.
 Result<PenSketch> with_heading(PenSketch sketch, scene::ItemId stem, std::size_t place,
                                double heading_deg);
 

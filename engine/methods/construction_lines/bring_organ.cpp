@@ -17,13 +17,14 @@ namespace tractus::lines {
 namespace {
 
 using Box = Eigen::AlignedBox2d;
-// Length of the leaf on the tablet, where there is little room beside a plant.
+// Maximum size of the leaf's sides on the tablet, where there is little room beside a plant.
 constexpr double kLongest_mm = 32;
-// Size of the midrib and section beside the leaf, relative to the leaf.
+// Scale of the midrib and section beside the leaf, relative to the scale of its sides.
 constexpr double kBesideSize = 0.6;
 constexpr double kGap_mm = 4; // Gap between the leaf's lines.
 
-// The lines of a leaf on the tablet: its base at (0, 0), midrib and section to the right of it.
+// The lines of a leaf on the tablet: the leaf's base is at (0, 0), its midrib and section to the
+// right.
 struct Layout {
     struct Line {
         OrganView view = OrganView::Side;
@@ -156,7 +157,7 @@ Vec3 place_beside(PenSketch const& sketch, SheetPlacement const& sheet, OrganFil
     for (auto const& box : boxes)
         all.extend(box);
     auto const own = laid_out(organ).box;
-    // Default if there is no room on the tablet: beside all lines.
+    // Default position if there is no room on the tablet: to the right of all lines.
     Vec2 best_mm(all.max().x() + kGap_mm - own.min().x(), all.min().y() - own.min().y());
     double min_mm = std::numeric_limits<double>::infinity();
     for (double y = tablet.min().y(); y + own.sizes().y() <= tablet.max().y(); y += kStep_mm)

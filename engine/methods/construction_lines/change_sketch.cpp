@@ -73,7 +73,7 @@ void put_sketch(scene::DocumentState& state, FoundSketch found)
 
 void list(scene::Fields& fields, Pattern& pattern)
 {
-    // Names in the order of the enumeration's values.
+    // Names of the patterns, in the order of Pattern::Kind.
     constexpr std::array kPatterns { "distichous", "decussate", "spiral",
                                      "alternate",  "whorled",   "bare" };
     fields.word("pattern", pattern.kind, kPatterns);

@@ -23,13 +23,13 @@ struct SubModel {
     Construction construction; // The measured sketch, with sizes around the stem.
     Pattern pattern {};
     std::vector<LineOrgan> organs {};
-    // Index in the model of each organ's sketch; 0 for other organs.
+    // For each organ, the index of its sketch in the model; 0 for organs that are not sketches.
     std::vector<std::size_t> called {};
     std::vector<LayerOrgans> layers {}; // Organs of all layers, from below.
     OrganSurface leaf {};
-    // Number of surfaces of layers' organs that come before those of this sketch.
+    // Number of organ surfaces in the sketches before this one.
     std::size_t first_surface = 0;
-    std::size_t offset = 0; // Number of functions that come before those of this sketch.
+    std::size_t offset = 0; // Number of functions of the sketches before this one.
     std::size_t steps = 0;  // Derivation steps until the stem and its organs are complete.
     double leaves = 0;      // Number of leaves of the sketch's plant.
 
@@ -42,7 +42,7 @@ struct SubModel {
     }
 };
 
-// The organs of all layers; filled with defaults if no layer differs.
+// Returns the organs of each layer, from below; defaults if no layer differs from the plant.
 std::vector<LayerOrgans> all_layers(Construction const& construction)
 {
     auto layers = construction.organs_per_layer;

@@ -92,7 +92,7 @@ Result<std::optional<double>> side_angle_deg(CrossingLine const& of, Boundaries 
 {
     auto const boundary = seen_on_side(boundaries, side);
     auto const end = boundary ? boundary_point(of, *boundary, side) : std::nullopt;
-    // A boundary in space may also be seen on the other side of the stem.
+    // For a boundary in space this is not an error: it may appear on the other side of the stem.
     if (!end && boundaries.of(side))
         return fail(end.error().fault, end.error().message);
     if (end && *end)
@@ -105,7 +105,8 @@ Result<std::optional<double>> side_angle_deg(CrossingLine const& of, Boundaries 
 
 bool crosses_itself(DrawnLine const& line)
 {
-    constexpr double kLoop = 1e-3; // A smaller loop is only a point where two pieces join.
+    // Minimum size of a loop, as a share of the line's length: below it, two segments merely join.
+    constexpr double kLoop = 1e-3;
     auto const found = crossings(line, line);
     return std::any_of(found.begin(), found.end(), [&](Crossing const& crossing) {
         return std::fabs(crossing.first_mm - crossing.second_mm) > kLoop * line.length_mm();
@@ -155,7 +156,8 @@ Result<Inclination> measure_inclination(DrawnStem const& stem, Boundaries const&
 
 Result<void> check_apart(std::vector<Inclination> const& sorted)
 {
-    // Places closer than this cannot be distinguished with six digits.
+    // Minimum distance between crossings, as a share of the stem: models are written with six
+    // digits.
     constexpr double kClosest = 1e-5;
     for (std::size_t i = 1; i < sorted.size(); ++i)
         if (sorted[i].x - sorted[i - 1].x < kClosest)
@@ -225,8 +227,8 @@ Result<std::vector<Inclination>> measure_inclinations(LineSketch const& sketch,
     return all_along(result[0].left_deg, result[0].right_deg);
 }
 
-// Measures a stem without a boundary, so that no organs have a size; the crossings of its
-// inclination lines are known.
+// Measures a stem without boundaries. Its organs have no size; only the positions of its
+// inclination lines are measured.
 Result<Construction> measure_stem_alone(LineSketch const& sketch, DrawnStem stem)
 {
     std::vector<Inclination> lines;
@@ -334,7 +336,7 @@ bool has_boundary(LineSketch const& sketch)
     return !sketch.left.empty() || !sketch.right.empty() || !sketch.around.empty();
 }
 
-// Measures boundaries that lie on the sheet, which is the only case in the paper.
+// Measures the nodes if all boundaries lie on the sheet, which is the only case in the paper.
 static Result<void> measure_sides(Construction& of, Boundaries const& boundaries)
 {
     auto left = measure_nodes(of, *boundaries.left, Side::Left);
@@ -409,7 +411,8 @@ double size_at(Construction const& construction, std::size_t node, double azimut
         return (1 - right) * sizes.left_size + right * sizes.right_size;
     }
     auto const count = around.size();
-    std::size_t low = count - 1; // Azimuths below the first one are in the last interval, too.
+    // Azimuths below that of the first boundary are in the last interval, too.
+    std::size_t low = count - 1;
     for (std::size_t i = 0; i < count && around[i].azimuth_deg <= azimuth_deg; ++i)
         low = i;
     auto const turn = [](double from_deg, double to_deg) {

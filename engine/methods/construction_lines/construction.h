@@ -18,14 +18,15 @@ namespace tractus::lines {
 // (drawn_line.h).
 struct LineSketch {
     std::vector<Vec3> stem; // Points of the stem, (u, v, depth), base first.
-    // Boundaries; empty if not drawn. A missing one is the mirror image of the other.
+    // Boundaries of the organs on the left and right; empty if not drawn. A missing boundary is
+    // taken as the mirror image of the other.
     std::vector<Vec2> left;
     std::vector<Vec2> right;
-    // Inclination lines in any order. If there are none, two are assumed, at a tenth of the stem
-    // and near its top, with organs at 45 degrees.
+    // Inclination lines in any order. If there are none, two are assumed, at a tenth of the stem's
+    // length and near its top, with organs at 45 degrees.
     std::vector<std::vector<Vec2>> inclinations;
     // Number of nodes of each layer between two neighbouring inclination lines, from below; the
-    // topmost line has one additional node.
+    // topmost line bears one additional node.
     std::vector<int> nodes_per_layer;
     // Number of nodes between each inclination line, in the order of the list, and the next one
     // above it; replaces nodes_per_layer unless empty. The list has a single number if there are

@@ -63,7 +63,7 @@ bool has(LineSketch const& sketch, Role role)
     return !(role == Role::Left ? sketch.left : sketch.right).empty();
 }
 
-// Describes what the stem needs most; empty if nothing is missing.
+// Describes the line that the stem needs most; empty if none is missing.
 std::string what_is_missing(LineSketch const& sketch)
 {
     if (!has_boundary(sketch))
@@ -96,7 +96,7 @@ std::string reason_of(PenSketch sketch)
     return points ? recogniser.add(*points).line.reason : "";
 }
 
-// Describes what the newest line's stem needs most; empty if nothing is missing.
+// Describes the line that the newest line's stem needs most; empty if none is missing.
 std::string what_is_missing(PenSketch const& sketch)
 {
     auto const stem = current_stem(sketch);

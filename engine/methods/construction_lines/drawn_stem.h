@@ -52,7 +52,7 @@ public:
     };
     Course course(double x) const;
 
-    // The largest turn at a point of the polyline.
+    // The largest turn at a point of the polyline, in degrees.
     double sharpest_deg() const { return sharpest_deg_; }
 
 private:
@@ -60,7 +60,7 @@ private:
     std::vector<double> depth_mm_;
     std::vector<double> at_mm_;     // Arc length in space at each point.
     std::vector<double> pitch_deg_; // Pitch at each point.
-    // Integrals of the segments' values from the base to each point.
+    // Integrals of heading and pitch over arc length, from the base to each point.
     std::vector<double> heading_sum_;
     std::vector<double> pitch_sum_;
     double sharpest_deg_ = 0;

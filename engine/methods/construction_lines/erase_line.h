@@ -15,8 +15,8 @@ struct EraseLine {
 };
 
 // Returns the sketch without a line. A stem is deleted with its lines and the stems attached to it.
-// A leaf is deleted with its last side; plain leaves replace it. Fails with a user error if there
-// is no such line, it is the only stem, or the rest gives no plant.
+// A leaf without any side left is deleted and replaced by plain leaves. Fails with a user error if
+// there is no such line, it is the only stem, or the rest gives no plant.
 Result<PenSketch> without_line(PenSketch sketch, scene::ItemId line);
 
 } // namespace tractus::lines

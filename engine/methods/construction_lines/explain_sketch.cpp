@@ -75,7 +75,8 @@ public:
                     = junction_of(lines[i], lines[k], 0.08 * axis_.length_mm()).quality;
     }
 
-    // Improves one stroke after another until the cost does not fall any more.
+    // Chooses the cheapest part for one stroke after another until none changes, at most kMaxPasses
+    // times.
     void settle()
     {
         constexpr int kMaxPasses = 6;
@@ -279,8 +280,9 @@ struct Read {
     double cost = 0;
 };
 
-// Mean lean of the inclination lines: 1 towards the stem's top, -1 towards its foot; 0 without
-// inclination lines.
+// Lean of the inclination lines, positive towards the stem's top: the sum of the cosines of the
+// angles between their halves and the stem, divided by the square root of the number of halves. 0
+// without inclination lines.
 double leaning(std::span<Polyline const> lines, Read const& read, StemAxis const& axis)
 {
     double sum = 0;
@@ -348,7 +350,7 @@ Read read_with(std::span<Polyline const> lines, std::span<StrokeToExplain const>
     return read;
 }
 
-// A reading that differs from this one in the part of one stroke.
+// Returns the cheapest reading that differs from `read` in the part of exactly one stroke.
 std::optional<Read> second_best_roles(std::span<Polyline const> lines,
                                       std::span<StrokeToExplain const> strokes, Read const& read)
 {

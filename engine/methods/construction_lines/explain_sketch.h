@@ -38,7 +38,7 @@ struct ExplainedStroke {
 // An interpretation of all strokes of a sketch with one stem.
 struct Explanation {
     std::vector<ExplainedStroke> strokes; // Interpretation of each stroke.
-    // The sketch of all strokes that have an effect; without numbers of nodes.
+    // The sketch given by all strokes that have an effect; without numbers of nodes.
     LineSketch sketch {};
     // Index of the stroke of each inclination line of the sketch, or of the first of its halves or
     // pieces.

@@ -10,11 +10,11 @@ namespace tractus::lines {
 
 namespace {
 
-// Half-width of a plateau. A table lookup reads the two samples around a place, each off by up to
-// 0.001.
+// Half-width of a plateau, as a share of the stem's length. A table lookup reads the two samples
+// around a position, each off by up to 0.001.
 constexpr double kPlateau = 0.001 + 1.3 / (kFunctionSamples - 1);
 
-// Half-width of the plateau at a node; smaller where nodes are close together.
+// Returns the half-width of the plateau at node `i`; smaller where nodes are close together.
 double plateau_of(std::vector<OrganNode> const& nodes, std::size_t i)
 {
     double half = kPlateau;
@@ -134,8 +134,8 @@ FunctionCurve stem_curve(Construction const& construction, std::string const& na
     return { name, tidy_points(points) };
 }
 
-// Converts an organ's angles to be relative to the turtle's heading; its appearance does not
-// change.
+// Converts an organ's angle and length to be relative to the turtle's heading; the organ's
+// appearance does not change.
 Reach turned_reach(Reach const& organ, double turn_deg, double tangent_pitch_deg, double pitch_deg)
 {
     auto seen = as_projected(organ, tangent_pitch_deg);

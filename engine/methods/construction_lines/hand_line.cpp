@@ -38,7 +38,7 @@ struct Course {
     }
 };
 
-// Fits the course to the points from index `from`, nearest to the end, to index `to`.
+// Fits a course to the points from index `from`, the one nearest to the line's end, to index `to`.
 Course fit_course(std::span<Vec3 const> points, std::size_t from, std::size_t to)
 {
     Course course { .origin = points[from].head<2>(), .along = {}, .polynomial = {} };
@@ -158,7 +158,7 @@ std::vector<Vec3> smoothed(std::span<Vec3 const> points, double spacing_mm, doub
 }
 
 struct Tremor {
-    double rms_mm = 0; // Root mean square deviation across the line.
+    double rms_mm = 0; // Root mean square deviation perpendicular to the line.
     double wavelength_mm = 0;
 };
 

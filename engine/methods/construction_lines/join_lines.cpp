@@ -104,10 +104,11 @@ Polyline rising(Polyline line, StemAxis const& axis)
 
 Polyline merge_correction(Polyline const& line, Polyline const& over, StemAxis const& axis)
 {
-    // Overlap, as a share of the shorter line, up to which two lines are pieces of one.
+    // Overlap along the axis, as a share of the shorter line, up to which two lines are pieces of
+    // one.
     constexpr double kSmallOverlap = 0.35;
-    // A new line replaces an old one beside it if less than this share of the old one is left
-    // outside.
+    // An end of the old line is replaced too if it extends beyond the new line by less than this,
+    // in stem lengths.
     constexpr double kRestatedShare = 0.2;
     double const meets_mm = std::max(0.04 * axis.length_mm(), 2.5);
     auto const old = range_of(line, axis);

@@ -12,7 +12,7 @@ using Polyline = std::vector<Vec3>; // Points of a line, (u, v, depth) in millim
 
 // Quality of the continuation of one line by another.
 struct Junction {
-    double quality = 0; // Quality of the junction, 1: without gap and turn; 0: none at all.
+    double quality = 0; // 1: without gap and turn; 0: the lines do not join.
     bool at_end_of_first = true;
     bool at_end_of_second = false;
 };

@@ -15,9 +15,9 @@ constexpr double kEachSide_mm = 3; // Minimum reach of an inclination line on ea
 // Maximum distance from the stem at which half an inclination line begins.
 constexpr double kFromStem_mm = 5;
 constexpr double kGraze_mm = 10; // Maximum reach of a boundary across the stem.
-// Length up to which a half line may run along the stem, as a share of the stem's length.
+// Length, as a share of the stem's, up to which half an inclination line may have any lean.
 constexpr double kLongHalf = 0.6;
-constexpr double kLeaning_deg = 20; // Minimum lean of longer half lines.
+constexpr double kLeaning_deg = 20; // Minimum lean of longer half lines from the stem.
 constexpr double kBoundary = 0.4;   // Minimum share of the stem along which a boundary runs.
 // Maximum share of the stem along which half an inclination line runs.
 constexpr double kWholeStem = 0.75;
@@ -36,11 +36,12 @@ Lie lie_of(DrawnLine const& stroke, DrawnLine const& stem)
     Lie lie;
     double nearest = stem.length_mm();
     double farthest = 0;
-    double before_mm = 0; // Signed distance of the last point that was clearly on one side.
+    // Signed distance from the stem of the last point that was clearly on one side.
+    double before_mm = 0;
     double left = 0;
     double reach_left_mm = 0;
     double reach_right_mm = 0;
-    bool beside = false; // True if any later point was beside the stem, not beyond its ends.
+    bool beside = false; // True if a point since then was beside the stem, not beyond its ends.
     for (auto const& point : stroke.points()) {
         double const at_mm = stem.nearest_mm(point);
         double const distance_mm = stem.distance_mm(point);

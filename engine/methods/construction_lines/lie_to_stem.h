@@ -11,7 +11,7 @@ struct Lie {
     // Signed distances of the stroke's two ends from the stem, positive on the left.
     double first_mm = 0;
     double last_mm = 0;
-    int crossings = 0;     // Number of side changes beside the stem.
+    int crossings = 0;     // Number of times that the stroke changes sides beside the stem.
     double along = 0;      // Share of the stem beside which the stroke runs.
     double left_share = 0; // Share of the stroke's points on the left.
     // Greatest distance from the stem on the side that has fewer of the stroke's points.
@@ -30,7 +30,7 @@ bool is_boundary(Lie const& lie);
 // True for a boundary in space, provided that the stroke also leaves the sheet.
 bool is_boundary_in_space(Lie const& lie);
 
-// True for half an inclination line; `length` is the stroke's, as a share of the stem's.
+// True for half an inclination line; `length` is the stroke's length as a share of the stem's.
 bool is_half(Lie const& lie, double length);
 
 // True if the stroke runs along most of the stem.

@@ -17,7 +17,7 @@ using scene::name_of; // Gives the name of an item, for messages.
 
 namespace {
 
-// Names in the order of the enumeration's values.
+// Names of the roles, in the order of Role.
 constexpr std::array kRoles {
     "stem", "left", "right", "inclination", "half_inclination", "unsure", "around", "closed_outline"
 };
@@ -68,7 +68,7 @@ Result<scene::DocumentState> begun(scene::DocumentState state, AddLine const& ed
         = TRY(with_line({ .lines = {}, .pattern = edit.pattern, .scale = edit.scale }, stem));
     if (!state.scale)
         state.scale = edit.scale;
-    // The new sheet is as large as the tablet, as for every new plant.
+    // A new plant's sheet has the tablet's scale, so distances on both are equal.
     Vec2 const foot_mm = foot_on_sheet(sketch);
     Vec3 const aside_mm(foot_mm.x() - begin_on_tablet(stem).x(), 0, 0);
     return scene::with_source(std::move(state),

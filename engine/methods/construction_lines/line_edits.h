@@ -50,8 +50,8 @@ struct SetLinePattern {
 
     scene::ItemId plant = 0;
     Pattern pattern {};
-    // Line that owns the layer (see Layer); 0: all layers, whose own patterns are then removed.
-    // Another kind of pattern also replaces the rules.
+    // Line that owns the layer (see Layer); 0: all layers, whose own patterns are then removed. A
+    // new kind of pattern for all layers also removes the user's rules (PenSketch::rules).
     scene::ItemId line = 0;
 };
 

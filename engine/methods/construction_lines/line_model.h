@@ -32,9 +32,9 @@ LineModel write_model(Construction const& measured, Pattern const& pattern,
 
 // Writes the plant of several stems, at least one, with a single set of rules: tables give each
 // stem's position and functions; stems with the same organs share functions. A lateral stem appears
-// with the nodes of its parent, which takes an additional step for it. A stem is no thicker than
-// its parent. If one of the stems has boundaries in space, the sizes of all follow half-ellipses.
-// For a single stem the text is that of the function above.
+// in sequence with its parent's nodes and takes an additional derivation step. A stem is no thicker
+// than its parent. If one of the stems has boundaries in space, the sizes of all follow
+// half-ellipses. For a single stem the text is that of the other write_model().
 //
 // If layers of several stems have different organs, the rules contain the placeholder <leaves> for
 // the rules of organs that are surfaces (composed_model.h); for a single stem, layers are ignored.
@@ -42,8 +42,8 @@ LineModel write_model(std::span<MeasuredStem const> measured, Pattern const& pat
                       std::string const& name);
 
 // Returns the tips of a plant's organs in coordinates of the sketch: (u, v, depth), millimetres, in
-// the plant's order. `plant` is that of the model, at ten times the turtle's unit per millimetre;
-// `construction` is that of its first stem.
+// the plant's order. `plant` is generated from the model, with ten plant millimetres per millimetre
+// of the sheet; `construction` is that of its first stem.
 std::vector<Vec3> organ_tips(Construction const& construction, Plant const& plant);
 
 } // namespace tractus::lines

@@ -34,7 +34,7 @@ constexpr std::array<RuleWord, 9> kRuleWords { {
     { "<taper>", "0.7", "taper[s]", "0.7" },
 } };
 
-// A placeholder for what differs if layers bear different organs.
+// A placeholder for text that depends on whether layers bear different organs.
 struct LayerWord {
     std::string_view word;
     std::string_view alike;
@@ -67,7 +67,7 @@ constexpr std::string_view kApex
 A(<s>x, k, j, i<t>) : k < LAYERS && nodes[<low>k] == 0 --> A(<s>x, k + 1, 0, i<t>)
 )";
 
-// Rules that come before those that make nodes.
+// Rules for lateral stems, before the rules that make nodes.
 constexpr std::string_view kBearing = R"(/* Stem t stands on stem s below its next node y. */
 A(s, x, k, j, i, t) :
     {
@@ -147,7 +147,7 @@ W(<s>x, i, j<z>) : <any>
 // Rule for layers that bear leaves.
 constexpr std::string_view kLeaves = "Q(<s>z, h) : organ[z] == 0 --> ~l(LEN * h)\n<leaves>";
 
-// Rules for sizes that follow half-ellipses: each organ has its own.
+// Rules for sizes that follow half-ellipses: each organ has its own size.
 constexpr std::string_view kDecussateAround
     = R"(/* Pairs of organs: left and right, then behind and in front. */
 B(<s>x, i<z>) : <and>floor(i / 2) * 2 == i

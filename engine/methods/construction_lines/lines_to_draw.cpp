@@ -14,7 +14,7 @@ using Line = std::vector<Vec2>;
 
 constexpr std::array kSides { 1.0, -1.0 }; // Signs of the left and the right side of the stem.
 
-// A curve from the stem's foot to its top, farthest from the stem in the middle.
+// Returns a curve from the stem's foot to its top, farthest from the stem in the middle.
 Line bow_beside(DrawnLine const& stem, double side)
 {
     constexpr int kPieces = 16;
@@ -29,11 +29,11 @@ Line bow_beside(DrawnLine const& stem, double side)
     return bow;
 }
 
-// A line across the stem, straight to the boundary on each side; a boundary may be missing.
+// Returns a line across the stem, straight to the boundary on each side; a boundary may be missing.
 Line across(DrawnLine const& stem, std::array<Line, 2> const& boundaries,
             Inclination const& inclination)
 {
-    // Length of a half without a boundary, as a share of the stem's length.
+    // Length of half an inclination line without a boundary, as a share of the stem's length.
     constexpr double kElse = 0.2;
     double const at_mm = inclination.x * stem.length_mm();
     Vec2 const foot = stem.point(at_mm);

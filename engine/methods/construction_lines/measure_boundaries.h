@@ -13,7 +13,7 @@
 namespace tractus::lines {
 
 // Returns a line's points without repeated ones. Fails with a user error, saying what to draw, if
-// there are fewer than two, or if the line is far away.
+// fewer than two are left, or if a point is farther away than kFarthest_mm.
 template<typename Point>
 Result<std::vector<Point>> line_points(std::vector<Point> const& points, std::string const& name,
                                        char const* what_to_draw)

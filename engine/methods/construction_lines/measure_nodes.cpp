@@ -69,7 +69,7 @@ std::vector<SideNode> measure_nodes(Construction const& of, DrawnLine const& bou
 std::vector<SideNode> measure_nodes(Construction const& of, std::span<Vec3 const> boundary,
                                     double azimuth_deg)
 {
-    // Weight of the right side's angle; angles vary linearly with the azimuth.
+    // Weight of the right side's angle against the left's; angles vary linearly with the azimuth.
     double const right = 1 - std::fabs(azimuth_deg / 180 - 1);
     std::vector<SideNode> nodes;
     for (auto const& node : of.nodes) {

@@ -33,7 +33,7 @@ std::string array_text(char const* name, std::vector<double> const& values)
 double longest_piece(DrawnStem const& stem)
 {
     constexpr int kSteps = 100;
-    // Turn within a hundredth of the stem above which it counts as curved.
+    // A stem counts as curved if it turns by more than this within a hundredth of its length.
     constexpr double kCurved_deg = 2;
     constexpr double kCorner_deg = 5;
     if (stem.sharpest_deg() > kCorner_deg)

@@ -29,7 +29,7 @@ double longest_piece(DrawnStem const& stem);
 // The properties of a stem that the rules use (line_rules.h), as expressions in cpfg's language.
 struct StemDefinitions {
     std::string length;
-    char const* of = ""; // Names the stem of this length, for a comment in the model.
+    char const* of = ""; // Words for a comment in the model that say which stem has this length.
     std::string width;
     std::string layers;
     double longest_piece = 0;
@@ -43,7 +43,7 @@ std::string definitions_text(StemDefinitions const& stem, Pattern const& pattern
 // occur only on the left and right; those of these two sides if sizes are to follow half-ellipses.
 Construction with_sizes_around(Construction construction, Pattern const& pattern);
 
-// The azimuths of a construction, followed by the first one plus 360 degrees.
+// Azimuths of a construction's boundaries, followed by the first one plus 360 degrees.
 std::vector<double> azimuths_of(Construction const& construction);
 
 // Number of derivation steps that make the nodes of a stem: one per node, and one for each layer

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMaxOrgans = kMaxSurfaces;
 
-// Names in the order of the enumerations' values.
+// Names of the views and colours, in the order of OrganView and OrganColor.
 constexpr std::array kViews { "side", "midrib", "section" };
 constexpr std::array kColors { "leaf",   "white", "yellow", "pink",
                                "violet", "red",   "brown",  "picture" };

@@ -20,7 +20,7 @@ struct OrganFile {
     std::shared_ptr<std::string const> picture {}; // A PNG file, see OrganSurface::picture.
 };
 
-// Parses a colour "#rrggbb". Fails with a user error for other text.
+// Parses a colour "#rrggbb" (hexadecimal). Fails with a user error for other text.
 Result<Vec3> parse_color(std::string_view text);
 
 // Reads text in this format, in millimetres as in OrganViews; -- begins a comment:

@@ -126,7 +126,7 @@ Result<Sides> place_sides(OrganViews const& views)
     return sides;
 }
 
-// Completes the view with both boundaries, each from base to tip.
+// Adds a missing boundary and directs the right one like the left one, from base to tip.
 OrganViews with_both(OrganViews views)
 {
     if (views.left.empty())
@@ -203,7 +203,7 @@ Result<std::vector<BezierPatch>> organ_surface(OrganViews const& drawn)
     auto const sides = TRY(place_sides(views));
     auto const midrib = TRY(heights_of(views.midrib, kAlong, "midrib"));
     auto const section = spline(TRY(heights_of(views.section, kAcross, "section")));
-    Points heights; // Width of the organ and height of its midrib at each place.
+    Points heights; // Width of the organ and height of its midrib, at equal steps from base to tip.
     for (std::size_t i = 0; i < midrib.size(); ++i)
         heights.emplace_back((sides.right[i] - sides.left[i]).norm(),
                              midrib[i].y() * sides.length_mm);

@@ -53,10 +53,10 @@ struct OrganSurface {
 // midrib and section give a flat organ. All four lines are cubic splines through evenly spaced
 // points of those drawn, so the patches represent the surface exactly.
 //
-// In millimetres, with the middle of the two bases at the origin, that of the tips on y, x to the
-// right, and z out of the upper side. s of a patch is along the organ, t from left to right;
-// patches are listed row by row, kAcross in each. Fails with a user error if the views give no
-// surface.
+// In millimetres, with the midpoint of the two bases at the origin, the midpoint of the tips on the
+// y axis, x to the right, and z out of the upper side. s of a patch is along the organ, t from left
+// to right; patches are listed row by row, kAcross in each. Fails with a user error if the views
+// give no surface.
 Result<std::vector<BezierPatch>> organ_surface(OrganViews const& views);
 
 constexpr int kAlong = 12; // Number of patches of an organ's surface from base to tip.

@@ -23,7 +23,7 @@ char letter_of_surface(std::size_t number)
     return kLetters[number];
 }
 
-// Materials of layers' surfaces come first, followed by those of leaves.
+// Returns the material of a surface: those of layers' organs come first, then those of leaves.
 std::size_t material_of_surface(std::size_t number)
 {
     return kLeafMaterial + 1 + number;

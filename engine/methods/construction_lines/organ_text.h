@@ -20,12 +20,12 @@ namespace tractus::lines {
 std::string format_surface(std::vector<BezierPatch> const& patches);
 
 // Replaces the leaves with this letter in the rules by a surface. The file is named after the
-// model, with _organ.s, where the letter follows _organ unless it is l.
+// model: MODEL_organ.s for the letter l, MODEL_organ_a.s for a, and so on.
 void put_leaf(LineModel& model, OrganSurface const& surface, char letter);
 
 // Adds flat surfaces of the shape of the plain blades in the view, for cpfg, which does not support
-// blades: if a view has both, tractus draws the blades. The files are named after the model, with
-// _leaf.s, where the letter follows _leaf unless it is l.
+// blades: if a view has both, tractus draws the blades. The files are named after the model:
+// MODEL_leaf.s for the letter l, MODEL_leaf_a.s for a, and so on.
 void add_blade_surfaces(LineModel& model);
 
 std::size_t count_surfaces(std::span<LineOrgan const> organs);
@@ -37,7 +37,7 @@ std::string surface_rules(std::span<LineOrgan const> organs, std::size_t before,
 
 // Adds the surfaces of organs to the model: their files, named after the model with _organ_1.s and
 // so on, and their entries in the view. Fails with a user error if there are more than
-// kMostSurfaces.
+// kMaxSurfaces.
 Result<void> add_surfaces(LineModel& model, std::span<LineOrgan const> organs, std::size_t before);
 
 } // namespace tractus::lines

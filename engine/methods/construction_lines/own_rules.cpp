@@ -41,7 +41,7 @@ std::size_t behind_blanks(std::string_view text, std::size_t at)
     return std::min(text.find_first_not_of(" \t", at), text.size());
 }
 
-// Finds the value of "array NAME[N] = {...}", from the bracket on.
+// Finds the value of "array NAME[N] = {...}": the text after NAME, from "[" to "}".
 void add_array(std::vector<Value>& values, std::string_view text, std::size_t word)
 {
     auto const name = behind_blanks(text, word + std::string_view("array").size());
@@ -73,7 +73,7 @@ void add_steps(std::vector<Value>& values, std::string_view text, std::size_t wo
     values.push_back({ std::string(kSteps), begin, behind_word(text, begin) });
 }
 
-// Finds all values in a text, in order.
+// Finds all values in a model's text, in order.
 std::vector<Value> values_in(std::string_view text)
 {
     std::vector<Value> values;

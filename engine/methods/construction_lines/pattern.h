@@ -17,16 +17,16 @@ struct Pattern {
         Bare, // A stem without organs.
     };
 
-    // Law of the sizes around the stem between left and right. Between boundaries in space they
-    // follow half-ellipses in any case.
+    // How organ size varies around the stem between its left and right side. Between boundaries in
+    // space it always follows half-ellipses.
     enum class Sizes {
         Linear, // Linear in the azimuth, as in the paper.
         HalfEllipses,
     };
 
-    // Rotation of an organ about its own length.
+    // Rotation of an organ about its long axis.
     enum class Face {
-        Pattern, // Orientation by pattern: flat for Distichous, otherwise with the upper side up.
+        Pattern, // Depends on the pattern: Flat for Distichous, otherwise Up.
         Flat,    // Flat: edges towards the stem's foot and top, as in a frond.
         Up,      // Organs with their upper side towards the stem's top.
         Down,    // Organs with their upper side towards the stem's foot.
@@ -44,8 +44,8 @@ struct Pattern {
 // Name of the pattern, in lower case.
 std::string name_of(Pattern::Kind kind);
 
-// Rotation of the organs about their length, in degrees from flat, in the turtle's sense of
-// rolling.
+// Rotation of the organs about their long axes, in degrees from Face::Flat, in the turtle's sense
+// of rolling.
 double roll_deg(Pattern const& pattern);
 
 // Number of organs at a node.

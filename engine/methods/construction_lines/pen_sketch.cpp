@@ -294,7 +294,7 @@ std::size_t organ_number(PenSketch const& sketch, scene::ItemId organ)
         : static_cast<std::size_t>(found - sketch.organs.begin()) + 1;
 }
 
-// Layers of a sketch of one stem.
+// Returns the layers of a sketch that has a single stem.
 static Result<std::vector<Layer>> layers_of_one(PenSketch const& sketch)
 {
     auto const reading = TRY(read_pen_sketch(sketch));

@@ -22,14 +22,14 @@ namespace tractus::lines {
 // applies to both sides, and a single inclination line to the whole stem; without any, organs lean
 // by 45 degrees. Lines with an unknown role have no effect.
 //
-// It may have several stems, each with lines of its own; a stem without a boundary has the organs
-// of another (several_stems.h). Functions below that concern one stem say so.
+// A sketch may have several stems, each with lines of its own; a stem without a boundary has the
+// organs of another (several_stems.h). Functions below that concern one stem say so.
 struct PenSketch {
-    // Lines in drawing order, at least the stem; a line drawn again takes the place of the earlier
-    // one.
+    // Lines in drawing order, at least the stem; a redrawn line takes the place of the earlier one.
     std::vector<SketchLine> lines;
     Pattern pattern {};
-    double scale = 0.1; // World millimetres per plant millimetre for lines whose sheet has size 1.
+    // World millimetres per plant millimetre, for lines with SheetPlacement::size 1.
+    double scale = 0.1;
     // The organs that layers may use, in the order in which they were added.
     std::vector<SketchOrgan> organs {};
     scene::ItemId organ = 0; // The organ of the whole plant; 0: plain leaves.
@@ -53,9 +53,9 @@ Result<PenSketch> with_line(PenSketch sketch, SketchLine line);
 // Returns the sketch with another stem: attached to the stem on which it begins, or separate.
 Result<PenSketch> with_stem(PenSketch sketch, SketchLine line);
 
-// Returns the sketch with a user-assigned role for a line. The line of the same stem that had this
-// role becomes Unsure, except for inclination lines, of which there can be many. Fails with a user
-// error if there is no such line, no stem would be left, or the sketch would give no plant.
+// Returns the sketch with a user-assigned role for a line. If the role is Stem, Left or Right, the
+// line of the same stem that had it becomes Unsure. Fails with a user error if there is no such
+// line, no stem would be left, or the sketch would give no plant.
 Result<PenSketch> with_role(PenSketch sketch, scene::ItemId line, Role role);
 
 // Returns the sketch with another stroke for a line, drawn on the same sheet. Fails with a user
@@ -71,8 +71,8 @@ Result<PenSketch> with_line_turned(PenSketch sketch, scene::ItemId line);
 enum class Unit { Sheet, Plant };
 Result<std::vector<StemLines>> stem_sketches(PenSketch const& sketch, Unit unit = Unit::Sheet);
 
-// Returns the current stem, whose lines are edited next: the stem drawn last, or that of the newest
-// line; if it takes its organs from another stem, that one.
+// Returns the current stem, whose lines are edited next: the stem drawn last, or the stem of the
+// newest line. If that stem takes its organs from another one, returns the other stem.
 Result<std::size_t> current_stem(PenSketch const& sketch);
 
 // Returns a sketch of one of the stems alone.
@@ -110,8 +110,8 @@ struct Layer {
 // Returns the layers of the current stem, from below; at least one.
 Result<std::vector<Layer>> layers_of(PenSketch const& sketch);
 
-// Returns the layer beside a point on the sheet, of the nearest stem that has lines of its own;
-// beyond all layers the nearest one.
+// Returns the layer beside a point on the sheet, for the nearest stem that has lines of its own;
+// for a point beyond all layers, the nearest layer.
 Result<Layer> layer_at(PenSketch const& sketch, Vec2 const& place_mm);
 
 // Returns the line nearest to a point on the sheet, if one is within 15 mm.

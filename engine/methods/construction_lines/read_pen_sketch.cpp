@@ -7,7 +7,7 @@ namespace tractus::lines {
 
 namespace {
 
-// Organs of the layer above a line.
+// Returns the organs of the layer above an inclination line.
 LayerOrgans organs_above(PenSketch const& sketch, SketchLine const& line)
 {
     return { .pattern = line.pattern,

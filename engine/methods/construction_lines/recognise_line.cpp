@@ -93,7 +93,7 @@ std::vector<Vec2> line_of(Half const& half, Half const& other)
     return line;
 }
 
-// Joins halves on both sides of the same place.
+// Joins half inclination lines that begin at the same place on opposite sides of the stem.
 template<typename Line>
 void join(std::vector<Half> halves, DrawnLine const& stem, std::vector<Line>& lines)
 {
@@ -113,7 +113,7 @@ void join(std::vector<Half> halves, DrawnLine const& stem, std::vector<Line>& li
     }
 }
 
-// Trims the parts of a boundary's ends that reach over the stem.
+// Trims the ends of a boundary that reach across the stem.
 std::vector<Vec2> on_side(std::vector<Vec2> line, DrawnLine const& stem, double side)
 {
     auto const is_over = [&](Vec2 const& point) { return stem.distance_mm(point) * side < 0; };

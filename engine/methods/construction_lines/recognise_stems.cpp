@@ -6,7 +6,7 @@ namespace tractus::lines {
 
 namespace {
 
-// Quality of a stroke's fit to a stem, the best first. A stroke along the whole stem is its
+// How well a stroke fits a stem, the best first. A stroke along the whole of a stem is that stem's
 // boundary, even if it crosses another stem.
 enum class Rank { DrawnAgain, AlongStem, AtStem, OpenSide, TakenSide, Unknown };
 

@@ -20,8 +20,9 @@ struct KnownLine {
 };
 
 // Finds the roles of strokes in a sketch that may have several stems. Each stem has a
-// LineRecogniser, and a stroke belongs to the nearest stem for which it has a meaning: one on which
-// it redraws a line, one that it crosses or begins at, or else one that lacks such a boundary.
+// LineRecogniser, and a stroke belongs to the nearest stem for which it has a role: preferably one
+// of whose lines it is a redrawing, then one that it crosses or begins at, then one without a
+// boundary on the stroke's side.
 class StemRecogniser {
 public:
     // Advance knowledge about a stroke: nothing, that it is another stem, or that its depth is used

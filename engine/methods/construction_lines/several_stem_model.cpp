@@ -20,22 +20,22 @@ namespace {
 
 constexpr double kLengthByWidth = 60; // Ratio of a stem's length to its diameter at the foot.
 constexpr double kTaper = 0.7;        // Share of its diameter that a stem loses towards its top.
-// Share of the diameter lost by a stem that bears other stems on its top.
+// Share of its diameter that a stem loses towards its top if other stems are attached there.
 constexpr double kForked = 0.4;
 
 // A stem as numbered in the model: the stems attached to the same parent are consecutive, from
 // below.
 struct ModelStem {
     MeasuredStem const* of = nullptr;
-    std::size_t drawn = 0;         // Number of the stem in the sketch.
-    std::size_t parent = 0;        // Number, in the model, of the parent stem.
-    std::size_t first_borne = 0;   // Number, in the model, of the first stem attached to this stem.
-    std::size_t borne = 0;         // Number of stems attached to this stem.
-    double width_cm = 0;           // Diameter of the stem at its foot.
-    double taper = kTaper;         // Share of the diameter that the stem loses towards its top.
-    std::size_t low = 0;           // Offset of the stem's lines among the lines of all stems.
+    std::size_t drawn = 0;       // Number of the stem in the sketch.
+    std::size_t parent = 0;      // Number, in the model, of the parent stem.
+    std::size_t first_borne = 0; // Number, in the model, of the first stem attached to this stem.
+    std::size_t borne = 0;       // Number of stems attached to this stem.
+    double width_cm = 0;         // Diameter of the stem at its foot.
+    double taper = kTaper;       // Share of the diameter that the stem loses towards its top.
+    std::size_t low = 0;         // Offset of the stem's inclination lines among those of all stems.
     std::size_t own_functions = 0; // Number of functions before the stem's heading function.
-    // Number of functions before those of the stem's organs, minus two.
+    // Number of functions before those of the stem's organs, minus two: rules count these from 3.
     std::size_t organ_functions = 0;
     // Offset of the azimuths of the stem's boundaries among those of all stems.
     std::size_t first_azimuth = 0;
@@ -146,7 +146,7 @@ std::size_t count_steps(std::vector<ModelStem> const& stems)
     return last;
 }
 
-// Writes arrays of numbers that are indexed by the stem's number.
+// Writes tables of the model: arrays of numbers, most of them indexed by the stem's number.
 class Tables {
 public:
     void add(char const* name, std::vector<double> const& values, char const* meaning)
@@ -170,7 +170,7 @@ std::vector<double> of_each(std::vector<ModelStem> const& stems, Read const& rea
     return values;
 }
 
-// The lines of all stems in sequence; stems with equal lines share them.
+// The inclination lines of all stems in sequence; stems with the same lines share them.
 struct Lines {
     std::vector<double> azimuths; // Azimuths of boundaries, if sizes follow half-ellipses.
     std::vector<double> at;

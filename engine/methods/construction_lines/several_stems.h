@@ -16,7 +16,7 @@ namespace tractus::lines {
 struct StemLines {
     LineSketch sketch {};
     // Number of the parent stem, which comes earlier: this stem is a lateral axis of it, or a fork
-    // if it is attached at its top. Without a value it stands beside the first one.
+    // if it is attached at its top. No value: a separate stem beside the first one.
     std::optional<std::size_t> parent {};
 };
 
@@ -35,13 +35,15 @@ struct MeasuredStem {
 // earlier stem's foot, where stems of a clump begin.
 std::optional<std::size_t> parent_at(std::span<StemLines const> stems, Vec2 const& foot_mm);
 
-// Returns, for each stem, the one whose lines define its organs: itself if it has a boundary, else
-// its parent, or if that has none the first stem with a boundary; itself if no stem has one.
+// Returns, for each stem, the one whose lines define its organs: itself if it has a boundary or no
+// stem has one; otherwise the source of its parent; without a parent, the first stem with a
+// boundary.
 std::vector<std::size_t> function_sources(std::span<StemLines const> stems);
 
 // Measures the stems of a plant, at least one; for a single stem like measure_sketch(). A stem
 // without a boundary has the nodes and organs of its function source (function_sources()), scaled
-// to its own length. A lateral stem is moved to its parent at its foot; a fork is not.
+// to its own length. The foot of an attached stem is moved onto its parent, while its top keeps its
+// place on the sheet.
 //
 // Fails like measure_sketch(), with the name of the stem.
 Result<std::vector<MeasuredStem>> measure_stems(std::vector<StemLines> stems,

@@ -15,7 +15,7 @@ namespace tractus::lines {
 
 // Placement of a sketch's sheet (drawn_line.h) on the tablet, which represents upright paper
 // (paper.h): a tablet position (x, y) is at offset + size * (x, y) on the sheet. While a plant is
-// displayed at the scale at which its stem was drawn, both are the same.
+// displayed at the scale at which its stem was drawn, sheet and tablet coordinates are the same.
 struct SheetPlacement {
     Vec2 offset_mm = Vec2::Zero();
     double size = 1; // Millimetres of the sheet per millimetre of the tablet; above 0.
@@ -26,9 +26,10 @@ struct SheetPlacement {
 
 // Source of a line's depth.
 enum class DepthBy {
-    StemsHeight, // The surface's height, for stems only; all other lines are on the sheet.
-    Height,      // The surface's height, also for boundaries, see Role::Around.
-    Pressure,    // The pen's pressure, for stems only, if there is no height sensor.
+    // The surface's height, for stems only; all other lines count as flat on the sheet.
+    StemsHeight,
+    Height,   // The surface's height, also for boundaries, see Role::Around.
+    Pressure, // The pen's pressure, for stems only, if there is no height sensor.
 };
 
 // Method of finding the roles of lines.
@@ -52,10 +53,10 @@ struct SketchLine {
     std::optional<std::size_t> parent {}; // Parent of a stem, see StemLines.
     DepthBy depth_by = DepthBy::StemsHeight;
     // Height of the surface that corresponds to depth 0: the height at which the line's stem
-    // begins, mm on the tablet. No value if the line lies on the sheet or is a stem.
+    // begins, mm. No value if the line lies on the sheet or is a stem.
     std::optional<double> level_mm {};
-    // Pattern and organ of the layer whose nodes are stored here; organ 0 for plain leaves.
-    // Default: those of the plant.
+    // Pattern and organ of the layer whose number of nodes this line stores; organ 0: plain leaves.
+    // Default: pattern and organ of the plant.
     std::optional<Pattern> pattern {};
     std::optional<scene::ItemId> organ {};
     // Method of reading the line. A sketch is read together if this is Together for all of its
@@ -69,10 +70,10 @@ struct SketchLine {
 // Returns the points of a line on the sheet, (u, v, depth), with tremor removed (capture_line.h;
 // for Reading::Together clean_hand_line(), which also removes hooks). Depth from height is 0 if the
 // surface has moved by less than a twentieth of the line's length; otherwise it is the height above
-// pen-down, or above `level_mm` if the line has one. Depth from pressure: a stem comes towards the
-// viewer by half of its length on the sheet if the pressure exceeds that at its base by the full
-// range. Pressure is averaged over a twentieth of the stem, and at its ends, where it is
-// unreliable, that at a twentieth from the end is used. Returns at least two points, no two
+// that at pen-down, or above `level_mm` if the line has one. Depth from pressure: a stem comes
+// towards the viewer by half of its length on the sheet if the pressure exceeds that at its base by
+// the full range. Pressure is averaged over a twentieth of the stem, and at its ends, where it is
+// unreliable, the pressure at a twentieth from the end is used. Returns at least two points, no two
 // neighbours coinciding on the sheet. Fails with a user error if the line is a dot.
 Result<std::vector<Vec3>> points_on_sheet(SketchLine const& line);
 

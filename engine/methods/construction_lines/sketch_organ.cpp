@@ -29,8 +29,8 @@ Vec2 middle(Line const& line)
     return sum / static_cast<double>(line.size());
 }
 
-// Signed distance of a line's middle from the line through base and tip, times their distance;
-// positive on the left.
+// Signed distance of a line's middle from the straight line through base and tip, times the
+// distance between base and tip; positive on the left.
 double leftwards(Line const& line, Vec2 const& base, Vec2 const& tip)
 {
     Vec2 const way = tip - base;
@@ -63,8 +63,8 @@ Result<DrawnSides> sides_of(SketchOrgan const& organ)
     return sides;
 }
 
-// Returns a side view of the leaf: positions along the chord between its ends, and heights above
-// it.
+// Returns the leaf's midrib or section: positions along the chord between its ends, and heights
+// above the chord.
 Result<Line> view_of(SketchOrgan const& organ, OrganView view)
 {
     auto const found

@@ -20,8 +20,8 @@ enum class OrganView {
     Section, // Section seen from the front.
 };
 
-// Colour of a drawn leaf. Picture means the colours of its picture, or those of Leaf if it has none
-// yet.
+// Colour of a drawn leaf. Picture: the colours of the leaf's picture, or those of Leaf while there
+// is no picture.
 enum class OrganColor { Leaf, White, Yellow, Pink, Violet, Red, Brown, Picture };
 
 // Red, green and blue of a colour, from 0 to 1. nearest_color() is the inverse and never returns
@@ -48,9 +48,9 @@ struct SketchOrgan {
     std::shared_ptr<PenSketch const> sketch {};
 };
 
-// Returns the leaf with one more line. A side replaces the existing side that it is next to; a
-// midrib or section replaces the existing one. Fails with a user error if the line is a dot, or the
-// lines give no surface.
+// Returns the leaf with one more line. A new side replaces the nearest existing side; a midrib or
+// section replaces the existing one. Fails with a user error if the line is a dot, or the lines
+// give no surface.
 Result<SketchOrgan> with_organ_line(SketchOrgan organ, SketchOrgan::Line line);
 
 // Returns the views of a leaf with tremor removed. Left and right sides are distinguished by

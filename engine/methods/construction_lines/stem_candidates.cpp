@@ -125,7 +125,7 @@ CorrectedStem corrected_stem(StemCandidate const& stem, std::span<Polyline const
         }
         result.strokes.insert(result.strokes.end(), each.strokes.begin(), each.strokes.end());
     }
-    // The line has small jumps where its pieces meet.
+    // Smooths the small jumps where the line's pieces meet.
     if (result.strokes.size() > 1 && is_drawn_by_hand(result.line))
         result.line = remove_tremor(result.line);
     return result;

@@ -36,8 +36,8 @@ double seen_length_mm(std::span<Vec3 const> stem)
     return sum;
 }
 
-// Points within this distance of the axis count as on it, so that tremor causes no crossings. On
-// short stems it is a fixed length on the sheet.
+// Distance from the axis, in stem lengths, within which points count as on it, so that tremor
+// causes no crossings. On short stems it is a fixed length on the sheet.
 double side_margin(double stem_mm)
 {
     return std::max(0.012, 0.8 / stem_mm);
@@ -72,7 +72,7 @@ double half_cost(StrokePosition const& lie, double stem_mm)
         return kImpossible;
     // Angle of the half line above the perpendicular to the stem.
     double const rise_deg = degrees(std::atan2(far.along - near.along, out - gap));
-    // Term for a stroke that returns to the stem.
+    // The term with reach() penalises a stroke that returns towards the stem.
     return 0.1 + 0.35 * ramp(gap, 0.5 * most_gap, most_gap)
         + 1.5 * ramp(gap, most_gap, 2 * most_gap) + 0.8 * ramp(over, 0.03, 0.08)
         + 1.0 * ramp(rise_deg, 60, 78) + 0.9 * ramp(rise_deg, -20, -55)
@@ -137,8 +137,8 @@ double small_piece(StrokePosition const& lie)
     return ramp(lie.highest - lie.lowest, 0.15, 0.05);
 }
 
-// Share of the stroke's length that runs along the axis, counted where it is farther from the axis
-// than half its maximum distance.
+// Share of the stroke's length that runs along the axis, counted only where the stroke is farther
+// from the axis than half its maximum distance.
 static double run_outside(StrokePosition const& lie)
 {
     double run = 0;

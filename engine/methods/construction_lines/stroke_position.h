@@ -51,8 +51,8 @@ struct StrokePosition {
     // Value of `run` for the part of the stroke that is more than half as far from the axis as its
     // farthest point.
     double run_outside = 0;
-    double climb = 0;    // Difference along the axis between the stroke's last and first point.
-    double lean_deg = 0; // Angle between the stroke's chord and the axis there, 0 to 90.
+    double climb = 0; // Position along the axis of the stroke's last point minus that of its first.
+    double lean_deg = 0; // Angle between the stroke's chord and the axis beside it, 0 to 90.
     // Positions on the axis at which the stroke changes sides, ignoring tremor.
     std::vector<double> crossings;
 

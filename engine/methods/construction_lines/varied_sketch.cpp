@@ -11,9 +11,9 @@ namespace tractus::lines {
 
 namespace {
 
-// Amplitude of the bend as a share of the stem's length, for a spread of 1.
+// Amplitude of the sheet's deformation, as a share of the stem's length, for a spread of 1.
 constexpr double kBend = 0.04;
-// Change of a layer's number of nodes, as a share, for a spread of 1.
+// Standard deviation of a layer's number of nodes, as a share of it, for a spread of 1.
 constexpr double kNodes = 0.1;
 constexpr std::size_t kWaves = 4;
 
@@ -25,7 +25,7 @@ public:
         : from_mm_(from_mm)
         , length_mm_(length_mm)
     {
-        constexpr double kMin = 0.3; // Range of the number of waves along the stem.
+        constexpr double kMin = 0.3; // Range of the number of wavelengths per stem length.
         constexpr double kMax = 1.1;
         double const each = amplitude * length_mm / std::sqrt(kWaves / 2.0);
         for (auto& wave : waves_) {

@@ -6,8 +6,8 @@ namespace tractus::lines {
 
 // Varies a sketch as if drawn by another hand: the sheet is deformed in long waves by a
 // twenty-fifth of the stem's length for spread 1, with the stem's base fixed. So lines still cross
-// each other, and organs reach as far as their boundaries. Layers have up to a tenth more or fewer
-// nodes. The mean over many variations is the original sketch.
+// each other, and organs reach as far as their boundaries. A layer's number of nodes varies by a
+// tenth of it (standard deviation). The mean over many variations is the original sketch.
 PenSketch varied_sketch(PenSketch sketch, scene::SourceVariation const& variation);
 
 } // namespace tractus::lines

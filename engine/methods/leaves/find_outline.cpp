@@ -48,7 +48,7 @@ std::size_t end_without_overshoot(FlatLine const& line)
 // Two lines whose ends meet, and the area that they enclose.
 struct Loop {
     std::size_t first = 0;
-    // Index of the other line, one end of which may lie outside: a midrib with its stalk.
+    // Index of the other line, which may extend beyond the loop: a midrib with its stalk.
     std::size_t second = 0;
     double area = 0;
     bool ends_meet = false;

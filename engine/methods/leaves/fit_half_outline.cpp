@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    // The weights of the control points in a point of the curve.
+    // Weights with which the control points determine a point of the curve.
     struct Shares {
         std::size_t first = 0;
         std::array<double, 4> of {}; // Weights of the control points from `first` on.
@@ -264,7 +264,7 @@ std::vector<HalfOutline::Point> fit_half_outline(FlatLine const& half, double to
         stops.insert(corner);
         stops.is_corner[stops.count() - 2] = true;
     }
-    // A half with a single span would be a straight line, so it gets a middle point.
+    // A half outline with a single span would be a straight line, so it gets a middle point.
     for (std::size_t span = 0; span + 1 < stops.count(); ++span)
         if (stops.count() == 2)
             stops.insert(kSamples / 2);
@@ -280,7 +280,8 @@ std::vector<HalfOutline::Point> fit_half_outline(FlatLine const& half, double to
 
 std::optional<FlatLine> mean_half(FlatLine const& a, FlatLine const& b, double window)
 {
-    // Largest distance between the halves, as a share of the length of the line or of the blade.
+    // Largest distance between corresponding corners of the two halves, in units of the blade's
+    // length.
     constexpr double kMaxApart = 0.06;
     auto const one = evenly(a, kSamples);
     auto const other = evenly(b, kSamples);

@@ -9,9 +9,10 @@
 namespace tractus::leaf {
 
 // Fits a half outline as drawn, from (0, 0) to (0, 1) with x positive to its own side: the fewest
-// points for which the curve through them (HalfOutline) has a mean distance of at most `tolerance`
-// in each span. A point is a corner if the line breaks there by 50 degrees or more and no smooth
-// curve fits. `window` is the length over which a corner can be told from tremor.
+// points for which the curve through them (HalfOutline) has a root mean square distance of at most
+// `tolerance` from the drawing in each span. A point is a corner if the line breaks there by 50
+// degrees or more and no smooth curve fits. `window` is the length over which a corner can be
+// distinguished from tremor.
 std::vector<HalfOutline::Point> fit_half_outline(FlatLine const& half, double tolerance,
                                                  double window);
 

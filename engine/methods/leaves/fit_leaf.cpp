@@ -11,7 +11,7 @@ namespace tractus::leaf {
 
 namespace {
 
-// X coordinates, from left to right, where a horizontal line crosses a closed line.
+// X coordinates, from left to right, at which a closed line crosses the height y.
 std::vector<double> crossings(FlatLine const& ring, double y)
 {
     std::vector<double> found;
@@ -74,7 +74,8 @@ DrawnLeaf::Half rounded_half(DrawnLeaf::Half half)
 // Fits one outline to both halves if they hardly differ, otherwise one to each.
 void fit_outline(FlatBlade const& blade, LeafFit& fit)
 {
-    // Largest asymmetry of halves that count as equal, in addition to the effect of tremor.
+    // Largest LeafFit::asymmetry of halves that count as equal, in addition to the effect of
+    // tremor.
     constexpr double kEqual = 0.04;
     constexpr double kMaxAside_mm = 1;
     double const tremor = fit.tremor_mm / blade.size_mm;
@@ -157,7 +158,8 @@ double overlap_of(FlatLine const& a, FlatLine const& b)
 double overlap_with_drawing(RecognisedLeaf const& drawn, LeafFit const& fit,
                             FlatLine const& derived)
 {
-    // A blade that bends up and down has a little less area than when it is laid flat.
+    // Minimum share of the drawn area that counts as all of it: flattening a bent blade changes its
+    // area a little.
     constexpr double kWhole = 0.9;
     double const overlap = overlap_of(derived, fit.outline);
     if (drawn.edge == RecognisedLeaf::Edge::OneHalf || drawn.outline.empty())
@@ -174,7 +176,8 @@ double overlap_with_drawing(RecognisedLeaf const& drawn, LeafFit const& fit,
 Result<LeafFit> fit_leaf(RecognisedLeaf const& drawn)
 {
     constexpr double kMinStalk = 0.02;
-    constexpr double kUsualStalk = 0.06; // Length of the stalk if none is drawn.
+    // Length of the stalk if none is drawn, as a share of the blade's.
+    constexpr double kUsualStalk = 0.06;
     auto const blade = TRY(lay_flat(drawn));
     LeafFit fit;
     double const tremor = tremor_of(blade);

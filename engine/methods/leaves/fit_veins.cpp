@@ -13,7 +13,7 @@ namespace tractus::leaf {
 
 namespace {
 
-// Smallest distance between knots of a main vein; a knot has length 0.008.
+// Smallest distance between knots, as a share of the main vein's length; a knot is 0.008 long.
 constexpr double kMinGap = 0.012;
 constexpr double kLastKnot = 0.985;
 constexpr std::size_t kMaxKnots = 70;
@@ -27,7 +27,7 @@ struct LineFit {
     double turn_deg = 0;           // Turn of the parabola from end to end, positive to the right.
     double length = 0;
     double square_error = 0; // Sum of squared distances of the points from the parabola.
-    double freedom = 0;      // Number of independent errors in that sum.
+    double freedom = 0;      // Number of independent errors in `square_error`.
 };
 
 LineFit fit_line(FlatLine const& line)
@@ -99,7 +99,7 @@ struct SideLine {
     double at = 0;
     // Angle between the vein's straight line and its parent's direction, positive.
     double angle_deg = 0;
-    double noise_deg = 0; // Standard error of that angle from tremor.
+    double noise_deg = 0; // Standard error of `angle_deg` due to tremor.
     // Turn of the vein from beginning to end, positive towards the parent's end.
     double turn_deg = 0;
     double length = 0;
@@ -139,7 +139,8 @@ private:
     void find_hub()
     {
         constexpr double kMin = 0.012;
-        // Maximum length of the hub; beyond it, the limb would follow the outline past the hub.
+        // Maximum length of the hub; on a longer one, the limb would follow the outline past the
+        // hub.
         constexpr double kMax = 0.016;
         if (blade_.mains.size() < 2)
             return;
@@ -156,7 +157,7 @@ private:
         return degrees(tremor_ / length * std::sqrt(12 / independent));
     }
 
-    // Standard error of a line's turn from tremor: the height of the parabola is an eighth of the
+    // Standard error of a line's turn due to tremor: the parabola's height is an eighth of the
     // turn.
     double turn_noise_deg(double length) const { return 4 * noise_deg(length); }
 
@@ -181,7 +182,7 @@ private:
         auto const& main = mains_[parent];
         auto const fit = fit_line(line);
         SideLine made { .parent = parent, .length = fit.length };
-        // The chord of a bent parent is accurate enough to find the place on it.
+        // The chord of a bent parent is accurate enough to locate the vein on the parent.
         Vec2 const chord = direction_of(main.angle_deg + 0.5 * main.curve_deg);
         Vec2 const from = line.front() - main.begin;
         double const along = from.dot(chord) / main.length;
@@ -198,8 +199,8 @@ private:
         return made;
     }
 
-    // Fits a common law for the curvature of all side veins, linear in their place on the parent,
-    // if they are curved at all.
+    // Fits a common law for the curvature of all side veins, linear in their position on the
+    // parent, if they are curved at all.
     void find_curve()
     {
         constexpr double kMinTurn = 5;
@@ -235,8 +236,9 @@ private:
     // of its own measurement and a linear law over all veins of the parent.
     void steady_angles(std::size_t parent)
     {
-        constexpr double kFree_deg = 6; // Standard deviation of angles if there are few veins.
-        // Usual standard deviation of an angle if there are many veins.
+        // Assumed standard deviation of angles if there are few veins.
+        constexpr double kFree_deg = 6;
+        // Maximum standard deviation of angles if there are many veins.
         constexpr double kOwn_deg = 1.5;
         constexpr std::size_t kEnough = 6;
         std::vector<SideLine*> group;

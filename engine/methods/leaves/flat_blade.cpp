@@ -105,10 +105,11 @@ std::optional<double> first_on_ring(FlatLine const& ring, Vec2 const& from, Vec2
     return found;
 }
 
-// Returns where a line from inside a closed one leaves it, or would leave it if extended.
+// Returns where a line from inside a closed one leaves it, or would if extended, as a fractional
+// index of the closed line's points.
 double exit_of(FlatLine const& ring, FlatLine const& outwards)
 {
-    // Greatest part of the midrib's length by which it may be too short.
+    // Maximum extension of the line, as a share of its length: a midrib may be drawn too short.
     constexpr double kMax = 0.15;
     double const length = length_of(outwards);
     auto const last_inside = std::find_if(outwards.rbegin(), outwards.rend(),
@@ -135,7 +136,8 @@ double turn_at(FlatLine const& ring, std::size_t i, std::size_t reach)
     return degrees(std::atan2(cross(before, behind), before.dot(behind)));
 }
 
-// Finds a pointed tip near the midrib's end: the midrib was probably meant to end there.
+// Returns the index of a pointed tip near the midrib's exit, where the midrib was probably meant to
+// end; `exit` if there is none.
 double tip_beside(FlatLine const& ring, double exit, double extent)
 {
     constexpr double kMinTurn = 40;
@@ -194,7 +196,7 @@ public:
             blade.right.push_back(flat(at));
         for (auto const& at : left_)
             blade.left.push_back(flat(at));
-        // A left half is mirrored to the right, together with its veins.
+        // A single half outline on the left is mirrored to the right, together with its veins.
         bool const mirrors = left_.empty() && area_of(blade.right) < 0;
         mirror_ = mirrors ? -1 : 1;
         if (mirrors)
@@ -355,7 +357,7 @@ private:
     Bow<4> above_;
     double rise_ = 0;
     SpaceLine curve_;           // The midrib's curve in the blade's frame.
-    std::vector<double> along_; // Arc length at each point of that curve.
+    std::vector<double> along_; // Arc length at each point of `curve_`.
     double size_ = 0;
     double mirror_ = 1;
 };

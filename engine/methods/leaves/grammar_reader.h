@@ -26,7 +26,7 @@ std::optional<EdgeLabel> edge_of(std::string_view word);
 // State shared by the parsers of directives and rules: the text, the grammar so far, and the names
 // used in the text, which can be checked only at its end.
 struct GrammarReader {
-    // An edge that a face must have and, if a rule says so, along which it must be splittable.
+    // An edge that a face must have. If `splits`, the face must also be splittable parallel to it.
     struct EdgeUse {
         char face;
         EdgeLabel edge;

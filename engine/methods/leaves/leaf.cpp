@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMaxEdges = 9'999; // Largest number of edges of a face.
 constexpr std::size_t kMaxDarts = 2'000'000;
-// Limit on the work for one leaf, which takes a few seconds.
+// Maximum number of darts visited for one leaf, which takes a few seconds.
 constexpr std::size_t kMaxWork = 500'000'000;
 
 Vec3 unit_or_x(Vec3 const& v)
@@ -88,7 +88,7 @@ tl::unexpected<Error> Leaf::fail_at(TextPlace const& place, std::string const& w
                             step_, what));
 }
 
-// Fails if the derivation takes unreasonably long.
+// Counts `work` visited darts. Fails if the derivation takes unreasonably long.
 Result<void> Leaf::spend(std::size_t work)
 {
     work_ += work;
@@ -116,8 +116,8 @@ Result<Attributes> Leaf::attributes_of(char face, Fields const& fields, TextPlac
     return attributes;
 }
 
-// Placement of a child face on an edge. Its edge O runs opposite to the parent's edge, its x axis
-// points away from the parent, and its z axis follows the parent's.
+// Placement of a child face on an edge. The child's edge O runs opposite to the parent's edge, its
+// x axis points away from the parent, and its z axis follows the parent's.
 Leaf::Stand Leaf::stand_on(Dart edge, Shape shape) const
 {
     auto const& parent = faces_[static_cast<std::size_t>(map_.face(edge))];
@@ -262,7 +262,7 @@ void Leaf::pose(Attributes& attributes, std::optional<Dart> on)
     }
 }
 
-// Distance of a face's start from the outline in the face's direction.
+// Returns the distance from a face's start to the outline in the face's direction.
 Result<double> Leaf::reach(Stand const& start, std::size_t blade)
 {
     if (blades_.empty())
@@ -275,8 +275,8 @@ Result<double> Leaf::reach(Stand const& start, std::size_t blade)
     return on.scale * outline_.reach(from, way);
 }
 
-// Order of a vein on an edge. A vein that continues another one at its end, or begins at a hub, has
-// the same order.
+// Returns the order of a vein that begins on an edge. A vein that continues its parent at the end,
+// or begins at a hub, has the parent's order.
 int Leaf::order_on(std::optional<Dart> edge) const
 {
     if (!edge)
@@ -287,7 +287,7 @@ int Leaf::order_on(std::optional<Dart> edge) const
     return goes_on ? parent.order : parent.order + 1;
 }
 
-// The vein along a face; no value for a face without an extremity edge.
+// Returns the vein along a face; no value for a face without an extremity edge.
 std::optional<Leaf::Vein> Leaf::vein_of(Face const& face) const
 {
     auto const half_width
@@ -335,8 +335,8 @@ void Leaf::run(std::vector<Statement> const& block)
     }
 }
 
-// Applies a rule to a face; returns false if it does not match. While it runs, its local names and
-// the face's attributes have values.
+// Applies a rule to a face; returns false if it does not match. While the rule runs, its local
+// names and the face's attributes have values.
 Result<bool> Leaf::apply(Rule const& rule, FaceId face)
 {
     auto const& attributes = faces_[static_cast<std::size_t>(face)].attributes;

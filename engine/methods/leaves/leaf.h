@@ -15,9 +15,9 @@
 
 namespace tractus::leaf {
 
-// Derivation of a grammar: a leaf's veins as a 2-G-map of faces, and the limb between them.
-// The x axis points along the first face, y to its left and z out of its upper side; the origin is
-// the middle of its edge O. Lengths are in the grammar's unit.
+// Derivation of a grammar: a leaf's veins as a 2-G-map of faces, and the limb between them. The x
+// axis points along the first face, y to its left and z out of its upper side; the origin is the
+// middle of the first face's edge O. Lengths are in the grammar's unit.
 class Leaf {
 public:
     // Additional deformation of the blade in space. Angles are in degrees, distributed over the
@@ -103,7 +103,7 @@ private:
         int order = 1;        // Branching order of the vein to which the face belongs.
         std::size_t blade = 0;
     };
-    // Position of an outline in the flat leaf; it begins at the end of a petiole.
+    // Position in the flat leaf of an outline, which begins at the end of a petiole.
     struct Blade {
         Vec2 base = Vec2::Zero();
         Vec2 axis = Vec2::UnitY(); // Direction of the outline's y axis.
@@ -160,13 +160,14 @@ private:
     Grammar const* grammar_;
     LeafMap map_;
     std::vector<Face> faces_;
-    std::vector<double> values_; // Values of names by index; NaN: no value yet.
+    std::vector<double> values_; // Values of the grammar's names by index; NaN: no value yet.
     // Variables hidden by attributes of the same name while a rule is applied.
     std::map<std::size_t, double> hidden_;
     Random random_;
     Outline outline_;
     Pose pose_;
-    Random unevenness_; // Random stream of its own, so that a pose does not change the flat leaf.
+    // Random stream of Pose::uneven_deg, separate so that a pose does not change the flat leaf.
+    Random unevenness_;
     std::vector<Blade> blades_;
     int step_ = 0;
     std::size_t work_ = 0; // Number of darts visited so far, as a measure of the work.

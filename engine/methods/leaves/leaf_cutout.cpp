@@ -64,7 +64,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points)
                 hull.pop_back();
             hull.push_back(point);
         }
-        hull.pop_back(); // The point is removed, because the other half begins with it.
+        hull.pop_back(); // Removes the last point, with which the other half begins.
         if (half == 0)
             std::ranges::reverse(points);
     }
@@ -96,7 +96,7 @@ private:
     Vec2 const& corner(std::size_t i) const { return corners_[i % corners_.size()]; }
 
     struct Bay {
-        std::size_t behind = 0; // Index of the corner before the bay.
+        std::size_t behind = 0; // Index of the polygon's corner before the bay.
         Vec2 at = Vec2::Zero();
         double area = 0;
     };
@@ -138,7 +138,7 @@ private:
         return seen;
     }
 
-    // Finds the largest triangle on a side that contains nothing of the leaf.
+    // Finds the largest triangle without any part of the leaf, on a side of the polygon.
     std::optional<Bay> bay_on(std::size_t i) const
     {
         Vec2 const& a = corner(i);
@@ -146,8 +146,8 @@ private:
         double const length = (b - a).norm();
         auto seen = seen_from(a, b);
         std::ranges::sort(seen, std::ranges::greater(), &Seen::from_start);
-        // Points are visited in the order of their angle at the side's start; at its end, the angle
-        // must stay above those of all visited points.
+        // Points are visited in ascending order of their angle at the side's start. The triangle's
+        // angle at the side's end must not exceed that of any visited point.
         double steepest = -std::numeric_limits<double>::infinity();
         Bay best { .behind = i };
         for (auto const& [from_start, from_end] : seen) {
@@ -177,7 +177,7 @@ private:
     }
 
     // Removes a side: the one whose neighbours, when extended, meet with the smallest added area.
-    // Their intersection replaces it.
+    // That intersection replaces the side.
     bool leave_side_out()
     {
         std::optional<Bay> best;

@@ -18,8 +18,9 @@ public:
     static constexpr std::size_t kStep = 0;
     static constexpr std::size_t kFinalStep = 1;
     static constexpr std::size_t kAge = 2;
-    static constexpr std::size_t kBlade = 3; // Size of the outlines that begin from here on.
-    // Amount of variation between leaves: Leaf::Options.
+    // Index of `blade`: size of the outlines that begin later.
+    static constexpr std::size_t kBlade = 3;
+    // Index of `variation`: amount of variation between leaves (Leaf::Options).
     static constexpr std::size_t kVariation = 4;
 
     std::size_t number_of(std::string_view name);
@@ -96,7 +97,7 @@ public:
 
     bool empty() const { return operations.empty(); }
 
-    // Evaluates the expression. `values` is indexed by name; NaN is a name without a value. The
+    // Evaluates the expression. `values` is indexed by name; NaN marks a name without a value. The
     // result can be infinite or NaN; the caller must check it.
     double value(std::span<double const> values, Random& random) const;
 

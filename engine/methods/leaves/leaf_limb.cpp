@@ -24,7 +24,7 @@ Result<void> Leaf::fill()
     for (std::size_t i = 0; i < border.size(); ++i)
         if (map_.label(border[i]) == EdgeLabel::Extremity)
             tips.push_back(i);
-    // With a base, the end of the stalk counts as a tip on both sides.
+    // With #base in the grammar, the end of the stalk counts as a tip on both sides.
     if (grammar_->has_base && !tips.empty()) {
         tips.insert(tips.begin(), 0);
         tips.push_back(border.size());
@@ -101,7 +101,8 @@ bool Leaf::is_along_outline(std::span<Dart const> way) const
 void Leaf::add_margin(std::span<Dart const> way, std::vector<Vertex>& corners,
                       std::vector<EdgeLabel>& labels)
 {
-    // Tolerance as a share of the blade's length, because tips have a width.
+    // Maximum distance of tips from the outline, as a share of the blade's length: tips have a
+    // width.
     constexpr double kTolerance = 0.03;
     auto const& line = outline_.line();
     if (line.empty())
@@ -137,7 +138,7 @@ void Leaf::add_limb_face(std::span<Dart const> way, Margin margin)
     if (margin == Margin::Outline)
         add_margin(way, corners, labels);
     corners.push_back(map_.vertex(LeafMap::a0(way.back())));
-    // Nothing is filled, because a single edge and its chord enclose no area.
+    // A single edge and its chord enclose no area, so there is nothing to fill.
     if (corners.size() + way.size() < 4)
         return;
     auto const closing = static_cast<Dart>(labels.size());

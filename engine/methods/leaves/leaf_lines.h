@@ -8,8 +8,8 @@
 namespace tractus::leaf {
 
 // The lines of the leaf built from a sketch: the closed outline, then each vein, on the paper as
-// (x, y, depth) in millimetres (drawing_of()). Fails with a user error if the lines are no leaf
-// yet, and like build_leaf().
+// (x, y, depth) in millimetres (drawing_of()). Fails with a user error if the lines do not form a
+// leaf yet, and like build_leaf().
 Result<std::vector<std::vector<Vec3>>> lines_of_leaf(LeafSketch const& sketch);
 
 } // namespace tractus::leaf

@@ -48,7 +48,7 @@ Vertex LeafMap::add_vertex(Vec3 const& position, Vec2 const& flat)
     return static_cast<Vertex>(positions_.size() - 1);
 }
 
-// Adds an isolated edge with free sides.
+// Adds an isolated edge, not sewn to any other.
 Dart LeafMap::add_edge(Vertex start, Vertex end, FaceId face, EdgeLabel label)
 {
     auto const first = static_cast<Dart>(dart_count());

@@ -86,7 +86,7 @@ public:
     void sew(Dart d, Dart e);
     // Sews two edges whose end points already coincide.
     void sew_in_place(Dart d, Dart e);
-    // Separates the edge of d into two edges.
+    // Separates the sewn edge of d into two free edges.
     void unsew(Dart d);
 
     // Splits the edge of d, which may be sewn, at `share` of its length from d. d keeps its vertex;
@@ -99,7 +99,7 @@ public:
     // its face. Returns the start dart of the new edge in `far`.
     Dart insert_edge(Dart e1, Dart e2, FaceId far, EdgeLabel near_label, EdgeLabel far_label);
 
-    // Removes all darts from this one on, that is, the most recently added faces.
+    // Removes all darts from this number on, that is, the most recently added faces.
     void truncate(std::size_t dart_count);
 
     // The start darts of a face's edges, counter-clockwise, beginning with d's edge.

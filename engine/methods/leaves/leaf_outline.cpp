@@ -11,7 +11,8 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr int kPerSpan = 10; // Number of points of the line for each span of the outline.
+// Number of points of the line for each span between two points of the half outline.
+constexpr int kPerSpan = 10;
 
 // A Catmull-Rom curve; at corners its tangent points towards the next point.
 std::vector<Vec2> curve_through(std::vector<HalfOutline::Point> const& points)
@@ -208,8 +209,8 @@ double Outline::span(Place const& from, Place const& to) const
                                  : to.along - from.along + static_cast<double>(line_.size());
 }
 
-// True if the way from one place to another is forward. A way longer than kMax of the line counts
-// as a step back.
+// True if the outline leads forward from one place to another. A part of more than kMax of its
+// points counts as a step back.
 bool Outline::is_forward(Place const& from, Place const& to) const
 {
     constexpr double kMax = 0.7;
@@ -232,7 +233,8 @@ std::vector<Vec2> Outline::between(Vec2 const& from, Vec2 const& to, double tole
         return made;
     for (double i = std::floor(a.along) + 1; i < a.along + span(a, b); ++i)
         made.push_back(line_[static_cast<std::size_t>(i) % line_.size()]);
-    double const least = 1e-6; // Points at the ends themselves would cause edges of zero length.
+    // Minimum distance of points from the two ends, to avoid edges of length 0.
+    double const least = 1e-6;
     std::erase_if(made, [&](Vec2 const& point) {
         return (point - from).norm() < least || (point - to).norm() < least;
     });

@@ -52,15 +52,15 @@ public:
     bool empty() const { return line_.empty(); }
     std::vector<Vec2> const& line() const { return line_; }
 
-    // Distance from a point to the outline in a direction; 0 if it does not meet the outline.
+    // Distance from a point to the outline in a direction; 0 if the ray misses the outline.
     double reach(Vec2 const& from, Vec2 const& direction) const;
 
     // The outline's points between `from` and `to`, counter-clockwise. Empty if either is farther
-    // than `tolerance` from the outline, or if the way is more than half the way around.
+    // than `tolerance` from the outline, or if this part is more than 0.7 of the outline's points.
     std::vector<Vec2> between(Vec2 const& from, Vec2 const& to, double tolerance) const;
 
-    // True if the way along the outline from `from` to `to`, counter-clockwise, is at most half of
-    // the outline.
+    // True if the part of the outline from `from` to `to`, counter-clockwise, is at most 0.7 of its
+    // points.
     bool goes_forward(Vec2 const& from, Vec2 const& to) const;
 
 private:

@@ -97,7 +97,7 @@ struct ColorRow {
     }
 };
 
-// Age of each pixel in a row, by the law of age_at().
+// Returns the age of each pixel in a row, by the law of age_at().
 Row ages(double age, Row const& closeness, Row const& mask, PaintOptions const& options)
 {
     auto const veins = static_cast<float>(options.near_veins);
@@ -366,7 +366,7 @@ private:
         });
     }
 
-    // Delay of ageing for each pixel, 0 to 1.
+    // Returns the delay of ageing, 0 to 1, for each pixel of a row of a tile.
     Row masks(int column, int y) const
     {
         Row const patches = smooth(Row(1.6f * sample(patches_, column, y) - 0.3f));
@@ -501,7 +501,7 @@ private:
     int side_;
     VeinMaps veins_;
     std::size_t count_;           // Number of pixels of the picture.
-    std::array<Vec3f, 3> colors_; // Young, old and dead colour, linear.
+    std::array<Vec3f, 3> colors_; // Young, old and dead colour, linear RGB.
     Noise patches_;
     Noise mottle_;
     Noise mildew_;

@@ -34,9 +34,9 @@ struct PaintOptions {
     enum class First { NearVeins, BetweenVeins }; // The places that age first.
     First first = First::NearVeins;
     double near_veins = 0.8; // Strength with which ageing depends on the distance from veins.
-    double noise = 0.5;      // Strength with which the noise masks delay ageing.
-    // Share of the distance from the tip in the masks, 0 to 1; the rest is noise. At 1 the tip ages
-    // first.
+    double noise = 0.5;      // Strength with which noise (and `tip`) delays ageing.
+    // Weight, 0 to 1, of the distance from the tip in the delay of ageing; the rest is noise. At 1
+    // the tip ages first.
     double tip = 0;
     double spots = 0;  // Share of the leaf with brown spots, 0 to 1.
     double mildew = 0; // Share of the leaf with white mildew, 0 to 1.

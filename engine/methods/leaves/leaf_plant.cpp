@@ -17,7 +17,7 @@
 #include <utility>
 
 // This file builds the plant of a leaf sketch: polygons on a stalk, or stems along the lines if
-// they are not a leaf yet.
+// these do not form a leaf yet.
 namespace tractus::leaf {
 
 namespace {
@@ -101,7 +101,7 @@ Result<std::unique_ptr<DerivedLeaf const>> derived(LeafSketch const& sketch, Dra
     return made;
 }
 
-// The vertex nearest to a place in the flat leaf.
+// Returns the position in space of the vertex nearest to a place in the flat leaf.
 Vec3 vertex_at(LeafTriangles const& leaf, Vec2 const& flat)
 {
     auto const nearest = std::ranges::min_element(
@@ -109,7 +109,7 @@ Vec3 vertex_at(LeafTriangles const& leaf, Vec2 const& flat)
     return leaf.positions[static_cast<std::size_t>(nearest - leaf.flat.begin())];
 }
 
-// Frame with y along the leaf and z out of its upper side.
+// Returns a frame with y along the leaf and z out of its upper side.
 Eigen::Matrix3d frame_of(Vec3 const& along, Vec3 const& up)
 {
     Vec3 const y = along.normalized();

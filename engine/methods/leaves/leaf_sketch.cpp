@@ -54,8 +54,8 @@ double mean_distance(Points const& from, Points const& to)
     return sum / static_cast<double>(from.size());
 }
 
-// Makes depths relative to the line's start, because lines are redrawn at other heights, and thins
-// out the points of the pen.
+// Makes depths relative to the line's start, because a line may be redrawn at another height of the
+// surface, and thins out its points.
 Points from_its_begin(Points const& line)
 {
     constexpr std::size_t kMaxPoints = 500;
@@ -68,7 +68,7 @@ Points from_its_begin(Points const& line)
     return made;
 }
 
-// True if the centre of one closed line is inside the other.
+// True if the centre of one closed line is inside the other one.
 bool lie_on_each_other(Points const& line, Points const& other)
 {
     auto const flat = [](Points const& of) {

@@ -53,7 +53,7 @@ struct LeafRecognition {
 
 // A leaf drawn on an upright sheet of paper (engine/scene/paper.h); the source of a plant. Depth
 // towards the viewer is the surface's height relative to the beginning of the first line. It gives
-// a plant at every stage: lines that are no leaf yet become stems.
+// a plant at every stage: lines that do not form a leaf yet become stems.
 struct LeafSketch {
     static scene::SourceKind const kKind;
 
@@ -70,8 +70,8 @@ struct LeafSketch {
 // The sketch's lines on the paper, (x, y, depth) in millimetres.
 Result<LeafDrawing> drawing_of(LeafSketch const& sketch);
 
-// Position of the plant's base on the paper: below its lowest point. Fails if the pen data cannot
-// be read.
+// Position of the plant's base on the paper: the lowest point of its lines. Fails if the pen data
+// cannot be read.
 Result<Vec2> foot_of(LeafSketch const& sketch);
 
 // Recognises a sketch. A closed line without a midrib gets one from where the pen began to the
@@ -80,9 +80,9 @@ Result<Vec2> foot_of(LeafSketch const& sketch);
 // like recognise_leaf() and fit_leaf().
 Result<LeafRecognition> recognise_leaf_sketch(LeafSketch const& sketch);
 
-// Adds a line, replacing the one that it redraws: a closed line replaces a closed one that contains
-// it or that it contains; any other line replaces one that it follows within 2.5 mm. Fails with a
-// user error for a dot, or for more than 200 lines.
+// Adds a line, replacing the one that it redraws: a closed line replaces a closed line if one of
+// them contains the other's centre; an open line replaces an open one that it follows within 2.5
+// mm. Fails with a user error for a dot, or for more than 200 lines.
 Result<LeafSketch> with_line(LeafSketch sketch, LeafLine line);
 
 // Removes a line. Fails with a user error if there is no such line, or if it is the last one.
@@ -92,7 +92,7 @@ Result<LeafSketch> without_line(LeafSketch sketch, scene::ItemId line);
 std::optional<DrawnLeaf> adjusted_leaf(LeafSketch const& sketch);
 
 // The leaf as a grammar's text, for use on plants and for editing (print_grammar()). Fails with a
-// user error if the lines are no leaf yet.
+// user error if the lines do not form a leaf yet.
 Result<std::string> grammar_text(LeafSketch const& sketch, std::string const& title);
 
 // Builds the plant: as large as drawn when shown at its scale, with foot_of() at the origin. The

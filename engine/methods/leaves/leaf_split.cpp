@@ -34,7 +34,8 @@ std::optional<EdgeLabel> Leaf::opposite(FaceId face, EdgeLabel label) const
 // middle is reused, so that neighbours that are split alike share it.
 Dart Leaf::end_of_first_half(std::vector<Dart> const& chain)
 {
-    constexpr double kNear = 0.05; // Tolerance as a share of the side's length.
+    // Maximum distance from the middle, as a share of the side's length.
+    constexpr double kNear = 0.05;
     std::vector<double> lengths;
     double whole = 0;
     for (auto const d : chain) {
@@ -63,8 +64,8 @@ Dart Leaf::end_of_first_half(std::vector<Dart> const& chain)
     return LeafMap::a0(chain.front());
 }
 
-// Splits a face: the two sides next to the edge are cut in half and a new edge joins the cuts.
-// Returns false if the face cannot be split.
+// Splits a face: the two sides next to the rule's edge are cut in half, and a new edge joins the
+// cuts. Returns false if the face cannot be split.
 Result<bool> Leaf::split(Splitting const& splitting, FaceId face, TextPlace const& place)
 {
     auto const near_label = opposite(face, splitting.edge);
@@ -114,8 +115,8 @@ Result<bool> Leaf::split(Splitting const& splitting, FaceId face, TextPlace cons
     return true;
 }
 
-// Start of the border: the axiom's edge O or, if something has grown on it, the first edge of the
-// border in order of creation.
+// Returns the start of the border: the axiom's edge O or, if a face has grown on it, the border's
+// first edge in order of creation.
 Dart Leaf::border_start() const
 {
     for (auto const d : map_.cycle(faces_.front().first))

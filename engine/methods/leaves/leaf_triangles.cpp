@@ -86,7 +86,7 @@ private:
         // True for a reflex corner, which may lie inside other corners' ears.
         bool is_hollow = false;
     };
-    // Special values in shapes_: the corner is no ear, or it has been cut.
+    // Special values in shapes_: the corner is not an ear, or has already been cut.
     static constexpr double kNoEar = -1;
     static constexpr double kCut = -2;
 
@@ -185,7 +185,7 @@ private:
     }
 
     std::vector<Corner> ring_;
-    // Quality of each corner's triangle: area divided by the longest side.
+    // Quality of each corner's triangle: twice its area divided by the square of its longest side.
     std::vector<double> shapes_;
     std::vector<Vec2> hollows_;
     LeafTriangles const& leaf_;

@@ -95,7 +95,8 @@ private:
         return !is_spared(at);
     }
 
-    // Returns a random place on the leaf, or the place on the margin in a random direction from it.
+    // Returns a random position on the leaf, or that at which a random direction from there meets
+    // the margin.
     Vec2 find_start(Random& random) const
     {
         Vec2 at(0, 0);
@@ -108,7 +109,7 @@ private:
         return at;
     }
 
-    // Moves straight ahead, or with the least turn that veins allow. Returns false if all
+    // Moves a larva straight ahead, or with the least turn that veins allow. Returns false if all
     // directions are blocked.
     bool move(Vec2& at, double& heading, double radius, bool must_stay) const
     {

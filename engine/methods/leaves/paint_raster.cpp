@@ -25,7 +25,7 @@ void TileGrid::find(std::span<float const> coverage, int side)
 {
     side_ = side;
     columns_ = (side + TileGrid::kTile - 1) / TileGrid::kTile;
-    // Number of blocks in a row, with a margin of one block on both sides.
+    // Number of blocks in a row of the picture, with a margin of one block on both sides.
     auto const blocks = pixels(columns_ * kBlocks) + 2;
     blocks_.assign(blocks * blocks, 0);
     for (int y = 0; y < side; ++y) {
@@ -63,7 +63,7 @@ void CoverageRaster::add_triangle(Vec2 const& a, Vec2 const& b, Vec2 const& c)
 
 void CoverageRaster::finish(std::vector<float>& coverage) const
 {
-    constexpr double kRounding = 1e-3; // Sums within this distance of 0 or 1 are rounded.
+    constexpr double kRounding = 1e-3; // Coverage sums within this distance of 0 or 1 are rounded.
     coverage.resize(pixels(side_) * pixels(side_));
     auto* to = coverage.data();
     for (int y = 0; y < side_; ++y) {

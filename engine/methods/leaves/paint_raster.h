@@ -63,7 +63,7 @@ struct VeinMaps {
     std::vector<float>& profile;  // Profile V: 1 in the middle of a vein, 0 beside it.
     // Protection P: 1 where a vein is spared, fading beside it; 0 far away.
     std::vector<float>& protection;
-    std::vector<std::uint8_t>& order; // Order of the vein that V belongs to; 9: none.
+    std::vector<std::uint8_t>& order; // Order of the vein to which the profile belongs; 9: none.
 };
 
 struct VeinMapOptions {

@@ -9,8 +9,7 @@ namespace tractus::leaf {
 
 namespace {
 
-// Names of faces for main veins, other than the midrib, that bear side veins; P is for those
-// without.
+// Face letters of main veins, other than the midrib, that have side veins; P is for those without.
 constexpr std::string_view kBearingFaces = "QTVWXYZABDFGIJ";
 constexpr char kPlainFace = 'P';
 constexpr double kKnot = 0.008; // Length of a knot, as a share of the blade's length.
@@ -67,7 +66,7 @@ private:
     bool has_hub() const { return leaf_.mains.size() > 1; }
     bool is_curved() const { return leaf_.side_curve_deg != 0 || leaf_.side_curve_at_tip_deg != 0; }
 
-    // Replaces @, which would end the comment, and line ends.
+    // Replaces @, which would end the comment, and line ends by blanks.
     static std::string without_signs(std::string title)
     {
         std::ranges::replace_if(
@@ -286,7 +285,7 @@ private:
             is_plain ? "" : fmt::format("share{}", main), side);
     }
 
-    // Prints one rule for each knot.
+    // Prints one rule for each knot of a main vein.
     void print_rules(std::size_t main)
     {
         auto const& knots = leaf_.mains[main].knots;

@@ -98,8 +98,8 @@ private:
         return made;
     }
 
-    // Parses a successor: an edge and two faces, such as "OBC", or the face itself with what grows
-    // on it.
+    // Parses a successor: an edge and two faces, such as "OBC", or the face itself with the faces
+    // that grow on it.
     Result<void> successor(Rule& rule)
     {
         auto const place = text_.place();
@@ -146,7 +146,8 @@ private:
                     child.edge_place,
                     fmt::format("\"{}\" is no edge: they are O, E, C1, C2 and so on", word));
             child.edge = *edge;
-            // A number of edges that the rule overrides is checked later, when its value is known.
+            // If the rule overrides the number of edges, the edge is checked later, when that value
+            // is known.
             if (parent_fields.empty() || parent_fields[kEdgeCount].empty())
                 reader_.named_edges.push_back(
                     { parent, *edge, std::string(word), false, child.edge_place });

@@ -175,7 +175,7 @@ private:
             < tolerance_mm();
     }
 
-    // Score of a stroke as midrib: a midrib is long, divides the leaf in halves and touches many
+    // Score of a stroke as the midrib, which is long, divides the leaf in halves and touches many
     // veins.
     double midrib_score(std::size_t stroke) const
     {
@@ -190,9 +190,10 @@ private:
             + 0.5 * length_of(flat_[stroke]) / extent_;
     }
 
-    // Difference between the parts on the two sides of a stroke, as a share of the leaf: of the
-    // straight line through its ends, or, if that is no midrib's, along the stroke from margin to
-    // margin.
+    // Returns the difference between the leaf's areas on the two sides of a stroke, as a share of
+    // the whole. The areas are divided by the straight line through the stroke's ends or, if that
+    // is too unequal for a midrib and the stroke reaches from margin to margin, by the stroke
+    // itself.
     double imbalance(std::size_t stroke) const
     {
         auto const& line = flat_[stroke];
@@ -269,7 +270,8 @@ private:
 
     double hub_radius_mm() const { return std::max(2.0, 0.025 * extent_); }
 
-    // Lean of the side veins: positive towards the line's end, negative towards its beginning.
+    // Returns the total lean of the side veins: positive towards the end of the midrib `rib`,
+    // negative towards its beginning.
     double lean_forward(FlatLine const& rib) const
     {
         double sum = 0;
@@ -320,7 +322,7 @@ private:
     }
 
     // Finds the hub, where the main veins meet: where the midrib enters the blade, or a little
-    // above that if at least three veins begin there.
+    // above that point if at least three veins begin there.
     Vec2 find_hub() const
     {
         auto const& rib = flat_[midrib_];

@@ -28,8 +28,8 @@ bool is_whole(scene::PlantState const& plant)
     return plant.grafts.empty() && plant.hidden_branches.empty();
 }
 
-// A plant built as the only one of a document, with the positions of its nodes after bending by
-// strokes, in plant millimetres.
+// A scene with only this plant, and the positions of the plant's nodes after bending by strokes, in
+// plant millimetres.
 struct BentPlant {
     scene::Scene scene;
     std::vector<Vec3> nodes_mm;
@@ -49,7 +49,7 @@ Result<BentPlant> build_bent_plant(Beginning const& beginning, scene::LoadOption
     return result;
 }
 
-// Takes away all axes but the kept ones and those that bear them. Fails if none is kept.
+// Removes all axes except the kept ones and their ancestors. Fails if none is kept.
 Result<void> keep_only(std::vector<std::uint32_t> const& kept, Plant& plant, AxisKeys& keys)
 {
     if (kept.empty())
@@ -154,7 +154,8 @@ Result<GrowingTree> tree_from_beginning(Beginning const& beginning, Habit const&
 Result<std::vector<Vec3>> points_on_wood(Beginning const& beginning, double step_mm,
                                          scene::LoadOptions const& options)
 {
-    constexpr double kMaxPieces = 10'000; // Maximum number of pieces of an internode.
+    // Maximum number of pieces into which an internode is divided.
+    constexpr double kMaxPieces = 10'000;
     auto const shown = TRY(build_bent_plant(beginning, options));
     std::vector<Vec3> points;
     for (auto const& axis : shown.scene.plants[0]->base->axes)

@@ -19,29 +19,29 @@ struct Beginning {
     std::shared_ptr<scene::PlantState const> plant;
     // World millimetres per plant millimetre; gives the bending strokes their size.
     double scale = 0.1;
-    // Keys of the axes that remain, with all that bear them; empty: all axes.
+    // Keys of the axes that are kept; their ancestors are kept with them. Empty: all axes are kept.
     std::vector<std::uint32_t> kept_axes {};
     // True: lateral buds all over the wood are awake, for growth along a brush. False: only those
     // on young wood (GivenWood::Buds).
     bool wakes_buds = false;
 };
-// A shared pointer, because all versions of a tree have the same beginning.
+// Shared, because all versions of a tree have the same beginning.
 using SharedBeginning = std::shared_ptr<Beginning const>;
 
-// Makes a beginning of the plant with this number in a document. `builder` supplies the scale of a
-// document that has none. Fails if a plant of that document cannot be built.
+// Makes a beginning from the plant at index `number` of a document. `builder` supplies the scale if
+// the document has none. Fails if a plant of that document cannot be built.
 Result<SharedBeginning> beginning_from(scene::DocumentState const& state, std::size_t number,
                                        std::vector<std::uint32_t> kept_axes, bool wakes_buds,
                                        scene::SceneBuilder& builder);
 
-// Builds the growing tree of a beginning. A self-organising tree of which all axes remain keeps its
-// buds; the axes of any other plant become wood (tree_from_wood()). Fails if the plant cannot be
-// built, or has no branches or none of those that remain.
+// Builds the growing tree of a beginning. A self-organising tree whose axes are all kept keeps its
+// buds, too; the axes of any other plant become wood (tree_from_wood()). Fails if the plant cannot
+// be built or has no branches, or if it has none of the axes to keep.
 Result<GrowingTree> tree_from_beginning(Beginning const& beginning, Habit const& habit,
                                         std::uint64_t seed, scene::LoadOptions const& options);
 
-// Points on the wood of a beginning's plant, no farther apart than `step_mm` along each branch, as
-// strokes have bent it; in plant millimetres. Fails if the plant cannot be built.
+// Points on the wood of a beginning's plant, in its shape after bending by strokes, at most
+// `step_mm` apart along each branch; in plant millimetres. Fails if the plant cannot be built.
 Result<std::vector<Vec3>> points_on_wood(Beginning const& beginning, double step_mm,
                                          scene::LoadOptions const& options);
 

@@ -17,9 +17,11 @@ namespace tractus::self_organising {
 namespace {
 
 constexpr std::uint32_t kSowStream = 0x50EE;
-// Side of a cell in internodes: on average there is one marker per two cubic internodes.
+// Side of a cell, in internode lengths. A cell has two cubic internode lengths and gets one marker
+// on average.
 constexpr double kCellInternodes = 1.26;
-constexpr double kMaxInCell = 3; // A cell gets 0 to 2 markers, fewer than this number.
+// Exclusive upper limit for the number of markers in a cell: 0 to 2 are drawn.
+constexpr double kMaxInCell = 3;
 constexpr std::size_t kMaxSownCells = 4'000'000;
 
 // Internode length along a sweep. It is shorter than the habit's if the brush is small, so that a
@@ -27,7 +29,7 @@ constexpr std::size_t kMaxSownCells = 4'000'000;
 double internode_mm(BrushSweep const& sweep, Habit const& habit)
 {
     constexpr double kInternodesInRadius = 4;
-    // Smallest number of internodes along the longest side of a volume's bounding box.
+    // Minimum number of internode lengths along the longest side of a volume's bounding box.
     constexpr double kInternodesInVolume = 80;
     if (sweep.is_volume) {
         Eigen::AlignedBox3d box;
@@ -60,7 +62,7 @@ public:
         return {};
     }
 
-    // Adds the markers of the cells that the balls before number `end` newly cover.
+    // Adds markers in the cells that are newly covered by the balls before index `end`.
     Result<void> sow_until(std::size_t end, std::vector<Vec3>& markers)
     {
         for (; next_ < end; ++next_) {
@@ -72,7 +74,7 @@ public:
     }
 
 private:
-    // Covers what a ball passes on its way from one place to the next, without the first place.
+    // Covers the cells swept by a ball that moves from `last` to `ball`, excluding `last` itself.
     Result<void> cover_way(BrushBall const& last, BrushBall const& ball, std::vector<Vec3>* markers)
     {
         double const way = (ball.centre - last.centre).norm();
@@ -95,7 +97,8 @@ private:
                         kMaxSownCells, side_));
     }
 
-    // Without `markers` the newly covered cells stay empty.
+    // Marks the cells in a ball as covered and sows the new ones; with null `markers` they stay
+    // empty.
     Result<void> cover(Vec3 const& centre, double radius, std::vector<Vec3>* markers)
     {
         double const across = 2 * radius / side_ + 1;
@@ -137,7 +140,8 @@ private:
     std::set<Cell> covered_;
 };
 
-// Number of balls that the brush has passed by the end of a year; all of them in the last year.
+// Number of balls that the brush has passed by the end of a year. If the years divide the stroke
+// evenly, the last year includes all of them.
 std::size_t balls_until(BrushSweep const& sweep, int year)
 {
     auto const& balls = sweep.balls;
@@ -192,8 +196,10 @@ Result<std::vector<Vec3>> sow(BrushSweep const& sweep, Habit const& habit)
 
 std::vector<BrushBall> dense_path(std::span<BrushBall const> balls)
 {
-    constexpr double kStep = 0.25; // Distance between balls, as a share of the smaller radius.
-    constexpr double kMaxPieces = 10'000; // Limit for a jump of a faulty device.
+    // Largest distance between successive centres, as a share of the smaller radius.
+    constexpr double kStep = 0.25;
+    // Limit on the balls inserted where a faulty device jumps.
+    constexpr double kMaxPieces = 10'000;
     std::vector<BrushBall> path;
     for (auto const& ball : balls) {
         if (path.empty()) {

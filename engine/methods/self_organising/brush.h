@@ -28,32 +28,33 @@ struct BrushSweep {
     // True: a bud grows only while it is in the ball or within its perception radius of it. False:
     // buds grow wherever the brush has been.
     bool waits_outside = false;
-    // True: the balls fill a volume. All of it is sown before the first year, and nothing between
-    // one ball and the next.
+    // True: the balls together are a volume, which is sown as a whole before the first year; the
+    // space between successive balls is not sown.
     bool is_volume = false;
-    // Paths of a ball whose cells are not sown: volumes that were cleared.
+    // Brush paths that cleared space: the cells that they cover are not sown.
     std::vector<std::vector<BrushBall>> cleared {};
     std::uint64_t seed = 1; // Seed of the markers' positions.
 };
 
-// Fails with a user error if a ball has no radius or no place.
+// Fails with a user error if a ball's radius is not positive or a number is not finite.
 Result<void> check_balls(std::span<BrushBall const> balls);
 
-// The balls of a brush's path, so close together that they overlap by three quarters of the smaller
-// radius or more.
+// Resamples a brush's path so densely that the centres of successive balls are at most a quarter of
+// the smaller radius apart.
 std::vector<BrushBall> dense_path(std::span<BrushBall const> balls);
 
 // Computes the markers that a whole sweep sows, in the order in which the brush reaches their
 // cells. The markers in a cell follow from the cell's position and the seed alone: no cell is sown
 // twice, and the path of the brush does not matter. Fails with a user error if the sweep covers too
-// many cells.
+// many cells, and like check_balls().
 Result<std::vector<Vec3>> sow(BrushSweep const& sweep, Habit const& habit);
 
 // Receives the tree after each year.
 using YearCallback = std::function<void(GrowingTree const&)>;
 
-// Grows the tree along the sweep. The branches stay where they grew: only weight that is added
-// later bends them. `seed` drives the habit's random variation. Fails like sow() and grow_step().
+// Grows the tree along the sweep. The branches keep the shape in which they grew; only weight that
+// is added later bends them. `seed` drives the habit's random variation. Fails like sow() and
+// grow_step().
 Result<void> grow_along(GrowingTree& tree, BrushSweep const& sweep, Habit const& habit,
                         std::uint64_t seed, YearCallback const& on_year = {});
 

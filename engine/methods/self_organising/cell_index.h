@@ -21,7 +21,7 @@ public:
     // `side` is the length of a cell's edge, above 0.
     CellIndex(std::span<Vec3 const> points, double side);
 
-    // Calls use(number) for each point in the 27 cells around a position, and possibly for other
+    // Calls use(index) for each point in the 27 cells around a position, and possibly for other
     // points or for the same point twice.
     template<typename Use> void for_each_near(Vec3 const& position, Use use) const
     {
@@ -40,9 +40,9 @@ private:
 
     double side_;
     std::size_t mask_; // Number of slots, a power of two, minus 1.
-    // Start of each slot in numbers_, and the total at the end.
+    // Index in numbers_ at which each slot starts; the last entry is the number of points.
     std::vector<std::uint32_t> starts_;
-    // Point numbers grouped by slot, ascending within each slot.
+    // Indices of the points, grouped by slot, ascending within each slot.
     std::vector<std::uint32_t> numbers_;
 };
 

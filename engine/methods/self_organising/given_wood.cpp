@@ -15,10 +15,10 @@ namespace tractus::self_organising {
 
 namespace {
 
-// Minimum distance between nodes that bear buds, in internodes.
+// Minimum distance between nodes that bear buds, in internode lengths.
 constexpr double kBudDistance = 0.7;
 
-// Makes a key for an axis that has none, from its parent axis's key and its number in the plant.
+// Makes a name for an axis without a key, from its parent axis's name and its index in the plant.
 std::uint64_t name_of_given(std::uint64_t parent, std::uint64_t number)
 {
     auto mixed = parent * 0x9E3779B97F4A7C15U + number + 0x6769766E;
@@ -104,8 +104,8 @@ private:
         return below;
     }
 
-    // `width_mm` is the diameter of the internode below the node; without a value the node is the
-    // foot of a stem.
+    // Adds a node above `below`. `width_mm` is the diameter of the internode between them; without
+    // a value the node is the foot of an additional stem.
     std::uint32_t add_node(std::uint32_t below, NodeLinks& links, Vec3 const& at,
                            std::optional<double> width_mm)
     {
@@ -133,11 +133,11 @@ private:
         return number;
     }
 
-    // Estimates the age of each node: the years that a trunk needs to grow the longest path above
-    // the node.
+    // Estimates the age of each node: the years that a trunk needs to grow as long as the longest
+    // path above the node.
     void set_ages()
     {
-        // Average length of annual shoots, as a share of the habit's longest annual shoot.
+        // Average length of annual shoots, as a share of the longest shoot that the habit allows.
         constexpr double kUsualShoot = 0.6;
         constexpr double kOldest = 150;
         double const a_year = std::max(1.0, kUsualShoot * habit_.most_internodes) * internode_mm_;
@@ -200,10 +200,10 @@ private:
     double internode_mm_;
     GrowingTree tree_;
     std::vector<double> width_mm_;                     // Given diameter of each node's internode.
-    std::vector<bool> has_buds_;                       // True for each node that may bear buds.
+    std::vector<bool> has_buds_;                       // True for nodes that may bear buds.
     std::vector<std::vector<std::uint32_t>> children_; // First nodes of each node's lateral axes.
     std::vector<std::uint32_t> node_at_end_;           // Node at the upper end of each segment.
-    double since_bud_mm_ = 0; // Distance from the last node of the axis that may bear buds.
+    double since_bud_mm_ = 0; // Distance from the last node on the current axis that may bear buds.
 };
 
 } // namespace

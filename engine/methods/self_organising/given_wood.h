@@ -18,24 +18,25 @@ struct GivenWood {
     // Longer segments are divided into internodes of this length; 0: the habit's internode length.
     double internode_mm = 0;
     enum class Buds {
-        Young, // Lateral buds only on wood so young that, by the habit, its buds still live.
-        All,   // Lateral buds on all wood: dormant buds have been woken.
+        Young, // Lateral buds only on wood younger than a bud's life (Habit::bud_life).
+        All,   // Lateral buds on wood of any age, as if dormant buds had been woken.
     } buds
         = Buds::Young;
-    // True: branches are at least as thick as the plant's. False: the pipe model alone decides.
+    // True: branches are at least as thick as in the given plant. False: the pipe model alone gives
+    // their width.
     bool keeps_width = true;
 };
 
 // Converts wood into a tree that can grow. Each segment, or each part of a divided one, ends in a
 // node; each axis gets a terminal bud, and nodes get lateral buds as the habit says. A node's age
-// in years follows from the number of internodes above it. An axis that stands on the ground away
-// from the plant's origin becomes an additional stem. `seed` drives the random
-// variation of the buds. The habit must have passed check_habit().
+// in years follows from the length of the longest path above it. The axis that begins at the
+// plant's origin becomes the trunk; any other axis without a parent becomes an additional stem.
+// `seed` drives the random variation of the buds. The habit must have passed check_habit().
 GrowingTree tree_from_wood(GivenWood const& wood, Habit const& habit, std::uint64_t seed);
 
 // Moves a tree's nodes to the positions to which its plant was bent. Buds turn with the wood that
-// bears them, and the bent shape becomes the shape at rest. `nodes_mm` are positions of the nodes
-// of `plant`, which plant_of() made from this tree.
+// bears them, and the bent shape becomes the rest shape. `nodes_mm` are positions of the nodes of
+// `plant`, which plant_of() made from this tree.
 void bend_tree(GrowingTree& tree, TreePlant const& plant, std::span<Vec3 const> nodes_mm,
                Habit const& habit);
 

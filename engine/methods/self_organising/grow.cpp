@@ -17,13 +17,13 @@ namespace tractus::self_organising {
 namespace {
 
 struct Environment {
-    // Light or space that each bud perceives. For Light the directions are left out, because only
-    // buds that grow need them.
+    // Light or space that each bud perceives. The directions are empty when buds compete for light;
+    // they are then computed later, only for the buds that grow.
     BudPerception perceived;
     std::optional<LightGrid> grid;
 };
 
-// Lets the buds of a region compete for the markers that they can perceive.
+// Lets only the buds inside a region compete for markers; the other buds perceive nothing.
 BudPerception compete_in_region(GrowingTree const& tree, std::vector<Bud> const& buds,
                                 std::vector<Vec3>& markers, Region const& region, Laws const& laws)
 {

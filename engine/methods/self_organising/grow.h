@@ -31,11 +31,11 @@ struct Region {
 
 // The environment of a growing tree.
 struct Surroundings {
-    std::vector<Vec3> markers {}; // Markers of free space; those that are used up are removed.
+    std::vector<Vec3> markers {}; // Markers of free space; growth removes those that are used up.
     // Points that cast shade in addition to the tree's own buds; for Laws::Environment::Light.
     std::span<Vec3 const> shading {};
     std::uint64_t seed = 1; // Seed of all random variation.
-    // The region in which buds compete for markers; no value: everywhere. Ignored for
+    // The region in which buds compete for markers; no value: buds compete everywhere. Ignored for
     // Laws::Environment::Light.
     std::optional<Region> region {};
 };

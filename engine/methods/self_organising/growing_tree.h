@@ -22,7 +22,7 @@ struct NodePlace {
 // of GrowingTree::laterals from `first_lateral` on.
 struct NodeLinks {
     std::uint32_t parent = kNone; // The node below; kNone at the base.
-    std::uint32_t main = kNone;   // The next node of the same axis.
+    std::uint32_t main = kNone;   // The next node of the same axis; kNone at its end.
     std::uint32_t first_lateral = 0;
     std::uint8_t lateral_count = 0;
     // False once the terminal bud has died. Only meaningful if main is kNone.
@@ -51,10 +51,10 @@ struct GrowingTree {
     // Moment in kg mm that bent each node's internode to its present shape (sag.h).
     std::vector<Vec3> bent_by;
     std::uint16_t step = 0; // Number of growth steps so far.
-    // Last step in which wood was given rather than grown (given_wood.h); 0: all has grown. Given
-    // wood needs no light to stay: it does not count where branches are shed.
+    // Nodes up to this step are given wood (given_wood.h); later ones have grown. 0: the whole tree
+    // has grown. Given internodes do not count when branches are shed for lack of light.
     std::uint16_t given_step = 0;
-    // True if a brush led the last steps: twigs that found no more space then stay alive.
+    // True if a brush led the last steps. Twigs then stay alive even without space to grow.
     bool is_brushed = false;
 
     std::size_t size() const { return links.size(); }

@@ -54,7 +54,7 @@ constexpr scene::SourceKind kTree {
     },
 };
 
-// The sweep of the period with this number.
+// The brush sweep of the life period with index `number`.
 Result<BrushSweep> sweep_of(GrownTree const& tree, std::size_t number)
 {
     auto const& part = tree.life[number];
@@ -70,7 +70,7 @@ Result<BrushSweep> sweep_of(GrownTree const& tree, std::size_t number)
     return sweep;
 }
 
-// Grows the tree through the period with this number.
+// Grows the tree through the life period with index `number`, outside of any stand.
 Result<void> live(GrowingTree& grown, GrownTree const& tree, std::size_t number,
                   YearCallback const& on_year)
 {
@@ -148,7 +148,7 @@ Result<void> check_age(GrownTree const& tree)
     return {};
 }
 
-// The tree after the period with this number, through which it grows in a stand.
+// The tree after the life period with index `number`, during which it grows in a stand.
 static Result<GrowingTree> grow_in_stand(GrownTree const& tree, std::size_t number,
                                          scene::LoadOptions const& options,
                                          YearCallback const& on_year)
@@ -158,7 +158,7 @@ static Result<GrowingTree> grow_in_stand(GrownTree const& tree, std::size_t numb
     before.life.resize(number);
     if (same(part.stand->place().members[part.place_in_stand].tree, before))
         return part.stand->grow_member(part.place_in_stand, options, on_year);
-    // The tree has another habit or seed than it had: its neighbours live beside that one.
+    // The tree's habit or seed has changed since, so the stand grows again with the changed tree.
     auto place = part.stand->place();
     place.members[part.place_in_stand].tree = std::move(before);
     return Stand(std::move(place)).grow_member(part.place_in_stand, options, on_year);
@@ -169,7 +169,8 @@ Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& o
 {
     TRY(check_habit(tree.habit));
     TRY(check_age(tree));
-    std::size_t first = tree.life.size(); // First period after the last one in a stand.
+    // Index of the first period after the last one in a stand.
+    std::size_t first = tree.life.size();
     while (first > 0 && !tree.life[first - 1].stand)
         --first;
     GrowingTree grown;

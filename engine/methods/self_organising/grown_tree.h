@@ -17,21 +17,21 @@ namespace tractus::self_organising {
 
 class Stand; // Defined in stand.h.
 
-// A period of a tree's life: some years of growth, either by itself or along a brush stroke; or a
-// stroke that prunes it or clears space.
+// A period of a tree's life: some years of growth, either without a brush or along a brush stroke;
+// or a stroke that prunes the tree or clears space.
 struct LifePeriod {
     enum class Kind {
         Grow,
         Prune, // The stroke cuts off what it touches (prune.h).
-        // The stroke clears space: the tree is as if the brush had not been there in any earlier
-        // period. A later one may sow there again.
+        // The stroke clears space: the tree grows as if no earlier brush stroke had covered this
+        // space. A later stroke may cover it again.
         Clear,
     } kind
         = Kind::Grow;
-    // Duration in years, 1 to kMaxYears; ignored if the tree does not grow.
+    // Duration of growth in years, 1 to kMaxYears; ignored for Prune and Clear.
     int years = 1;
-    // Brush stroke, world frame. Empty: the tree grows by itself, competing for light; only for
-    // Kind::Grow.
+    // Brush stroke, world frame. Empty (only for Kind::Grow): the tree grows without a brush, and
+    // its buds compete for light.
     Stroke stroke {};
     bool is_volume = false; // See BrushSweep::is_volume.
     // Radius of the brush at zero and at full pen pressure, in millimetres on the desk.
@@ -44,8 +44,8 @@ struct LifePeriod {
     // was drawn. Set by the edits.
     Vec3 stands_at_mm = Vec3::Zero();
     double scale = 0.1;
-    // The trees beside which this one grows, and its number among them; null: it grows alone. Set
-    // by GrowStand.
+    // The stand of trees in which this one grows, and its index there; null: the tree grows alone.
+    // Set by GrowStand.
     std::shared_ptr<Stand const> stand {};
     std::size_t place_in_stand = 0;
 };
@@ -60,8 +60,8 @@ struct GrownTree {
     SharedBeginning start {};
 };
 
-// Edit: adds a tree, which stands where the stroke begins or, without a stroke, at the world's
-// origin. It becomes the active plant.
+// Edit: adds a tree at the beginning of its first stroke or, without a stroke, at the world's
+// origin. The tree becomes the active plant.
 struct PlantTree {
     static scene::EditKind const kKind;
 
@@ -92,12 +92,12 @@ struct GrowFrom {
     Habit habit {};
     std::uint64_t seed = 1;
     LifePeriod next {};
-    // Keys of the axes that remain, with all that bear them; empty: all axes remain. Only for a
-    // plant whose axes have keys.
+    // Keys of the axes that are kept; their ancestors are kept with them. Empty: all axes are kept.
+    // Only for a plant whose axes have keys.
     std::vector<std::uint32_t> kept_axes {};
 };
 
-// Edit: lets a tree live the same life again with another habit or another seed.
+// Edit: regrows a tree through the same periods of life with another habit or another seed.
 struct ChangeHabit {
     static scene::EditKind const kKind;
 
@@ -109,7 +109,7 @@ struct ChangeHabit {
 // The brush along a period's stroke, in the tree's frame. Fails if the stroke cannot be read.
 Result<std::vector<BrushBall>> brush_balls(LifePeriod const& part);
 
-// Edit: lets all visible self-organising trees of a document grow on by themselves beside each
+// Edit: lets all visible self-organising trees of a document grow on without a brush, beside each
 // other (stand.h), while the other plants shade them.
 struct GrowStand {
     static scene::EditKind const kKind;
@@ -117,16 +117,16 @@ struct GrowStand {
     int years = 1;
 };
 
-// Number of years that a period takes; 0 if the tree does not grow.
+// Number of years that a period takes; 0 for a period of pruning or clearing.
 int years_of(LifePeriod const& part);
 
-// Checks of a period's values and of the tree's total age. Both fail with a user error.
+// Check a period's values and the tree's total age. Both fail with a user error.
 Result<void> check_life(LifePeriod const& part);
 Result<void> check_age(GrownTree const& tree);
 
-// Grows the tree from its beginning through all periods of its life. `on_year` gets the tree at its
-// beginning and after each year. Fails with a user error for a habit or life out of range and for a
-// stroke that is not in memory.
+// Grows the tree from its beginning through all periods of its life. `on_year` receives the tree at
+// its beginning and after each year. Fails with a user error for a habit or life out of range and
+// for a stroke that is not in memory.
 Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& options = {},
                               YearCallback const& on_year = {});
 

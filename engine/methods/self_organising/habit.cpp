@@ -132,15 +132,16 @@ Laws growth_laws_in_year(Habit const& habit, int year)
 
 Laws brush_growth_laws(Habit const& habit, int year, double internode_mm)
 {
-    // Perception radius in internodes (Palubicki et al. 2009: 4 to 6).
+    // Perception radius in internode lengths (Palubicki et al. 2009: 4 to 6).
     constexpr double kPerception = 5;
-    constexpr double kOccupancy = 2; // Occupancy radius in internodes (Palubicki et al. 2009: 2).
+    // Occupancy radius in internode lengths (Palubicki et al. 2009: 2).
+    constexpr double kOccupancy = 2;
     auto laws = growth_laws_in_year(habit, year);
     laws.environment = Laws::Environment::Space;
     laws.internode = internode_mm;
     laws.perception_radius = kPerception * internode_mm;
     laws.occupancy_radius = kOccupancy * internode_mm;
-    laws.shed_below = 0; // A bud without a marker survives and waits for the next stroke.
+    laws.shed_below = 0; // Branches whose buds find no marker survive and wait for the next stroke.
     laws.bud_life = 0;
     return laws;
 }

@@ -52,7 +52,8 @@ struct Habit {
     double cell_mm = 200; // Side of the cubic cells in which shade is recorded.
     // See the fields of the same names in Laws.
     double shade = 0.08, shade_fall = 2, shade_depth = 4;
-    double sight_cells = 3, sight_angle_deg = 90; // Perception radius, in cells, and opening angle.
+    // Perception radius of a bud, in cells, and opening angle of its perception cone.
+    double sight_cells = 3, sight_angle_deg = 90;
     double shed_below = 0.2, shed_below_old = 0.2;
     // Share of the tree's height, from the ground, in which buds receive no light.
     double clear_share = 0;
@@ -72,7 +73,7 @@ struct Habit {
     double leaf_angle_deg = 60; // Angle between leaf and shoot.
     double leaf_is_needle = 0;  // Shape of the leaf: 1 is a needle, 0 a flat blade.
     double leaf_is_evergreen = 0;
-    double leaf_red = 0.25, leaf_green = 0.42, leaf_blue = 0.13; // Colours in sRGB, 0 to 1.
+    double leaf_red = 0.25, leaf_green = 0.42, leaf_blue = 0.13; // Leaf colour, sRGB, 0 to 1.
     double bark_red = 0.34, bark_green = 0.28, bark_blue = 0.22;
 
     bool operator==(Habit const&) const = default;

@@ -50,7 +50,7 @@ struct Laws {
     double occupancy_radius = 2; // A marker nearer than this to any bud is used up.
 
     double cell = 1;       // Side of the cubic cells in which shade is recorded.
-    double shade = 0.2;    // Shade that a bud casts on its own cell.
+    double shade = 0.2;    // Shade that a bud adds to its own cell.
     double shade_fall = 2; // Ratio of the shade in one layer of cells to that in the layer below.
     int shade_depth = 5;   // Number of layers below a bud that it shades.
     double full_light = 1; // Light that an unshaded bud receives.
@@ -81,13 +81,14 @@ struct Laws {
     int whorl = 0;
     // Probability that the terminal bud of a lateral shoot dies in its first winter.
     double terminal_loss = 0;
-    int bud_life = 0; // Steps after which a lateral bud that has not grown dies; 0: it never dies.
+    int bud_life = 0; // Steps after which a dormant lateral bud dies; 0: never.
 
-    double shed_below = 0; // A lateral branch that receives less than this per internode dies.
+    // A lateral branch that receives less light or space than this per internode dies.
+    double shed_below = 0;
 
     double pipe_exponent = 2.3;  // Exponent e of the pipe model: d^e = sum of the children's d^e.
     double twig_diameter = 0.05; // Diameter of internodes without children.
-    // True: the wood below keeps the width that shed branches had given it.
+    // True: shed branches still count towards the width of the wood below them.
     bool keeps_dead_wood = false;
 
     std::size_t most_nodes = 2'000'000; // Limit on the number of nodes; growing beyond it fails.

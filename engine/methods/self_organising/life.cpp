@@ -9,7 +9,7 @@ namespace tractus::self_organising {
 
 SagLaws sag_laws(Habit const& habit)
 {
-    // Weight of a leaf per area: 150 g per square metre.
+    // Mass of a leaf per area: 150 g per square metre.
     constexpr double kPerSquareMillimetre_kg = 1.5e-7;
     // Share of its bounding rectangle that a leaf fills.
     double const share = habit.leaf_is_needle != 0 ? 1 : 0.65;

@@ -10,7 +10,7 @@ namespace tractus::self_organising {
 constexpr int kMaxYears = 200;
 
 // Grows a tree for one more year without a brush: its buds compete for light, then its branches sag
-// under their weight. `surroundings` are those of grow_step(). Lengths are in millimetres. Fails
+// under their weight. `surroundings` are passed to grow_step(). Lengths are in millimetres. Fails
 // like grow_step().
 Result<StepCount> grow_year(GrowingTree& tree, Surroundings& surroundings, Habit const& habit);
 

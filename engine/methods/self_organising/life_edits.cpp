@@ -12,7 +12,9 @@ namespace tractus::self_organising {
 
 namespace {
 
-constexpr double kUsualScale = 0.1; // Scale of a stroke in a document that has no scale.
+// World millimetres per plant millimetre of a tree that is begun by a stroke in a document without
+// a scale.
+constexpr double kUsualScale = 0.1;
 
 void list_habit(scene::Fields& fields, Habit& habit)
 {

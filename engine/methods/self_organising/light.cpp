@@ -45,7 +45,8 @@ Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const
         for (auto j = y - reach; j <= y + reach; ++j) {
             double const up = offset(k, position.z());
             double const aside = offset(j, position.y());
-            double const off_row = aside * aside + up * up; // Squared distance of the row of cells.
+            // Squared distance from the bud to the row of cells.
+            double const off_row = aside * aside + up * up;
             if (off_row > farthest)
                 continue;
             // No cell of the row lies in the cone if even the row's direction nearest to the cone's
@@ -69,7 +70,7 @@ Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const
                 if (double const shade = grid.shade_at({ i, j, k }); shade < least - kSame) {
                     least = shade;
                     best = way * (1 / distance);
-                    if (least <= kSame) // No cell can be less shaded.
+                    if (least <= kSame) // The cell is unshaded; no other can be better.
                         return best;
                 }
             }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kUsedUp = kNone - 1;
 
-// Finds the bud to which a marker belongs. kNone: no bud perceives it; kUsedUp: a bud is too close.
+// Index of the bud that gets a marker. kNone: no bud perceives it; kUsedUp: a bud is too close.
 std::uint32_t owner_of(Vec3 const& marker, CellIndex const& index, std::vector<Vec3> const& places,
                        std::vector<Vec3> const& directions, Laws const& laws)
 {

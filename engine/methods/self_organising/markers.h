@@ -11,7 +11,7 @@ namespace tractus::self_organising {
 
 // The light or space that each bud of a tree perceives.
 struct BudPerception {
-    std::vector<double> quality; // Q of each bud: 0 if the bud has no reason to grow.
+    std::vector<double> quality; // Q of each bud: the light or space that it perceives; 0: none.
     // V of each bud: unit vector of the direction to grow in; zero if there is none.
     std::vector<Vec3> direction;
 };

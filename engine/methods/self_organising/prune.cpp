@@ -17,7 +17,7 @@ namespace {
 // Number of nodes below a cut whose buds wake, counted from the cut along the axis.
 constexpr int kWakingNodes = 4;
 
-// Finds the internodes that a ball touches on its way.
+// Finds the internodes that a ball touches along its path.
 class TouchedWood {
 public:
     TouchedWood(GrowingTree const& tree, std::span<BrushBall const> balls)
@@ -75,11 +75,12 @@ private:
     GrowingTree const& tree_;
     std::vector<BrushBall> path_;
     std::vector<Vec3> centres_;
-    double reach_ = 0; // Greatest distance from a ball's centre to the middle of what it touches.
+    // Greatest distance from a ball's centre to the middle of an internode that it touches.
+    double reach_ = 0;
 };
 
-// Detaches the touched nodes from those below them. Returns the nodes below the cuts, and marks
-// what the touched nodes bear.
+// Detaches the touched nodes from those below them and marks all of their descendants as dead.
+// Returns the nodes below the cuts.
 std::vector<std::uint32_t> cut(GrowingTree& tree, std::vector<bool>& is_dead, Laws const& laws)
 {
     auto const sums = pipe_sums(tree, laws);
@@ -104,7 +105,7 @@ std::vector<std::uint32_t> cut(GrowingTree& tree, std::vector<bool>& is_dead, La
     return stumps;
 }
 
-// The nodes whose buds wake: those of the cuts and the next ones below on the same axes.
+// Marks the nodes whose buds wake: those below the cuts, and the next ones down the same axes.
 std::vector<bool> waking_nodes(GrowingTree const& tree, std::vector<std::uint32_t> const& stumps)
 {
     std::vector<bool> is_waking(tree.size());
@@ -120,7 +121,7 @@ std::vector<bool> waking_nodes(GrowingTree const& tree, std::vector<std::uint32_
 }
 
 // Gives the marked nodes a bud at each lateral position without bud or branch. Nodes without
-// lateral positions get some.
+// lateral positions get as many as the laws say.
 void wake(GrowingTree& tree, std::vector<bool> const& is_waking, Laws const& laws,
           std::uint64_t seed)
 {

@@ -17,7 +17,7 @@ struct Load {
     Vec3 moment_kg_mm = Vec3::Zero(); // Sum of mass times position.
 };
 
-// The load that each internode carries: itself and all that is above it.
+// The load that each internode carries: its own mass and that of everything above it.
 std::vector<Load> loads_of(GrowingTree const& tree, std::vector<double> const& diameters,
                            SagLaws const& laws)
 {

@@ -15,13 +15,14 @@ struct SagLaws {
     int leaf_years = 1;             // Number of years for which an internode bears leaves.
 };
 
-// Bends each internode as an elastic rod (Euler-Bernoulli) by the moment added since it was last
-// bent, at its present diameter: wood that grew since then has fixed the earlier bend. Internodes
-// keep their lengths; buds turn with the wood that bears them. `diameters` come from diameters().
+// Bends each internode of a branch as an elastic rod (Euler-Bernoulli) by the moment added since it
+// was last bent, at its present diameter: wood that grew since then has fixed the earlier bend. The
+// trunk does not bend. Internodes keep their lengths; buds turn with the wood that bears them.
+// `diameters` come from diameters().
 void sag(GrowingTree& tree, std::vector<double> const& diameters, SagLaws const& laws);
 
-// Makes the tree's present shape its shape at rest under its present load, for wood that grew along
-// a brush.
+// Makes the tree's present shape its rest shape under its present load, for wood that grew along a
+// brush.
 void set_wood(GrowingTree& tree, std::vector<double> const& diameters, SagLaws const& laws);
 
 } // namespace tractus::self_organising

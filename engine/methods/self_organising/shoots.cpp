@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kTerminalStream = 0x50B0;
 constexpr std::uint32_t kSpreadStream = 0x5B8E;
-constexpr std::uint64_t kTrunk = 0x7472756E6B; // Name of the trunk's axis.
+constexpr std::uint64_t kTrunk = 0x7472756E6B; // Axis name of the trunk.
 
 // Derives the name of the axis that grows from a lateral position (finaliser of SplitMix64).
 std::uint64_t name_of_lateral(std::uint64_t parent, std::uint32_t rank, std::uint32_t lateral)
@@ -33,7 +33,8 @@ public:
     {
     }
 
-    // `node` and `lateral` are the first of the nodes and laterals reserved for this shoot.
+    // Grows one shoot. `node` and `lateral` are the indices of the first node and the first lateral
+    // reserved for it.
     void grow(Shoot const& shoot, std::uint32_t node, std::uint32_t lateral)
     {
         auto const& bud = shoot.bud;

@@ -8,7 +8,7 @@
 
 namespace tractus::self_organising {
 
-// A shoot: a bud that grows in this step, and how.
+// A shoot: a bud that grows in this step, with its number and length of internodes.
 struct Shoot {
     Bud bud {};
     int internodes = 1;

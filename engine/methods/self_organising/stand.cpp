@@ -13,7 +13,7 @@ namespace tractus::self_organising {
 
 namespace {
 
-// The space from which shade can reach a tree or what its buds see, in the tree's frame.
+// Box of all points that can shade a tree or the cells that its buds perceive, in the tree's frame.
 Eigen::AlignedBox3d reach_of_shade(GrowingTree const& tree, Habit const& habit)
 {
     Eigen::AlignedBox3d box;
@@ -25,7 +25,7 @@ Eigen::AlignedBox3d reach_of_shade(GrowingTree const& tree, Habit const& habit)
     return box;
 }
 
-// Adds the points within a box, displaced into the tree's frame.
+// Adds to `within` the points that are in the box once `shift` has moved them to the tree's frame.
 void add_within(Eigen::AlignedBox3d const& box, std::vector<Vec3> const& points, Vec3 const& shift,
                 std::vector<Vec3>& within)
 {
@@ -34,7 +34,7 @@ void add_within(Eigen::AlignedBox3d const& box, std::vector<Vec3> const& points,
             within.push_back(at);
 }
 
-// One point for each cell of a grid that holds any of the points, in the order of the cells.
+// The centre of each grid cell that contains any of the points, in the order of the cells.
 std::vector<Vec3> one_for_each_cell(std::vector<Vec3> const& points, Vec3 const& shift, double side)
 {
     std::set<Cell> cells;
@@ -78,15 +78,16 @@ Result<GrowingTree> Stand::grow_member(std::size_t number, scene::LoadOptions co
     return std::move(grown[number]);
 }
 
-// Points of the plants that do not grow, in the frame of each member: one for each cell of its grid
-// that holds their wood.
+// Points of the plants that do not grow, in the frame of each member: one for each cell of the
+// member's light grid that contains their wood.
 Result<std::vector<std::vector<Vec3>>>
 Stand::points_of_others(scene::LoadOptions const& options) const
 {
     auto const& members = place_.members;
     std::vector<std::vector<Vec3>> still(members.size());
     for (auto const& other : place_.others) {
-        std::map<double, std::vector<Vec3>> wood_by_cell; // Points for each side of cells.
+        // Points on the plant's wood, by the side length of the cells.
+        std::map<double, std::vector<Vec3>> wood_by_cell;
         for (std::size_t i = 0; i < members.size(); ++i) {
             double const cell_mm = members[i].tree.habit.cell_mm;
             auto wood = wood_by_cell.find(cell_mm);

@@ -12,20 +12,20 @@
 
 namespace tractus::self_organising {
 
-// Trees that grow beside each other for some years and shade each other. In each year every tree
-// sees the others' buds as they were at the year's beginning, so the trees' order does not matter.
-// A neighbour's bud shades as one of the tree's own does. Other plants of the document shade, too,
-// but do not grow: each cell of the tree's light grid that holds their wood counts as one bud.
-// Immutable but for a cache; thread-safe.
+// Trees that grow beside each other for some years and shade each other. In each year every tree is
+// shaded by the others' buds as they were at the year's beginning, so the trees' order does not
+// matter. A neighbour's bud casts as much shade as one of the tree's own. Other plants of the
+// document shade, too, but do not grow: each cell of the tree's light grid that holds their wood
+// counts as one bud. Immutable except for a cache; thread-safe.
 class Stand {
 public:
     struct Member {
-        GrownTree tree {};                // The tree's life before these years.
-        Vec3 stands_at_mm = Vec3::Zero(); // Position of its base, world frame.
+        GrownTree tree {};                // The tree and its life before the years in the stand.
+        Vec3 stands_at_mm = Vec3::Zero(); // Position of the tree's base, world frame.
     };
     struct Place {
         std::vector<Member> members {};
-        // Plants that shade the members but are none; not null.
+        // Other plants, which shade the members but do not grow; not null.
         std::vector<std::shared_ptr<scene::PlantState const>> others {};
         double scale = 0.1; // World millimetres per plant millimetre.
         int years = 1;
@@ -35,8 +35,9 @@ public:
 
     Place const& place() const { return place_; }
 
-    // Grows all members and returns one of them. `on_year` gets that tree at its beginning and
-    // after each year. Fails like grow_tree(), and if another plant cannot be built.
+    // Grows all members and returns the one with index `number`. `on_year` receives that tree at
+    // its beginning and after each year. Fails like grow_tree(), and if one of the other plants
+    // cannot be built.
     Result<GrowingTree> grow_member(std::size_t number, scene::LoadOptions const& options,
                                     YearCallback const& on_year = {}) const;
 
@@ -48,11 +49,11 @@ private:
     points_of_others(scene::LoadOptions const& options) const;
 
     Place place_;
-    // Members that were grown for another one and have not been asked for yet: a document builds
-    // all of its trees, and so grows them only once.
+    // Members that grew when another member was requested, kept until they are requested
+    // themselves. A document builds all of its trees, so each grows only once.
     mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<GrowingTree>> waiting_;
-    // points_of_others() once it is known; it takes a derivation of each of those plants.
+    // Cached result of points_of_others(), which has to build each of the other plants.
     mutable std::optional<std::vector<std::vector<Vec3>>> still_;
 };
 

@@ -20,7 +20,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, GrowStand const
 {
     TRY(check_life({ .years = edit.years }));
     Stand::Place place { .years = edit.years };
-    std::vector<std::size_t> numbers; // Numbers of the stand's members in the document.
+    std::vector<std::size_t> numbers; // Indices of the stand's members in the document.
     for (std::size_t i = 0; i < state.plants.size(); ++i) {
         auto const& plant = *state.plants[i];
         if (plant.is_hidden)

@@ -12,7 +12,7 @@ namespace tractus::self_organising {
 
 namespace {
 
-// An axis and the number of a node along it, by which a node is found in other years.
+// Identifies a node in the trees of all years: the name of its axis and its number along the axis.
 using NodeName = std::pair<std::uint64_t, std::uint32_t>;
 
 struct HashOfName {
@@ -24,7 +24,7 @@ struct HashOfName {
 
 using NodesByName = std::unordered_map<NodeName, std::uint32_t, HashOfName>;
 
-// For each node of `tree` its number in an earlier tree, or kNone.
+// For each node of `tree`, its index in an earlier tree, or kNone.
 std::vector<std::uint32_t> numbers_in(GrowingTree const& earlier, GrowingTree const& tree)
 {
     NodesByName known;
@@ -36,7 +36,8 @@ std::vector<std::uint32_t> numbers_in(GrowingTree const& earlier, GrowingTree co
         if (auto const found = known.find({ tree.links[i].axis, tree.links[i].rank });
             found != known.end())
             numbers[i] = found->second;
-    numbers[0] = 0; // The base's name changes when the trunk begins to grow.
+    // The base is not found by name, because its name changes when the trunk begins to grow.
+    numbers[0] = 0;
     return numbers;
 }
 
@@ -47,16 +48,16 @@ Vec3 internode_of(GrowingTree const& tree, std::uint32_t node)
                           : Vec3(tree.places[node].position - tree.places[below].position);
 }
 
-// A tree between two years: the earlier tree and the later one, with the share of the year between
-// them that has passed.
+// A moment between two years: the tree at the beginning and at the end of the year, and the share
+// of the year that has passed.
 struct Moment {
     GrowingTree const& before;
     GrowingTree const& after;
     double share;
 };
 
-// An internode at a moment; `before` and `after` are its numbers in the trees, or kNone. An
-// internode that stands in both turns and keeps its length.
+// An internode at a moment; `before` and `after` are its node's indices in the two trees, or kNone.
+// An internode of both trees turns gradually from one direction to the other.
 Vec3 internode_at(Moment const& moment, std::uint32_t before, std::uint32_t after)
 {
     if (after == kNone)
@@ -138,7 +139,8 @@ void TreeFilm::shape_at(double age, Plant& plant) const
     for (auto const& axis : whole_.plant.axes)
         for (std::uint32_t k = 0; k <= axis.segment_count; ++k) {
             auto const node = whole_.tree_nodes[axis.first_node + k];
-            // A node is as wide as the internode above it; the last one, as the one below it.
+            // A node is as wide as the internode above it; the axis's last node is as wide as the
+            // internode below it.
             auto const above
                 = whole_.tree_nodes[axis.first_node + std::min(k + 1, axis.segment_count)];
             auto const radius_in = [&](std::size_t tree_year) {
@@ -158,15 +160,16 @@ void TreeFilm::shape_at(double age, Plant& plant) const
     place_leaves(age, internodes, plant);
 }
 
-// Size of the leaves on an internode of the last tree, from 0 to 1: they grow with it, and fall in
-// the year after their last one.
+// Size, 0 to 1, of the leaves on an internode of the last tree. Leaves grow with the internode and
+// fall in the year after their last one.
 double TreeFilm::leaf_size(std::size_t node, double age) const
 {
     auto const born = static_cast<std::size_t>(
         std::find_if(number_in_.begin(), number_in_.end(),
                      [&](auto const& numbers) { return numbers[node] != kNone; })
         - number_in_.begin());
-    double const since = age - static_cast<double>(born) + 1; // 0 when the internode begins.
+    // Years since the internode began to grow.
+    double const since = age - static_cast<double>(born) + 1;
     double const grown = born == 0 ? 1 : std::clamp(since, 0.0, 1.0);
     if (trees_.back().is_brushed)
         return grown;

@@ -8,8 +8,8 @@
 
 namespace tractus::self_organising {
 
-// A tree as it grows, from its beginning through all years of its life. Between whole years the
-// shoots of the coming year lengthen evenly.
+// The growth of a tree as a film, from its beginning through all years of its life. Between whole
+// years the shoots of the coming year lengthen evenly.
 class TreeFilm {
 public:
     // Fails like grow_tree().
@@ -18,17 +18,17 @@ public:
     // Number of years that the tree grows; at least 1.
     int years() const { return static_cast<int>(trees_.size()) - 1; }
 
-    // The plant at an age from 0 to years(). At a whole number of years it is the plant that has
-    // grown so long, with all branches that die later.
+    // The plant at an age from 0 to years(). At a whole number of years it is the plant after that
+    // many years, including branches that die later.
     Plant plant_at(double age) const;
 
-    // The grown plant, for shape_at(). It has all leaves that ever were on the branches that it
-    // has: those of earlier years, too, have their full size.
+    // The fully grown plant, for shape_at(). It has every leaf that its branches ever bore, at full
+    // size, including leaves that have fallen.
     Plant const& whole() const { return whole_.plant; }
 
-    // Gives `plant`, a copy of whole(), the shape that it has at an age. What has not grown yet has
-    // no length, width or size, and fallen leaves have no size. Branches that die later are left
-    // out. As the age rises no internode becomes shorter or thinner, unless it was cut.
+    // Gives `plant`, a copy of whole(), its shape at an age. Parts that have not grown yet get a
+    // length, width and size of 0, and so do fallen leaves. Branches that die later are left out.
+    // As the age rises, no internode becomes shorter or thinner, unless it was cut.
     void shape_at(double age, Plant& plant) const;
 
 private:
@@ -41,11 +41,11 @@ private:
     std::uint64_t seed_;
     std::vector<GrowingTree> trees_; // The tree at its beginning and after each year.
     TreePlant whole_;
-    // Nodes of the last tree: number_in_[year][node] is the node's number in the tree of that year,
-    // or kNone if it has not grown yet.
+    // number_in_[year][node] is the index, in the tree of that year, of the last tree's node
+    // `node`; kNone if the node has not grown yet.
     std::vector<std::vector<std::uint32_t>> number_in_;
     std::vector<std::vector<double>> diameters_; // Node diameters of each year's tree.
-    std::vector<std::uint32_t> leaf_node_;       // Node of the last tree that each leaf is on.
+    std::vector<std::uint32_t> leaf_node_;       // For each leaf, its node in the last tree.
 };
 
 } // namespace tractus::self_organising

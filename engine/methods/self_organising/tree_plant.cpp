@@ -78,8 +78,8 @@ private:
         plant().organ_shapes.push_back(std::move(shape));
     }
 
-    // Adds an axis that starts at the node `below`. Axes are added in the order of their parent
-    // nodes, so a parent axis precedes its laterals.
+    // Adds an axis that starts at the node `below` and continues to `first`. Axes are added in the
+    // order of their parent nodes, so a parent axis precedes its laterals.
     void add_axis(std::uint32_t below, std::uint32_t first)
     {
         auto const number = static_cast<AxisId>(plant().axes.size());
@@ -181,7 +181,7 @@ private:
     }
 
     using Mat3 = Eigen::Matrix3d;
-    // Wood of at most this many twig widths counts as a twig.
+    // Wood up to this multiple of the twig diameter has the material of twigs.
     static constexpr double kTwigWidths = 2.5;
 
     GrowingTree const& tree_;
@@ -189,8 +189,8 @@ private:
     std::uint64_t seed_;
     Laws laws_;
     std::vector<double> diameters_;
-    std::vector<SegmentId> segment_; // Segment that ends at each node.
-    std::vector<AxisId> axis_;       // Axis of each node.
+    std::vector<SegmentId> segment_; // Segment that ends at each tree node.
+    std::vector<AxisId> axis_;       // Plant axis of each tree node.
     std::unordered_set<std::uint32_t> known_keys_;
     TreePlant made_;
 };

@@ -14,7 +14,8 @@ struct TreePlant {
     Plant plant {};
     // Key of each axis, which stays the same in other years of the same tree.
     AxisKeys keys {};
-    std::vector<std::uint32_t> tree_nodes {}; // The tree's node at each node of the plant.
+    // For each node of the plant, the index of the tree's node there.
+    std::vector<std::uint32_t> tree_nodes {};
 };
 
 // Converts a grown tree to a plant, in millimetres from its base, with wood and leaves. Leaves are

@@ -55,7 +55,8 @@ private:
         shares_.received[i] = terminal_[i] + of_laterals;
     }
 
-    // Replaces what each bud or branch of a node received by the vigour that it gets.
+    // Replaces the light or space that each bud or branch of a node received by the vigour that it
+    // gets.
     void pass_on(std::size_t i)
     {
         auto const& node = tree_.links[i];

@@ -10,7 +10,7 @@ namespace tractus::self_organising {
 // Distribution of vigour by the extended Borchert-Honda model.
 struct Shares {
     std::vector<double> vigour; // Vigour of each bud.
-    // Light or space received by each node: the sum over the buds at the node and above it.
+    // Light or space received at each node: the sum over the buds at the node and above it.
     std::vector<double> received;
 };
 

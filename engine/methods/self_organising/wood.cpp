@@ -22,7 +22,7 @@ std::vector<double> diameters(GrowingTree const& tree, Laws const& laws)
 {
     auto sums = pipe_sums(tree, laws);
     double const twig = std::pow(laws.twig_diameter, laws.pipe_exponent);
-    for (auto& sum : sums) // Most internodes are twigs and need no pow().
+    for (auto& sum : sums) // Most internodes are twigs and need no pow() call.
         sum = sum == twig ? laws.twig_diameter : std::pow(sum, 1 / laws.pipe_exponent);
     return sums;
 }

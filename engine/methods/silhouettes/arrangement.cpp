@@ -15,7 +15,7 @@ namespace {
 struct Law {
     Pattern::Kind kind;
     char const* name;
-    int whorl;       // Number of branches per node; 0: no pattern.
+    int whorl;       // Number of branches per node; 0 for Even, which has no nodes.
     double turn_deg; // Rotation from one node to the next.
 
     double period_deg() const { return 360.0 / whorl; }
@@ -39,7 +39,7 @@ Law law_of(Pattern pattern)
     return law;
 }
 
-// Wraps a difference of u or of turns to the shorter way around.
+// Wraps a difference, in whole turns, to the range -0.5 to 0.5: the shorter way around.
 double wrapped(double difference)
 {
     return difference - std::round(difference);
@@ -97,7 +97,8 @@ private:
         return { drawn.u, full_turn(drawn.theta_deg + random_.uniform(-most, most)) };
     }
 
-    // In the Horizontal pattern only 0 and 180 degrees are possible.
+    // A random azimuth for an added branch; in the Horizontal pattern only 0 and 180 degrees are
+    // possible.
     double added_theta()
     {
         double const theta_deg = random_.uniform(0, 360);
@@ -138,9 +139,9 @@ private:
     std::size_t count_;
     double alpha_;
     double node_;
-    // Added branches are at nodes from the start. If they were snapped only at the end, branches of
-    // a node that straddles the border between two nodes would be separated. The older patterns
-    // keep snapping at the end, so that existing plants do not change.
+    // True: added branches are at nodes from the start. If they were snapped only at the end,
+    // branches of a node that straddles the border between two nodes would be separated. The older
+    // patterns keep snapping at the end, so that existing plants do not change.
     bool is_on_nodes_;
     std::vector<Place> places_;
 };

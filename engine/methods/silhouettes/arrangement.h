@@ -68,7 +68,8 @@ struct DrawnPlace {
     double u = 0;
     double theta_deg = 0; // Side where the branch was drawn: 0 (right) or 180 (left).
     double most_off_deg = 45;
-    bool keeps_u = true; // False: with Nodes::Whole the branch may move to a node.
+    // True: the branch keeps its u. False: with Nodes::Whole it may move to a node.
+    bool keeps_u = true;
 };
 
 struct ArrangementOptions {
@@ -79,7 +80,7 @@ struct ArrangementOptions {
     // Falloff of the proximity term (Wither 2009: 20). Default: 2 per branch.
     std::optional<double> alpha {};
     int proposals = 3000;
-    // Use of nodes by patterns that have them.
+    // How patterns with nodes use them.
     enum class Nodes {
         Whole, // The branches of a node share one u (whole_whorls.h).
         Snap, // Added branches move to the nearest node after the search, so nodes can hold more or
@@ -122,7 +123,7 @@ std::size_t node_size(Pattern pattern);
 // Rotation from one node to the next, degrees; 0 for a pattern without nodes.
 double node_turn_deg(Pattern pattern);
 
-// Distance in u between consecutive nodes of a parent with `count` branches.
+// Distance in u between consecutive nodes of a parent with `count` branches in this pattern.
 double node_distance(Pattern pattern, std::size_t count);
 
 // Wraps an angle into the range from 0 to below 360 degrees.

@@ -17,7 +17,7 @@ constexpr std::array kTangentShares { 0.5, 1.0, 1.5, 2.0 };
 // Tolerance for leaving the outline, as a share of its diagonal.
 constexpr double kMaxOutside = 0.01;
 constexpr std::size_t kChords = 16;
-// Difference in t within which a later angle replaces an earlier one.
+// Difference in t within which a later sample replaces an earlier one.
 constexpr double kSameSample = 0.05;
 
 double curve_length(Cubic const& curve)
@@ -38,8 +38,8 @@ Vec2 direction_at(std::span<Vec2 const> trunk, std::size_t sample)
     return direction_of(trunk[next] - trunk[sample > 0 ? sample - 1 : 0]);
 }
 
-// Candidate bases, nearest to the end first. A branch is never shorter than its chord, so the
-// search can stop early.
+// Candidate bases with their distances from the branch's end, nearest first. A branch is never
+// shorter than its chord, so the search can stop early.
 std::vector<std::pair<double, std::size_t>> bases_by_distance(BranchSearch const& search,
                                                               Vec2 const& end)
 {
@@ -106,8 +106,9 @@ Vec2 chord_to_share(Cubic const& curve, double share)
 
 namespace {
 
-// Rotates the start of a curve until the chord over the share `over` of its length has the angle to
-// the parent that the curve's start had. Chord and start differ where a curve bends early.
+// Rotates a curve's base tangent until the chord over the share `over` of the curve's length makes
+// the angle with the parent that the tangent made before. Chord and tangent differ where a curve
+// bends early.
 void settle_angle(Cubic& curve, Vec2 const& along, double over)
 {
     constexpr double kMax_deg = 170;
@@ -251,7 +252,7 @@ std::vector<Vec2> points_of(std::span<Vec2 const> outline, Arc const& arc)
     return points;
 }
 
-// The part of a bump's arc inside the cone at the branch's base; at least the neighbours of the
+// The part of a bump's arc inside the cone at the branch's base; at least the samples beside the
 // tip.
 std::vector<Vec2> shared_with(std::span<Vec2 const> outline, Bump const& bump, Cubic const& branch,
                               double cone_deg)

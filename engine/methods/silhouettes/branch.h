@@ -30,7 +30,8 @@ public:
 
     BranchingAngles(); // Default: 80 degrees at the base, 35 at the tip.
     // Makes the function from samples in any order, at least one. Angles are measured to the chord
-    // over the first `over` of a branch's length; 0 means the tangent at its base.
+    // over the first part of a branch; `over` is this part as a share of the branch's length, 0 for
+    // the tangent at its base.
     explicit BranchingAngles(std::vector<Sample> samples, double over = 0);
 
     double at_deg(double t) const;
@@ -49,7 +50,7 @@ struct BranchCurve {
     Cubic curve {};
     std::size_t trunk_sample = 0;
     double t = 0;      // Position of the branch's base along the trunk, 0 to 1.
-    double length = 0; // Arc length, as the sum of sixteen chords.
+    double length = 0; // Arc length of the branch, as the sum of sixteen chords.
     // Magnitude of the curve's end tangents as a share of the chord from base to end.
     double tangent_share = 0;
     Side side = Side::Left;
@@ -92,7 +93,7 @@ BranchCurve drawn_branch(BranchSearch const& search, std::span<Vec2 const> strok
 // `distance`: 20 for a bump of radius 0, 110 when the radius reaches the distance.
 double cone_angle_deg(double radius, double distance);
 
-// Crown of a branch that ends in no bump: a lens around its outer part, counter-clockwise.
+// Crown of a branch that does not end in a bump: a lens around its outer part, counter-clockwise.
 std::vector<Vec2> lens_crown(Cubic const& branch);
 
 // Outline of a branch's own crown, counter-clockwise: the bump's samples that lie in the cone at

@@ -12,9 +12,9 @@ namespace {
 
 // Largest scale of an added branch relative to the branch that it copies.
 constexpr double kLargestAdded = 1.5;
-// Largest stretch of a visible branch as it rotates out of the plane.
+// Largest scale by which a visible branch is stretched as it rotates out of the plane.
 constexpr double kMaxTurned = 1.41;
-// A visible branch may reach this multiple of the crown surface's distance.
+// A visible branch may reach this multiple of the crown surface's distance from the trunk.
 constexpr double kOverSurface = 1.02;
 constexpr double kOutlined_deg = 10; // Limit of rotation for a branch with a drawn outline, which
                                      // must stay visible in the drawing plane.
@@ -32,10 +32,11 @@ double most_off_deg(double span, double greatest)
 struct Scales {
     double low;
     double high;
-    double surface; // Factor by which the surface's section is enlarged.
+    double surface; // Factor by which the crown surface's section is widened.
 };
 
-// The largest scale at which the branch's crown is inside the crown's surface.
+// The largest scale, in the range of `scales`, at which the branch's own crown is inside the
+// surface of the system's crown.
 double largest_inside(BranchSetMaker::Model const& model, Branch const& branch, Similarity way,
                       double theta_deg, Scales scales)
 {
@@ -63,8 +64,8 @@ double largest_inside(BranchSetMaker::Model const& model, Branch const& branch, 
     return scales.low;
 }
 
-// Ratio of the branch's largest crown size at an azimuth to that on its own side of the plane; only
-// used with a drawn surface.
+// Ratio of the largest size that the branch's crown can have at an azimuth to that on its own side
+// of the plane; only used with a drawn surface.
 double widening(BranchSetMaker::Model const& model, Branch const& branch, double theta_deg)
 {
     constexpr Scales kAny { 0.1, 6, kOverSurface };
@@ -92,7 +93,7 @@ double area_at(CrownSurface const& surface, double theta_deg)
 // wide. Otherwise the outline would look empty.
 double most_off_deg_in(CrownSurface const& surface, double theta_deg, double most_deg)
 {
-    // Minimum share of the sector's area at theta_deg; 0.87 of the width.
+    // Minimum area of a sector, as a share of that at theta_deg; corresponds to 0.87 of the width.
     constexpr double kMin = 0.75;
     constexpr double kStep_deg = 4;
     double const least = kMin * area_at(surface, theta_deg);
@@ -163,7 +164,7 @@ BranchSet BranchSetMaker::make(std::size_t index, LevelOptions const& options) c
     bool const is_whole
         = options.nodes == ArrangementOptions::Nodes::Whole && options.pattern != Pattern::Even;
     auto const smaller = is_whole ? Lean::Smaller::Least : Lean::Smaller::LeftOut;
-    // Redistribution of azimuths; used only without a pattern, because patterns keep their angles.
+    // Redistributes azimuths; used only without a pattern, because patterns keep their angles.
     std::optional<SpreadByArea> spread;
     if (surface.is_drawn() && options.pattern == Pattern::Even)
         spread.emplace(surface);
@@ -183,7 +184,7 @@ BranchSet BranchSetMaker::make(std::size_t index, LevelOptions const& options) c
     return branch_set;
 }
 
-// Sorts by u, with the trunk's end last.
+// Adds the apex branch, if there is one, and sorts the branches by u.
 void BranchSetMaker::finish(BranchSet& branch_set, BranchingSystem const& system)
 {
     if (system.has_apex_branch())
@@ -227,7 +228,7 @@ std::vector<DrawnPlace> BranchSetMaker::drawn_places(Line const& parent,
     return drawn;
 }
 
-// Adds a visible branch, at the base where it was inferred or at `moves_to`.
+// Adds a visible branch with its base at the position `moves_to` along the parent.
 void BranchSetMaker::stand(BranchSet& branch_set, Model const& model, std::size_t i,
                            Place const& place, double moves_to)
 {
@@ -238,7 +239,7 @@ void BranchSetMaker::stand(BranchSet& branch_set, Model const& model, std::size_
     Similarity way { .from = base, .to = base, .turn = Vec2(longer, 0) };
     Vec2 as_it_is = Vec2::UnitX();
     if (moves_to != place.u) {
-        // The end stays on the outline.
+        // The branch's end stays where it is, on the outline.
         way = similarity_to_end(branch, branch_set.parent.at(moves_to));
         as_it_is = way.turn;
         way.turn *= longer;
@@ -261,8 +262,8 @@ void BranchSetMaker::stand(BranchSet& branch_set, Model const& model, std::size_
     branch_set.branches.push_back({ i, name_of(branch), moves_to, place.theta_deg, way });
 }
 
-// Adds a visible branch that may have moved to a node. It still goes to its end, unless that would
-// change its length or direction too much; then it is placed like an added branch.
+// Adds a visible branch that may have moved to a node. The branch's end stays where it is, unless
+// that would change its length or direction too much; then it is placed like an added branch.
 void BranchSetMaker::place_in_plane(BranchSet& branch_set, Model const& model, std::size_t i,
                                     Place const& place) const
 {
@@ -315,7 +316,7 @@ void BranchSetMaker::place_added_branch(BranchSet& branch_set, Model const& mode
 }
 
 // Names an added branch after its rounded position. Added branches are redistributed as a whole
-// after a change; the one that is then at this position gets the same name.
+// after a change; whichever is then at this position gets the same name.
 std::string BranchSetMaker::name_of_added_branch(BranchSet const& branch_set, Place const& place)
 {
     constexpr double kSteps = 12; // Resolution of the names, along the parent and around it.

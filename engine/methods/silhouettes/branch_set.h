@@ -45,7 +45,8 @@ public:
     // Distributes a system's branches; every parent with this system gets the same arrangement.
     BranchSet make(std::size_t index, LevelOptions const& level) const;
 
-    // A system with the positions of its visible branches, without the apex.
+    // A system, its crown's surface, and the positions of its visible branches without the apex
+    // branch.
     struct Model {
         BranchingSystem const& system;
         CrownSurface const& surface;
@@ -56,14 +57,15 @@ public:
     // The visible branch that an added branch at this position copies; no value if there is none.
     static std::optional<std::size_t> nearest_drawn(Model const& model, Place const& place);
 
-    // Adds the visible branch `i`, at the base where it was inferred or at `moves_to`.
+    // Adds the visible branch `i`. `place` has the position where it was inferred; `moves_to` is
+    // the position along the parent at which its base is placed.
     static void stand(BranchSet& branch_set, Model const& model, std::size_t i, Place const& place,
                       double moves_to);
 
-    // Direction in which an added branch leaves its parent, and the smallest allowed scale relative
-    // to the branch that it copies.
+    // Direction in which an added branch leaves its parent, its smallest allowed scale relative to
+    // the branch that it copies, and what happens to smaller branches.
     struct Lean {
-        // The direction in the copied branch that gets the angle `angle_deg`.
+        // Vector in the copied branch that is rotated to the angle `angle_deg` with the parent.
         Vec2 from = Vec2::UnitX();
         double angle_deg = 0;
         double least = 0.15;
@@ -72,7 +74,7 @@ public:
     static void place_added_branch(BranchSet& branch_set, Model const& model, Place const& place,
                                    std::size_t nearest, Lean const& lean);
 
-    // Sorts the branches, with the trunk's end last.
+    // Adds the apex branch, if there is one, and sorts the branches by u.
     static void finish(BranchSet& branch_set, BranchingSystem const& system);
 
     // The similarity that moves a branch's base to `from` and leaves its end where it is.

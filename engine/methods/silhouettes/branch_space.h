@@ -22,8 +22,8 @@ struct ParentBranch {
     Line const& line;
 };
 
-// Transform of a placed branch. `share` scales its azimuth about the parent: 0 leaves it in the
-// parent's plane, 1 turns it fully.
+// Transform of a placed branch. `share` scales its azimuth about the parent: 0 leaves the branch in
+// the parent's plane, 1 applies the full azimuth.
 Space space_of(ParentBranch const& bearer, PositionedBranch const& standing, Branch const& branch,
                double share = 1);
 

@@ -16,8 +16,8 @@ struct BranchStyle {
     double children = 0; // Mean number of children of an axis that has any; 0: no style is set.
     double children_deviation = 0;
     double bare = 0; // Share of the axes without children, below 1. The trunk always has some.
-    double unbranched = 0; // Position of the first child along the parent.
-    // Mean distance between consecutive children; 0 between children of one node.
+    double unbranched = 0; // Position of the first child, as a share of the parent's length.
+    // Mean distance between consecutive children, where children of one node count with distance 0.
     double spacing = 0;
     double unevenness = 0; // Coefficient of variation of the distance between nodes.
     // Standard deviation of the distance between consecutive children, including the zero distances
@@ -30,7 +30,7 @@ struct BranchStyle {
     double angle_deviation_deg = 0;
 
     bool is_set() const { return children > 0; }
-    // Distance from the first child to the last.
+    // Distance along the parent from the first child to the last.
     double extent() const { return children > 1 ? spacing * (children - 1) : 0; }
     // Branching angle at a share of the distance from a parent's first child to its last.
     double angle_at_deg(double share) const

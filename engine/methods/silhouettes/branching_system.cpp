@@ -11,9 +11,9 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Greatest distance of a foot's end from the trunk, as a share of its radius, in crowns that are
-// divided evenly. Where two large lobes meet under the crown the trunk enters through the corner of
-// one of them and passes near its end, too.
+// In crowns that are divided evenly, greatest distance of the foot bump's end from the trunk, as a
+// share of the bump's radius. Where two large lobes meet under the crown, the trunk enters through
+// the corner of one of them and passes near the lobe's end, although it is not the foot.
 constexpr double kCloseFoot = 0.6;
 
 // The apex bump's end, if it is within 60 degrees of the trunk's final direction.
@@ -30,8 +30,8 @@ std::optional<Vec2> apex_ahead(BranchingSystem const& system)
     return std::nullopt;
 }
 
-// Area covered by the trunk's own end: the apex bump, or the part of it that the trunk keeps if the
-// outline is divided among `branches`.
+// Outline of the area covered by the trunk's own end: the apex bump or, if the outline is divided
+// among `branches` branches, the part of the bump that the trunk keeps.
 std::vector<Vec2> apex_crown(BranchingSystem const& system, std::size_t branches)
 {
     std::vector<Vec2> crown;
@@ -85,8 +85,8 @@ double angle_at_base_deg(BranchingSystem const& system, BranchCurve const& path,
     return degrees(std::fabs(std::atan2(cross(along, out), along.dot(out))));
 }
 
-// Drawn branches, by the bump in which they end, and the remaining ones. The other branches take
-// their angles as samples.
+// Drawn branches, by the index of the bump in which they end, and those that end in no bump. Their
+// branching angles become samples of `angles` for the other branches.
 struct DrawnBranches {
     std::vector<std::optional<Branch>> of_bump;
     std::vector<Branch> elsewhere {};
@@ -119,7 +119,8 @@ DrawnBranches take_drawn_branches(BranchingSystem const& system, Run const& base
     return drawn;
 }
 
-// Trunk samples where inferred branches may start: at least two, inside the outline.
+// Range of trunk samples, inside the outline, where inferred branches may start: at least two if
+// possible.
 Run bases_of(BranchingSystem const& system, double unbranched)
 {
     auto bases = system.inside;
@@ -152,7 +153,7 @@ void infer_branches(BranchingSystem& system, Run const& bases, DrawnBranches dra
         system.branches.push_back(std::move(branch));
 }
 
-// Adds branches to the parts of the outline without bumps, until there are as many as wanted.
+// Adds branches to the parts of the outline without bumps, until the system has `branches` of them.
 void add_spaced(BranchingSystem& system, Run const& bases, BranchingAngles const& angles,
                 std::size_t branches)
 {
@@ -176,7 +177,7 @@ void add_spaced(BranchingSystem& system, Run const& bases, BranchingAngles const
     }
 }
 
-// The options for filling a crown that should have `branches`.
+// The options for filling a crown that should have `branches` branches; 0: `options` as they are.
 FillOptions filling(FillOptions options, std::size_t branches)
 {
     constexpr double kMinGap = 0.006;
@@ -215,7 +216,8 @@ void add_branches(BranchingSystem& system, Run const& bases, std::optional<Vec2>
     }
 }
 
-// The apex branch goes straight into the bump ahead, most of the way to its tip.
+// Adds the apex branch: straight into the bump ahead of the trunk, most of the way to the bump's
+// tip.
 void add_apex(BranchingSystem& system, std::size_t branches)
 {
     auto crown = apex_crown(system, branches);

@@ -28,9 +28,10 @@ struct InferenceOptions {
 struct BranchingSystem {
     std::vector<Vec2> outline; // Outline of the crown: equally spaced points, counter-clockwise.
     std::vector<Vec2> trunk;   // Trunk as 64 samples, base first.
-    // End of the trunk's extension: its apex, or as far as there are branches ahead of its end.
+    // End of the trunk's straight extension: the apex bump's end or the base of the farthest branch
+    // beyond the trunk; no value if the trunk has no extension.
     std::optional<Vec2> trunk_goes_on_to;
-    Run inside; // Range of trunk samples where branches may start.
+    Run inside; // Range of the trunk samples inside the outline, where branches may start.
     ChordalAxis::Counts triangles;
     std::vector<Bump> bumps;
     // First one branch per lateral bump, in the order of the bumps (a drawn branch where one ends
@@ -40,15 +41,15 @@ struct BranchingSystem {
     double coverage_before = 0;
     double coverage_after = 0; // Share of the outline's area covered by the crowns of all branches.
     std::vector<std::string> notes;
-    // True if the outline was drawn for this branch, or if the system follows the style of such a
-    // system.
+    // True if the outline was drawn for the system's branch, or if the system follows the style of
+    // a system whose outline was drawn.
     bool is_of_own_outline = false;
     // Number of touches that matched one of the system's bumps (bump_touch.h).
     std::size_t touches_taken = 0;
-    // Leaf that the whole crown is, if any; there are no branches then.
+    // The leaf, if the whole crown is one; there are no branches then.
     std::optional<LeafBlade> leaf {};
-    // True if the system follows a sibling's style, or if its siblings follow its style. It takes
-    // no other style then (sibling_style.h).
+    // True if the system follows a sibling's style, or if its siblings follow its style
+    // (sibling_style.h). The system then takes no other style.
     bool is_in_siblings_style = false;
 
     // The trunk with its extension, equally spaced or nearly so. Where an apex branch continues the

@@ -4,7 +4,8 @@
 
 namespace tractus::silhouette {
 
-// The system's first branches belong to the lateral bumps, in the same order.
+// Index of the branch that ends in a bump. The system's first branches belong to the lateral bumps,
+// in the same order.
 static std::optional<std::size_t> branch_of_bump(BranchingSystem const& system, std::size_t bump)
 {
     if (system.bumps[bump].role != Role::Lateral || system.is_in_siblings_style)

@@ -18,8 +18,8 @@ struct BumpLeaf {
 
 // Finds the branch that ends in the touched bump (touched_bump(), bump_touch.h) of the smallest
 // outline that has a bump there. Search::OnTrunk considers only the crown's outline. No value if
-// there is no bump, if no branch ends in it (as in the trunk's foot or apex), or if the touch is
-// farther than 4 % of the outline's diagonal from that branch's part of the crown.
+// there is no bump, if no branch ends in the bump (as in the trunk's foot or apex), or if the touch
+// is farther than 4 % of the outline's diagonal from that branch's part of the crown.
 std::optional<BumpLeaf> leaf_on_bump(Skeleton const& skeleton, Vec2 const& place, Search search);
 
 } // namespace tractus::silhouette

@@ -8,7 +8,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Greatest distances of a touch, as shares of the outline's diagonal.
+// Greatest distances of a touch from a bump's arc and from a joint, as shares of the outline's
+// diagonal.
 constexpr double kNearBump = 0.04;
 constexpr double kNearJoint = 0.08;
 
@@ -94,7 +95,8 @@ Vec2 chord_middle(std::span<Vec2 const> outline, Arc const& arc)
 void pull_inside(Bump& bump, std::span<Vec2 const> outline)
 {
     constexpr int kSteps = 8;
-    constexpr double kMin = 0.1; // Minimum distance from the outline, as a share of the radius.
+    // Minimum distance of the end from the outline, as a share of the bump's radius.
+    constexpr double kMin = 0.1;
     Vec2 const from = bump.end;
     Vec2 const to = chord_middle(outline, bump.arc);
     for (int i = 1; i <= kSteps; ++i) {
@@ -105,7 +107,8 @@ void pull_inside(Bump& bump, std::span<Vec2 const> outline)
     }
 }
 
-// Makes a bump from its arc; the cap begins where the half disc over its ends contains it.
+// Makes a bump from its arc. The arc is narrowed evenly from both ends until the half disc over its
+// ends contains it; this is the cap.
 Bump bump_on(std::span<Vec2 const> outline, Arc const& arc, double strength)
 {
     auto const n = static_cast<std::uint32_t>(outline.size());
@@ -123,8 +126,8 @@ std::uint32_t split_sample(std::span<Vec2 const> outline, Bump const& bump, Vec2
     constexpr double kMinPart = 0.2;
     constexpr double kTooNear = 0.25; // A touch nearer to the ray's origin than this share of the
                                       // bump's height has no clear direction.
-    // Minimum distance of the ray's origin from the tip, as a multiple of the distance from tip to
-    // end.
+    // Minimum distance of the ray's origin from the bump's tip, as a multiple of the distance from
+    // the tip to the bump's end.
     constexpr double kMinOriginDistance = 1.5;
     Vec2 const back = chord_middle(outline, bump.arc) - bump.tip;
     Vec2 const from = bump.tip
@@ -160,8 +163,8 @@ void split(std::vector<Bump>& bumps, std::span<Vec2 const> outline, std::size_t 
                  bump_on(outline, { middle, whole.arc.last }, whole.strength));
 }
 
-// Merges two bumps: the arc covers both and the outline between them; the end is between their
-// ends.
+// Merges two bumps: the arc covers both and the outline between them; the new end is between the
+// two ends.
 Bump joined(std::span<Vec2 const> outline, Bump const& first, Bump const& second)
 {
     auto bump = describe_bump(outline, { first.arc.first, second.arc.last },
@@ -262,7 +265,7 @@ Result<TouchedDrawing> touched(Drawing const& drawing, BumpTouch const& touch,
         auto const bump = touched_bump(system.bumps, system.outline, touch);
         if (!bump)
             continue;
-        // Touches of this outline, with their indices among all touches.
+        // Touches on this outline, and their indices among all touches of the drawing.
         std::vector<BumpTouch> touches;
         std::vector<std::size_t> numbers;
         for (std::size_t i = 0; i < drawing.touches.size(); ++i)

@@ -41,8 +41,8 @@ std::size_t take_touches(std::vector<Bump>& bumps, std::span<Vec2 const> outline
 // and splitting near a joint undoes that join.
 struct TouchedDrawing {
     BumpTouch added {};
-    std::optional<std::size_t> taken_back {}; // Index in the drawing's touches of the one that is
-                                              // undone; `added` is unused then.
+    // Index, among the drawing's touches, of the touch that is undone; `added` is unused then.
+    std::optional<std::size_t> taken_back {};
 };
 
 // Finds the effect of a touch. Search::OnTrunk considers only the crown's bumps. Fails with a user

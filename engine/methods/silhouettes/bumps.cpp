@@ -17,7 +17,7 @@ template<typename Use> void for_inner_points(std::span<Vec2 const> outline, Arc 
         use(outline[i]);
 }
 
-// Removes weak limbs until all remaining ones are bumps.
+// Removes weak limbs of a chordal axis until all remaining limbs are bumps.
 class Pruner {
 public:
     Pruner(ChordalAxis const& axis, BumpThresholds const& thresholds)
@@ -100,12 +100,13 @@ private:
     ChordalAxis const& axis_;
     BumpThresholds thresholds_;
     double diagonal_;
-    std::vector<std::array<bool, 3>> alive_; // False for chords whose limb has been removed.
+    // For each edge of each triangle: false if it is a chord whose limb has been removed.
+    std::vector<std::array<bool, 3>> alive_;
     // Cache of limb strengths; negative: not computed yet.
     std::vector<std::array<double, 3>> strength_;
 };
 
-// The first chord outwards from `base` whose half disc contains its cap.
+// The first chord, from `base` outwards, whose half disc contains the outline beyond it.
 Chord end_chord(ChordalAxis const& axis, Chord base)
 {
     auto const points = axis.outline().size();
@@ -120,12 +121,12 @@ Chord end_chord(ChordalAxis const& axis, Chord base)
     return base;
 }
 
-// The cap of an arc beyond the first chord that holds it, among those that narrow evenly from both
-// ends of the arc.
+// The cap of an arc. Chords narrow evenly from both ends of the arc; the cap is beyond the first
+// one whose half disc contains the outline beyond it.
 Arc even_cap(std::span<Vec2 const> outline, Arc arc)
 {
-    constexpr double kTremor
-        = 0.02; // Points may be outside by this share of the half disc's radius.
+    // Points of the arc may be outside the half disc by this share of its radius.
+    constexpr double kTremor = 0.02;
     constexpr std::size_t kMinInner = 3;
     auto const n = static_cast<std::uint32_t>(outline.size());
     while (arc.inner_count(n) > kMinInner && !contains_cap(outline, arc, kTremor))

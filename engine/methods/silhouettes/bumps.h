@@ -19,7 +19,7 @@ enum class Role {
 // threshold.
 struct Bump {
     Arc arc; // The part of the outline that belongs to the bump.
-    Arc cap; // The part of the arc around the bump's end, beyond `end`.
+    Arc cap; // The part of the arc around the bump's tip, beyond `end`.
     // Central point E of a bump (Wither 2009): near the middle of a lobe, near the tip of a spike.
     Vec2 end = Vec2::Zero();
     // Unit vector of the direction in which a branch reaches `end`, towards the cap.
@@ -39,13 +39,14 @@ struct BumpThresholds {
     // Minimum rise as a share of the diagonal of the outline's bounding box.
     double rise_of_diagonal = 0.012;
     double rise_of_chord = 0.06; // Minimum rise as a share of the chord at the limb's base.
-    // Choice of the chord whose middle is a bump's end. Both take the first chord from the bump's
-    // base outwards whose half disc contains what lies beyond it.
+    // Choice of the chord whose middle is a bump's end: in both cases the first chord, from the
+    // bump's base outwards, whose half disc contains the outline beyond it.
     enum class Ends {
-        // Among the edges of triangles. In a round lobe, whose points lie on one circle, tremor
-        // decides which triangles there are, and ends move by more than a tenth of the diagonal.
+        // The first one among the edges of triangles. In a round lobe, whose points lie on one
+        // circle, tremor decides which triangles there are, and ends move by more than a tenth of
+        // the diagonal.
         OfTriangles,
-        // Among chords that narrow evenly from both ends of the bump's arc.
+        // The first one among chords that narrow evenly from both ends of the bump's arc.
         Even,
     } ends
         = Ends::OfTriangles;
@@ -57,8 +58,8 @@ struct BumpThresholds {
 // assigned yet.
 std::vector<Bump> find_bumps(ChordalAxis const& axis, BumpThresholds const& thresholds = {});
 
-// True if the half disc over the ends of an arc contains the whole arc, up to a share of its
-// radius.
+// True if the half disc over the ends of an arc contains the whole arc, up to a tolerance given as
+// a share of the disc's radius.
 bool contains_cap(std::span<Vec2 const> outline, Arc const& arc, double tolerance = 1e-9);
 
 // Computes the bump that has the given arc and cap.
@@ -76,8 +77,8 @@ std::optional<Run> inside_run(std::span<Vec2 const> outline, std::span<Vec2 cons
 // Assigns roles. `run` is the range of trunk samples inside the outline. In an outline that is
 // nearly round, the two end bumps become foot and apex. If the trunk has neither an apex nor a fork
 // ahead, returns the point to which it should be extended: straight on, 85 % of the way to the
-// outline. The foot is the bump through which the trunk enters, if it passes within `foot_reach`
-// times the bump's radius of its end.
+// outline. The foot is the bump through which the trunk enters, if the trunk passes the bump's end
+// at less than `foot_reach` times the bump's radius.
 std::optional<Vec2> set_roles(std::vector<Bump>& bumps, std::span<Vec2 const> outline,
                               std::span<Vec2 const> trunk, Run const& run, double foot_reach = 1);
 

@@ -20,8 +20,8 @@ struct Arc {
     }
 };
 
-// A chord: an edge of a triangle that is not an edge of the outline. Seen from its triangle it
-// faces outwards.
+// A chord: an edge of a triangle that is not an edge of the outline, seen from inside this
+// triangle.
 struct Chord {
     std::uint32_t triangle = 0;
     std::uint32_t edge = 0;
@@ -59,7 +59,7 @@ public:
     // Returns the chord as an edge of the triangle on its other side.
     Chord reversed(Chord const& chord) const;
 
-    // The other chords of the neighbouring triangle.
+    // The other chords of the triangle on the far side of a chord.
     std::vector<Chord> onward(Chord const& chord) const;
 
     // Distance by which the outline beyond a chord protrudes from the circumcircle of the chord's

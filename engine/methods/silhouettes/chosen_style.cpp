@@ -73,7 +73,7 @@ std::set<std::string> paths_in(ChosenStyles const& styles)
 
 std::string source_of(ChosenStyles const& styles, std::string branch)
 {
-    // Edits cannot create cycles. The bounded loop also ends for a manipulated file.
+    // Edits cannot create cycles, but a manipulated file can; the bounded loop ends even then.
     for (std::size_t i = 0; i <= styles.size(); ++i) {
         auto const found = styles.find(branch);
         if (found == styles.end())
@@ -109,7 +109,7 @@ Result<void> choose_styles(ChosenStyles& styles, ChosenStyles const& chosen,
 
 Result<ChosenStyles> copied_by(Skeleton const& skeleton, std::span<Vec2 const> stroke)
 {
-    // Tolerance for crossing a branch, as a share of the outline's diagonal.
+    // A stroke crosses a branch if it comes this near to it, as a share of the outline's diagonal.
     constexpr double kOver = 0.01;
     constexpr std::size_t kPlaces = 400;
     auto const source = branch_near(skeleton, stroke.front());

@@ -12,7 +12,7 @@ namespace tractus::silhouette {
 // The paths that occur in `styles`, as target or as source, without duplicates.
 std::set<std::string> paths_in(ChosenStyles const& styles);
 
-// Path of the branch whose style `branch` finally has, following chosen styles from source to
+// Path of the branch from which `branch` takes its style, following chosen styles from source to
 // source. Paths are those of Skeleton::at().
 std::string source_of(ChosenStyles const& styles, std::string branch);
 

@@ -21,7 +21,8 @@ bool bit_at(std::vector<std::uint64_t> const& bits, int row, int column)
     return (bits[word_of(row, column)] >> static_cast<unsigned>(column % 64) & 1U) != 0;
 }
 
-// Inverts all cells of a row from a column on. Two crossings leave the cells between them set.
+// Inverts all cells of a row from a column on. Called at two edges of a polygon, it leaves the
+// cells between them set.
 void flip_from(std::uint64_t* row, int column)
 {
     if (column >= CoverageGrid::kCells)
@@ -128,7 +129,8 @@ bool CoverageGrid::is_free(Vec2 const& point) const
 // 1986).
 CoverageGrid::Gap CoverageGrid::widest_gap(int step) const
 {
-    int const size = kCells / step + 2; // Includes a border of cells that count as covered.
+    // Cells per row and per column of the search, with a border of cells that count as covered.
+    int const size = kCells / step + 2;
     constexpr std::uint16_t kFar = 60'000;
     std::vector<std::uint16_t> far(static_cast<std::size_t>(size * size), 0);
     int const rows = (rows_ - 1) / step;

@@ -19,7 +19,7 @@ public:
     // The cells whose centres are inside a polygon (even-odd rule).
     struct Cells {
         int first_row = 0;
-        std::vector<std::uint64_t> bits; // Bits of the cells, four words per row.
+        std::vector<std::uint64_t> bits; // One bit per cell, four words per row of cells.
         std::size_t count = 0;
     };
     Cells cells_of(std::span<Vec2 const> polygon) const;

@@ -37,12 +37,13 @@ double length_in_space(CrownLine const& line)
 
 bool comes_back_in_space(CrownLine const& line)
 {
-    constexpr double kWidestGap = 0.25; // Largest gap between the ends, as a share of the length;
-                                        // the same as for outlines on the sheet.
+    // Largest gap between the ends of a closed line, as a share of its length; the same as for
+    // outlines on the sheet.
+    constexpr double kWidestGap = 0.25;
     return (line.back() - line.front()).norm() <= kWidestGap * length_in_space(line);
 }
 
-// Principal axis of a line's plan view and its widths.
+// Principal axis of a line's plan view, and the plan's extents along the axis and across it.
 struct PlanSpread {
     Vec2 middle = Vec2::Zero();
     Vec2 along = Vec2::UnitX();
@@ -121,8 +122,8 @@ void cross_azimuths(Vec3 const& from, Vec3 const& to, Crossings& crossings)
     }
 }
 
-// Adds the intersections of a line with the azimuths, in the line's order, and returns its number
-// of turns around the trunk.
+// Adds the intersections of a line with the half planes at all azimuths, in the line's order.
+// Returns the line's number of turns around the trunk.
 double cross_azimuths(CrownLine const& line, TrunkFrame const& trunk, Crossings& crossings)
 {
     std::vector<Vec2> plan;
@@ -135,8 +136,8 @@ double cross_azimuths(CrownLine const& line, TrunkFrame const& trunk, Crossings&
     return turns_around(plan, Vec2::Zero());
 }
 
-// Centre of a climbing line: the mean over each point and the points half a turn before and after
-// it. This is unbiased if the distance grows or falls evenly.
+// Centre of a climbing line in plan view: the mean over each point and the points half a turn
+// before and after it. This is unbiased if the distance grows or falls evenly.
 Vec2 middle_of_climb(std::vector<Vec2> const& plan, Vec2 middle)
 {
     constexpr int kRounds = 4;
@@ -189,7 +190,8 @@ tl::unexpected<Error> not_around(char const* what, CrownLine const& line)
 Result<CrownLineKind> kind_of(CrownLine const& line)
 {
     constexpr double kMin_mm = 2;
-    // Maximum rise up to which a line counts as a ring, however many turns it makes.
+    // Up to this rise, as a share of its greatest width, a line counts as a ring, however many
+    // turns it makes.
     constexpr double kFlat = 0.12;
     constexpr double kTilted = 0.25;
     // Maximum number of turns of a ring. A closing stroke usually overshoots its beginning a

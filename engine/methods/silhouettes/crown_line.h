@@ -13,9 +13,9 @@ namespace tractus::silhouette {
 // it.
 using CrownLine = std::vector<Vec3>;
 
-// Classes of crown lines, told apart by shape.
+// Classes of crown lines, distinguished by their shape.
 enum class CrownLineKind {
-    Ring,  // Once around the crown at nearly constant height.
+    Ring,  // A line once around the crown at nearly constant height.
     Climb, // A line that goes around the crown more than once while rising.
     Side,  // A closed outline in a vertical plane.
 };

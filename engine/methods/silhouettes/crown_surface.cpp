@@ -16,8 +16,9 @@ std::vector<Vec2> all_in_frame(std::span<Vec2 const> points, TrunkFrame const& f
     return result;
 }
 
-// Interpolates between the distances of two meridians: 1 / r² is linear in the weights. With the
-// weights cos² and sin² the section is the ellipse through both half-axes.
+// Interpolates between the distances of two meridians from the trunk: 1 / r² is linear in the
+// weights. With the weights cos² and sin² the horizontal section is the ellipse through both
+// half-axes.
 double between_distances(double a, double b, double weight_of_a)
 {
     double const least = 1e-9 * std::max({ std::fabs(a), std::fabs(b), 1e-9 });
@@ -80,7 +81,7 @@ std::vector<Vec2> CrownSurface::section(double theta_deg) const
     std::vector<Vec2> section;
     for (std::size_t i = 0; i < kPoints; ++i)
         section.push_back(at(static_cast<double>(i) / (kPoints - 1), theta_deg));
-    // Closes the curve on the far side of the trunk, so that points close to the trunk are inside.
+    // Closes the curve slightly beyond the trunk, so that points close to the trunk are inside.
     section.emplace_back(-section.back().x() - 1e-6, section.back().y());
     double const back = 0.05 * std::max(1e-9, (section.back() - section.front()).norm());
     section.emplace_back(-back, at(0.9, theta_deg).y());

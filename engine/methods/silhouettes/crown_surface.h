@@ -32,13 +32,13 @@ public:
     // foot to its top, at azimuth `theta_deg`.
     Vec2 at(double s, double theta_deg) const;
 
-    // Number of points of each half's curve.
+    // Number of points of a meridian's curve.
     static constexpr std::size_t kPoints = 65;
     // The curve at an azimuth, closed along the trunk. Points inside it are inside the crown.
     std::vector<Vec2> section(double theta_deg) const;
 
-    // Greatest distance of the surface from the trunk's line at a height; no value if the surface
-    // is entirely above or below that height.
+    // Greatest distance of the surface from the trunk's line at an azimuth and a height; no value
+    // if the surface is entirely above or below that height.
     std::optional<double> reach(double theta_deg, double height) const;
 
     // (Lowest, highest) height of the surface at an azimuth.

@@ -20,16 +20,17 @@ CrownSurface surface_of_crown(Skeleton const& skeleton)
                                     : CrownSurface(skeleton.surface, tree.trunk);
 }
 
-// A cubic lattice of points over a box, and which of them a volume holds.
+// A cubic lattice of points over a volume's box, each marked as inside or outside the volume.
 class Lattice {
 public:
     explicit Lattice(CrownVolume const& volume)
         : low_(volume.box_mm().min_mm)
     {
-        constexpr double kPoints = 32; // Number of points along the longest side.
+        constexpr double kPoints = 32; // Number of lattice steps along the box's longest side.
         Vec3 const size = volume.box_mm().max_mm - low_;
         step_ = std::max(size.maxCoeff(), 1e-6) / kPoints;
-        for (std::size_t a = 0; a < 3; ++a) // One more point on each side lies outside.
+        // The lattice extends one point beyond the box on each side.
+        for (std::size_t a = 0; a < 3; ++a)
             count_[a] = static_cast<std::size_t>(std::ceil(size[Eigen::Index(a)] / step_)) + 3;
         inside_.resize(count_[0] * count_[1] * count_[2]);
         parallel_for(inside_.size(), 256, [&](std::size_t begin, std::size_t end) {
@@ -50,7 +51,7 @@ public:
         return low_ + step_ * (Vec3(x, y, z) - Vec3::Ones());
     }
 
-    // Points outside that have a neighbour inside.
+    // Lattice points outside the volume that have a neighbour inside.
     std::vector<Vec3> border() const
     {
         std::array<std::ptrdiff_t, 3> const steps { 1, std::ptrdiff_t(count_[0]),
@@ -77,8 +78,8 @@ private:
     std::vector<char> inside_;
 };
 
-// The largest balls about the lattice's inner points that stay inside, half a step apart from the
-// nearest point outside.
+// The largest ball around each lattice point inside the volume. It ends half a lattice step before
+// the nearest point outside.
 std::vector<CrownBall> inner_balls(Lattice const& lattice)
 {
     auto const border = lattice.border();
@@ -148,7 +149,8 @@ std::vector<CrownBall> fill_with_balls(CrownVolume const& volume)
     });
     std::vector<CrownBall> chosen;
     for (auto const& ball : balls) {
-        // A lattice point is covered if the cube around it is, up to its corners.
+        // A lattice point is covered if a chosen ball contains the cube around it, except for the
+        // cube's corners.
         double const margin = 0.5 * lattice.step();
         bool const is_covered
             = std::any_of(chosen.begin(), chosen.end(), [&](CrownBall const& other) {

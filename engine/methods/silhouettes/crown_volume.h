@@ -45,8 +45,8 @@ struct CrownBall {
 // narrowest.
 std::vector<CrownBall> fill_with_balls(CrownVolume const& volume);
 
-// Keys of the trunk and of the branches that were drawn, in the plant that build_tree() makes of
-// the tree. Fails like skeleton_of().
+// Axis keys of the trunk and of the branches that were drawn, in the plant that build_tree() makes
+// of the tree. Fails like skeleton_of().
 Result<std::vector<std::uint32_t>> drawn_axes(OutlinedTree const& tree);
 
 } // namespace tractus::silhouette

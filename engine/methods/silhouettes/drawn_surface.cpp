@@ -14,12 +14,13 @@ namespace {
 
 constexpr double kAzimuthStep_deg = 360.0 / kAzimuths;
 
-// Closes a profile beyond its last known point. The square of the distance from the trunk continues
-// as a parabola down to 0, so spheres, cones and shapes in between close exactly.
+// Cap that closes the crown's profile beyond its last known point. The square of the distance from
+// the trunk continues as a parabola down to 0, so spheres, cones and shapes in between close
+// exactly.
 class Cap {
 public:
-    // `squares`: squared distances at the last point, and one and two steps before it. `height`:
-    // where the cap ends; default: where the parabola reaches 0.
+    // `squares`: squared distances from the trunk at the last point, and one and two steps before
+    // it. `height`: height of the cap; by default it ends where the parabola reaches 0.
     Cap(std::array<double, 3> const& squares, double step, std::optional<double> height)
         : square_(std::max(squares[0], 1e-12))
     {
@@ -29,16 +30,19 @@ public:
             curved = (squares[2] - 2 * squares[1] + squares[0]) / (2 * step * step);
             slope_ = (squares[0] - squares[1]) / step + curved * step;
         }
-        constexpr double kLowest = 0.3; // Minimum height of a cap, as a share of the last distance.
-        constexpr double kFlat = 0.4;   // Cap height where the profile does not narrow towards its
-                                        // end, as a share of the last distance.
+        // Minimum height of a cap, as a share of the last point's distance from the trunk.
+        constexpr double kLowest = 0.3;
+        // Height of a cap if the profile does not narrow towards its end, as a share of the same
+        // distance.
+        constexpr double kFlat = 0.4;
         height_ = height.value_or(std::clamp(end_of(curved, kFlat * radius), kLowest * radius,
                                              std::max(radius, 1.5 * step)));
     }
 
     double height() const { return height_; }
 
-    // Ratio of the distance at `x` beyond the last point to the last distance.
+    // Ratio of the distance from the trunk at height `x` beyond the last point to that at the last
+    // point.
     double share(double x) const
     {
         double const curved = -(square_ + slope_ * height_) / (height_ * height_);
@@ -46,7 +50,7 @@ public:
     }
 
 private:
-    // The first zero of the parabola, or `otherwise` if there is none.
+    // Height at which the parabola first reaches 0; `otherwise` if it does not.
     double end_of(double curved, double otherwise) const
     {
         if (std::fabs(curved) < 1e-12 * square_)
@@ -64,20 +68,20 @@ private:
     double height_;
 };
 
-// Known distances from the trunk at one azimuth.
+// Distance from the trunk by height at one azimuth, known from height `low` to height `high`.
 struct Profile {
     MonotoneCurve curve;
     double low;
     double high;
 };
 
-// Merges points of nearly the same height.
+// Merges points (height, distance from the trunk) whose heights differ by at most `apart`.
 std::vector<Vec2> merged_places(std::vector<Vec2> places, double apart)
 {
     std::sort(places.begin(), places.end(),
               [](Vec2 const& a, Vec2 const& b) { return a.x() < b.x(); });
     std::vector<Vec2> result;
-    std::size_t taken = 0; // Number of points merged into the last one.
+    std::size_t taken = 0; // Number of points merged into the last point of `result`.
     for (auto const& place : places) {
         if (!result.empty() && place.x() - result.back().x() <= apart) {
             ++taken;
@@ -90,7 +94,8 @@ std::vector<Vec2> merged_places(std::vector<Vec2> places, double apart)
     return result;
 }
 
-// Even: climbing lines end at a different height at each azimuth, so their ends are made level.
+// Heights at which profiles end: as they are, or the same at all azimuths. Even is for climbing
+// lines, which end at a different height at each azimuth.
 enum class Ends { AsTheyAre, Even };
 
 std::vector<Profile> profiles_of(Crossings const& crossings, double low, double high, Ends ends)
@@ -107,7 +112,8 @@ std::vector<Profile> profiles_of(Crossings const& crossings, double low, double 
     return profiles;
 }
 
-// Mean squared distance over all azimuths, at a share of each azimuth's known range.
+// Mean squared distance from the trunk over all azimuths, at a share of each azimuth's known range
+// of heights.
 double mean_square(std::vector<Profile> const& profiles, double share)
 {
     double sum = 0;
@@ -119,13 +125,13 @@ double mean_square(std::vector<Profile> const& profiles, double share)
     return sum / static_cast<double>(profiles.size());
 }
 
-// Lowest and highest point of the crown, if an outline gives them.
+// Heights of the crown's lowest and highest point, if an outline gives them.
 struct CrownRange {
     std::optional<double> low;
     std::optional<double> high;
 };
 
-// Builds the surface through all profiles.
+// Builds the surface through all profiles, with a cap at its lower and its upper end.
 class SurfaceBuilder {
 public:
     SurfaceBuilder(std::vector<Profile> profiles, std::size_t lines, CrownRange const& range)
@@ -160,7 +166,8 @@ private:
         bool const has_three = share <= 0.5;
         double const last = at(0);
         double const before = at(1);
-        // Distance from the trunk below which the crown ends in a point.
+        // Up to this share of the neighbouring squared distance, the crown already ends in a point
+        // and needs no cap.
         constexpr double kFlat = 1e-6;
         if (last <= kFlat * std::max({ last, before, 1e-12 }))
             return std::nullopt;
@@ -179,7 +186,7 @@ private:
         double const bottom = low_ - (bottom_ ? bottom_->height() : 0);
         double const top = high_ + (top_ ? top_->height() : 0);
         points.emplace_back(0, std::min(bottom, profile.low));
-        // Samples become denser towards the end, where the surface is steep.
+        // Samples become denser towards the crown's lower end, where the surface closes quickly.
         for (int i = 1; bottom_ && i < kInCap; ++i) {
             double const x = std::cos(kPi / 2 * i / kInCap);
             points.emplace_back(first * bottom_->share(x * bottom_->height()),
@@ -200,7 +207,7 @@ private:
     }
 
     std::vector<Profile> profiles_;
-    double low_ = 0; // Mean lower end of the profiles.
+    double low_ = 0; // Mean height of the profiles' lower ends.
     double high_ = 0;
     std::optional<Cap> bottom_;
     std::optional<Cap> top_;
@@ -212,8 +219,8 @@ double apart_deg(double a_deg, double b_deg)
     return std::fabs(off_deg - 360 * std::round(off_deg / 360));
 }
 
-// Near its azimuth, half of an outline replaces the profile. Its influence ends at the next half or
-// after 45 degrees.
+// Blends meridians towards the halves of outlines. At its own azimuth a half replaces the meridian;
+// its influence ends at the next half's azimuth or after 45 degrees.
 void pull(std::vector<Meridian>& meridians, std::vector<Meridian> const& halves)
 {
     constexpr double kWidest_deg = 45;
@@ -234,8 +241,8 @@ void pull(std::vector<Meridian>& meridians, std::vector<Meridian> const& halves)
     }
 }
 
-// Prepares an outline in a vertical plane; result in the trunk's frame as (along the plane,
-// height).
+// Prepares an outline in a vertical plane (clean_drawing()). The result is in the trunk's frame, as
+// (distance along the plane, height).
 Result<std::vector<Vec2>> clean_side(CrownLine const& side, TrunkFrame const& trunk,
                                      double theta_deg)
 {
@@ -259,7 +266,8 @@ double top_of(std::vector<Vec2> const& outline)
     return box_of(outline).high.y();
 }
 
-// Default trunk if none was drawn.
+// Direction of the trunk if none was drawn: upright from `foot` or, by default, from a point below
+// the crown.
 std::vector<Vec2> upright_trunk(std::vector<CrownLine> const& lines,
                                 std::optional<Vec2> const& foot)
 {
@@ -342,8 +350,9 @@ Result<std::vector<Meridian>> meridians_of(std::vector<CrownLine> const& lines,
 Result<void> add_surface(Drawing& drawing, std::vector<CrownLine> const& lines,
                          std::optional<Vec2> const& foot)
 {
-    constexpr double kTrunkHeight = 0.85; // Default trunk height as a share of the crown's; the
-                                          // same as for outlines (outline.cpp).
+    // Default height of the trunk, as a share of the crown's; the same as for outlines
+    // (outline.cpp).
+    constexpr double kTrunkHeight = 0.85;
     if (lines.empty())
         return {};
     for (auto const& line : lines)

@@ -12,12 +12,13 @@ namespace tractus::silhouette {
 
 // The surface of a crown drawn in space by rings at several heights, a line that winds around the
 // crown as it climbs, outlines in vertical planes at several azimuths, or any mixture. `outline` is
-// the one on the sheet, in the trunk's frame, counter-clockwise; empty if there is none.
+// the crown's outline on the sheet, in the trunk's frame, counter-clockwise; empty if there is
+// none.
 //
 // Rings and climbing lines give the distance from the trunk by height at each of kAzimuths
 // azimuths. A monotone curve interpolates these; beyond its ends the surface is extrapolated until
-// it closes. Near the azimuths of outlines, the outlines define it. With outlines alone, it is
-// interpolated from one to the next (CrownSurface). Fails like kind_of(), add_ring() and
+// it closes. Near the azimuths of outlines, the outlines define it. With outlines alone, the
+// surface is interpolated from one to the next (CrownSurface). Fails like kind_of(), add_ring() and
 // add_climb().
 Result<std::vector<Meridian>> meridians_of(std::vector<CrownLine> const& lines,
                                            TrunkFrame const& trunk,

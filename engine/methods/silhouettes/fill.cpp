@@ -10,11 +10,12 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kMaxOverlap = 0.2;  // Share of a new crown's cells that may be covered already.
-constexpr double kLargestCopy = 1.5; // Largest and smallest scale of a copy relative to its model.
+constexpr double kMaxOverlap = 0.2; // Share of a new crown's cells that may be covered already.
+// Largest and smallest scale of a copy relative to its model.
+constexpr double kLargestCopy = 1.5;
 constexpr double kSmallestCopy = 0.15;
-constexpr double kSliver = 0.05; // A lone branch whose cap radius is below this share of the
-                                 // diagonal is no model for copies.
+// A lone branch whose cap radius is below this share of the outline's diagonal is not copied.
+constexpr double kSliver = 0.05;
 constexpr std::array kSizes { 1.0, 0.7, 0.5, 0.35 };
 
 class Filler {
@@ -68,7 +69,7 @@ private:
             && radius_of(crown_.branches[0]) < kSliver * box_of(crown_.outline).diagonal();
     }
 
-    // Radius of the cap, recovered from the cone's angle (cone_angle_deg()).
+    // Radius of the cap of a branch's bump, recovered from the cone's angle (cone_angle_deg()).
     static double radius_of(Branch const& branch)
     {
         double const share = (branch.cone_deg - 20) / 90;
@@ -86,7 +87,8 @@ private:
         run_.last = trunk_.size() - 1;
     }
 
-    // Default model if there is no branch to copy: straight, a quarter of the trunk long.
+    // Default model if there is no branch to copy: a straight branch, a quarter of the trunk long,
+    // with a lens as its crown.
     Branch lens() const
     {
         double const length = length_of(crown_.trunk) / 4;
@@ -124,8 +126,8 @@ private:
                       sign_of(side) * radians(crown_.angles.at_deg(t)));
     }
 
-    // The similarity from a model to a base, as large as fits inside the outline; no value if that
-    // is too small.
+    // The similarity that moves a model to a new base, as large as fits inside the outline; no
+    // value if it would be too small.
     std::optional<Similarity> fitted(Branch const& model, Vec2 const& base, Vec2 const& start,
                                      Side side) const
     {
@@ -194,7 +196,7 @@ private:
         }
     }
 
-    // Later lenses become copies of the first one.
+    // Makes a branch that was added from lens() a copy of the first one of these.
     void copy_first_lens(Branch& branch)
     {
         if (!first_lens_) {
@@ -258,7 +260,7 @@ private:
         auto const cells = grid_.cells_of(crown);
         bool const overlaps = static_cast<double>(grid_.count_covered(cells))
             > kMaxOverlap * static_cast<double>(cells.count);
-        // The cells count as covered even if no branch is added, so that the next gap is a
+        // The cells count as covered even if no branch is added, so that the next gap found is a
         // different one.
         grid_.cover(cells);
         if (overlaps)
@@ -272,7 +274,8 @@ private:
                 < (trunk_[nearest] - gap.center).squaredNorm())
                 nearest = k;
         Vec2 const away = direction_of(gap.center - trunk_[nearest]);
-        // The branch starts well below the gap, as natural branches do.
+        // The tangent also points up along the trunk, so that the branch starts well below the gap,
+        // as natural branches do.
         auto path = infer_branch(
             search,
             { .end = gap.center, .tangent = direction_of(away + direction_at_end(nearest)) });
@@ -301,7 +304,8 @@ private:
     std::size_t min_count_ = 0; // Minimum number of cells of a copy's crown.
     std::span<Branch const> models_;
     Branch lens_;
-    std::optional<std::size_t> first_lens_; // Index of the first lens among the added branches.
+    // Index of the first copy of lens_ among the added branches.
+    std::optional<std::size_t> first_lens_;
     std::size_t gaps_ = 0;
     FilledCrown result_;
 };

@@ -40,8 +40,8 @@ struct Branch {
     Similarity from_model {};
     // The drawn outline of the branch's crown (own_outline.h); empty if none was drawn.
     std::vector<Vec2> own_outline {};
-    // Branches that were drawn on this one (own_branch.h), and the branches that follow the style
-    // of these.
+    // Branches that were drawn on this one (own_branch.h), and the propagation of their style to
+    // the siblings of this one.
     std::vector<std::vector<Vec2>> own_branches {};
     StyleScope style_to = StyleScope::None;
     // Path of the branch whose style was chosen for this one (chosen_style.h).
@@ -66,15 +66,17 @@ struct Branch {
 };
 
 struct FillOptions {
-    int steps = 24; // Number of positions on the trunk's run inside the outline that are tried on
-                    // both sides.
-    double first_step = 0.08; // Share of the run, from its beginning, where nothing is added.
+    // Number of positions, along the trunk inside the outline, at which copies are tried on both
+    // sides.
+    int steps = 24;
+    // Share of the trunk inside the outline, from its lower end, where no copies are added.
+    double first_step = 0.08;
     // Greatest number of branches of the system, existing ones included.
     std::size_t most_branches = 60;
     double min_copy = 0.012; // Smallest area of a copy, as a share of the outline's area.
-    // Stop when this share of the outline is covered; the remaining gaps stay.
+    // Filling stops when this share of the outline's area is covered; any remaining gaps stay.
     double enough = 0.95;
-    // Least length of a branch into a gap, as a share of the diagonal of the outline's box.
+    // Minimum length of a branch into a gap, as a share of the diagonal of the outline's box.
     double min_length = 0;
     double min_gap = 0.012; // Smallest radius of a gap to fill, as a share of the square root of
                             // the outline's area.
@@ -85,16 +87,17 @@ struct CrownToFill {
     std::span<Vec2 const> outline;
     std::span<Vec2 const> trunk; // Trunk samples, equally spaced.
     Run run;                     // Range of the trunk samples inside the outline.
-    std::optional<Vec2> goes_on; // End of the trunk's extension (set_roles()).
+    std::optional<Vec2> goes_on; // End of the trunk's extension, if there is one (set_roles()).
     BranchingAngles const& angles;
     std::span<Branch const> branches; // Existing branches; copies are made of these.
-    // Area that the trunk itself covers around its apex; empty: none.
+    // Outline of the area that the trunk itself covers around its apex; empty if there is none.
     std::span<Vec2 const> apex {};
 };
 
 struct FilledCrown {
     std::vector<Branch> added;
-    double coverage_before = 0; // Share of the outline's area covered by crowns.
+    // Shares of the outline's area that crowns cover before and after filling.
+    double coverage_before = 0;
     double coverage_after = 0;
 };
 

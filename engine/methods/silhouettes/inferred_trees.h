@@ -17,7 +17,7 @@ public:
     // A cached inference, shared with readers.
     using Inferred = std::shared_ptr<InferredDrawing const>;
 
-    // The entry of exactly this version; null if it is not cached.
+    // The entry for exactly this version of the tree; null if it is not cached.
     Inferred find(OutlinedTree const& tree);
 
     // Stores an entry. The newest two versions are kept, so that undo finds the previous one.

@@ -12,8 +12,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Transforms an earlier system so that its trunk coincides with the later one's. Branches are then
-// compared by their position on the parent, wherever the parent has moved.
+// Transforms an earlier system so that its trunk coincides with the later system's. Branches are
+// then compared by their position on the parent, wherever the parent has moved.
 BranchingSystem laid_on(BranchingSystem system, BranchingSystem const& later)
 {
     Vec2 const from = system.trunk.back() - system.trunk.front();
@@ -39,7 +39,7 @@ std::string moved_path(std::string const& path, std::string const& from, std::st
     return is_below ? to + path.substr(from.size()) : path;
 }
 
-// True if the drawing has lines or styles on branches.
+// True if anything was drawn on branches or styles were chosen for them.
 bool is_drawn_on(Drawing const& drawing)
 {
     return drawing.is_refined() || !drawing.styles.empty();
@@ -151,7 +151,8 @@ void settle_branches(Drawing& drawing, BranchNamer::NewSystem const& made,
 
 } // namespace
 
-// The matching earlier system of the parent. Copies have their model's system.
+// The earlier system that corresponds to a new one: the children of the earlier branch that matches
+// its parent or a copy of this.
 std::optional<std::size_t> KeptNames::earlier_system(NewSystem const& made) const
 {
     if (made.parent_system == kNoSystem)

@@ -29,7 +29,7 @@ struct InferredDrawing {
 // earlier names, and new ones get names that begin with `fresh`. Lines drawn on branches follow the
 // names. An outline whose branch is gone moves to the branch of the same parent that it surrounds,
 // if that one has no outline yet. A drawn branch whose parent is gone moves to the new branch on
-// which it begins. Whatever is attached to these moves with them.
+// which it begins. Lines, touches and styles on a moved branch or below it move, too.
 class KeptNames final : public BranchNamer {
 public:
     // The arguments must outlive the object.
@@ -47,8 +47,8 @@ public:
     // The systems before drawn parts were applied to their branches; empty if nothing was drawn.
     std::vector<BranchingSystem> take_systems() { return std::move(systems_); }
 
-    // True if the children of some path were replaced by others during inference, so that names
-    // alone do not identify them.
+    // True if inference replaced the children of some branch by others, so that their paths alone
+    // do not identify them.
     bool has_replaced_children() const { return has_replaced_children_; }
 
 private:
@@ -64,7 +64,8 @@ private:
     bool has_replaced_children_ = false;
     // Index of the matching earlier system, for each later system.
     std::vector<std::optional<std::size_t>> earlier_of_;
-    std::vector<Partners> partners_; // Partners of the branches of each later system.
+    // For each branch of each later system, the index of the matching earlier branch.
+    std::vector<Partners> partners_;
 };
 
 // Infers a drawing. Fails like infer_skeleton().
@@ -79,8 +80,9 @@ struct Renamed {
 };
 
 // Names for the branches of `after`, based on those of the earlier drawing. Updates in `after`
-// which branches its lines belong to. A crown that is declared a leaf keeps the names that it would
-// have without; `earlier` must be inferred in the same way. Fails like infer_skeleton().
+// which branches its lines belong to. While a crown is declared a leaf, its branches keep the names
+// that they would have without this; `earlier` must be inferred without it, too. Fails like
+// infer_skeleton().
 Result<Renamed> kept_names(InferredDrawing const& earlier, Drawing& after, SkeletonOptions options,
                            std::string const& fresh);
 
@@ -90,7 +92,7 @@ struct DrawingToInfer {
     SkeletonOptions const& options;
 };
 
-// Names the branches of a changed drawing like the function above, but infers the earlier drawing
+// Names the branches of a changed drawing like the overload above, but infers the earlier drawing
 // first.
 Result<Renamed> kept_names(DrawingToInfer const& before, Drawing& after,
                            SkeletonOptions const& options, std::string const& fresh);

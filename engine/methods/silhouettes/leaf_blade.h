@@ -18,7 +18,7 @@ struct LeafBlade {
     Vec2 base = Vec2::Zero();
     Vec2 tip = Vec2::UnitY();
     bool mirrors = false; // True: the blade lies with its other side up.
-    double stalk = 0;     // Share of the parent's length where the blade begins.
+    double stalk = 0;     // Position where the blade begins, as a share of the parent's length.
 };
 
 // The leaf whose outline surrounds the end of a line. Its base is where the line enters the

@@ -21,7 +21,8 @@ static Result<BranchingSystem> system_with_strokes(Branch const& parent, Inferen
         for (auto& branch : system->branches)
             if (branch.origin == Branch::Origin::Drawn) {
                 branch.stroke = parent.own_branches[branch.number];
-                // The exact end is restored, because the frame has rounded it.
+                // The stroke's exact end is restored, because it was rounded in the normalised
+                // frame.
                 branch.path.curve.end = branch.stroke.back();
             }
     return system;

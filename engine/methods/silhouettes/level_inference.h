@@ -8,7 +8,7 @@
 
 namespace tractus::silhouette {
 
-// The branches of a level that get children: all, or only those with drawn details.
+// The branches of a level that get children: all, or only those on which something was drawn.
 enum class Which { All, Refined };
 
 // Options for inferring the crowns of one level.

@@ -36,7 +36,8 @@ double shared_area(CoverageGrid::Cells const& a, CoverageGrid::Cells const& b)
     return larger == 0 ? 0 : static_cast<double>(shared_cells(a, b)) / static_cast<double>(larger);
 }
 
-// A drawn branch may match the inferred branch of the bump in which it ends.
+// True if branches of these origins may match: a drawn branch may match the inferred branch of the
+// bump in which it ends.
 bool may_be_one(Branch::Origin one, Branch::Origin other)
 {
     auto const is_of_bump = [](Branch::Origin origin) {
@@ -51,7 +52,7 @@ std::vector<std::optional<std::size_t>> match_branches(BranchingSystem const& ea
                                                        BranchingSystem const& later)
 {
     constexpr double kMin = 0.5;
-    // Cost of branches with the same stroke: below all others, so these match first.
+    // Cost of a pair with the same stroke: below all other costs, so these pairs match first.
     constexpr double kSameStroke = -2;
     auto both = earlier.outline;
     both.insert(both.end(), later.outline.begin(), later.outline.end());

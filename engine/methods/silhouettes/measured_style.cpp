@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMaxMeasuredLevels = 3;
 // A divergence angle counts as significant from this concentration on.
 constexpr double kSureOfTurn = 0.5;
-// Children that a parent needs for its divergence angles to have a direction of rotation.
+// Minimum number of children from which a parent's divergence angles show a direction of rotation.
 constexpr std::size_t kMinOfTurns = 4;
 
 // Running mean and standard deviation.
@@ -79,7 +79,8 @@ Turn turn_of(double angle_deg)
     return std::polar(1.0, radians(angle_deg));
 }
 
-// Coefficient of variation of distances within each parent, excluding differences between parents.
+// Coefficient of variation of the distances between children of one parent, over several parents,
+// excluding differences between the parents.
 class Unevenness {
 public:
     void add(std::span<double const> places)
@@ -116,7 +117,7 @@ public:
         for (std::size_t i = 1; i < children.size(); ++i)
             gaps_.add(children[i].u - children[i - 1].u);
         for (std::size_t i = 0; i < children.size(); ++i) {
-            // Uses the index instead of the position: a few distant children would otherwise
+            // The index is used instead of the position: a few distant children would otherwise
             // dominate the fitted line.
             double const share = children.size() > 1
                 ? static_cast<double>(i) / static_cast<double>(children.size() - 1)
@@ -269,7 +270,7 @@ bool is_leaf(Plant const& plant, OrganShape const& shape)
     return plant.materials[shape.material].kind == Material::Kind::Leaf;
 }
 
-// Width of a spray's leaves, which are lozenges.
+// Width of a spray's leaves, which are lozenges, as a share of their length.
 double width_in_spray(OrganShape const& spray)
 {
     auto const& corners = spray.patches.front().control;

@@ -27,7 +27,7 @@ struct MeasuredLevel {
     std::array<double, 3> lengths {};
 };
 
-// The branching style of a plant, whatever method made it.
+// The branching style of a plant made by any method.
 struct MeasuredStyle {
     // One entry per level: the trunk's branches, then their branches; 1 to 3 entries.
     std::vector<MeasuredLevel> levels;

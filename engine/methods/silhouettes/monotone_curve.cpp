@@ -7,7 +7,8 @@
 
 namespace tractus::silhouette {
 
-// End slope: from the parabola through three points, limited so that the curve stays monotone.
+// Slope at an end of the curve: from the parabola through three points, limited so that the curve
+// stays monotone.
 static double end_slope(double near, double far, double near_step, double far_step)
 {
     double const slope

@@ -21,7 +21,7 @@ bool has_taker(scene::DocumentState const& state)
     });
 }
 
-// Null if there is no such plant.
+// The plant with this id; null if there is none.
 std::shared_ptr<scene::PlantState const> plant_of(scene::DocumentState const& state,
                                                   scene::ItemId plant)
 {
@@ -29,12 +29,13 @@ std::shared_ptr<scene::PlantState const> plant_of(scene::DocumentState const& st
     return number ? state.plants[*number] : nullptr;
 }
 
-// True if `taker` must take the style again because its source has changed.
+// True if `taker` must take the style again because `source` has changed or was not its source
+// before.
 bool is_other(scene::DocumentState const& before, scene::DocumentState const& after,
               scene::PlantState const& taker, scene::ItemId source)
 {
     auto const was = plant_of(before, taker.id);
-    if (!was) // A new tree took its style when it was drawn.
+    if (!was) // A tree drawn in this step already has its style.
         return false;
     auto const* const tree = outlined_tree(*was);
     bool const took = tree && takes_style(*tree);
@@ -93,7 +94,8 @@ std::vector<scene::Edit> dependent_style_edits(scene::Scene const& scene,
     auto const state = scene::apply_edits(scene.state, step, builder);
     if (!state)
         return edits; // The error is reported by the code that applies the step.
-    // Trees that must take the style of another plant; mostly none, so that no plant is built here.
+    // Trees that must take the style of another plant. Mostly there are none, and then no plant is
+    // built.
     std::vector<std::pair<std::shared_ptr<scene::PlantState const>, scene::ItemId>> takers;
     for (auto const& plant : state->plants) {
         auto const* const tree = outlined_tree(*plant);

@@ -21,7 +21,8 @@ namespace tractus::silhouette {
 // copied between them, or a form or its numbers were set by hand.
 bool has_own_style(OutlinedTree const& tree);
 
-// True if the tree takes another tree's style: it was drawn that way and has none of its own.
+// True if the tree takes another tree's style: this was chosen when it was drawn, and nothing has
+// given it a style of its own since.
 bool takes_style(OutlinedTree const& tree);
 
 // Id of the tree with its own style whose foot is nearest to a point in the scene, other than
@@ -29,8 +30,8 @@ bool takes_style(OutlinedTree const& tree);
 scene::ItemId nearest_with_style(scene::DocumentState const& state, Vec3 const& place_mm,
                                  scene::ItemId except);
 
-// `form` with the style measured on a plant (measured_style.h); its seed and its treatment of nodes
-// stay. Fails like measure_style().
+// `form` with the style measured on a plant (measured_style.h); its seed, has_whole_nodes and
+// plane_branches stay. Fails like measure_style().
 Result<TreeForm> with_style_of(TreeForm form, Plant const& plant);
 
 // Additional edits that follow from a step: each tree that takes its style from the nearest one is

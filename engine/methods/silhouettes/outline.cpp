@@ -13,14 +13,16 @@ namespace tractus::silhouette {
 namespace {
 
 constexpr std::size_t kMinPoints = 8;
-constexpr double kWidestGap = 0.25; // Largest gap in a closed stroke, as a share of its length.
+// Largest gap between the ends of a closed stroke, as a share of its length.
+constexpr double kWidestGap = 0.25;
 // Largest gap between strokes that are joined, as a share of the drawing's diagonal.
 constexpr double kWidestJoin = 0.1;
 constexpr double kShortestBranch = 1e-2; // Shortest branch, as a share of the drawing's diagonal.
-constexpr double kWarnShare = 0.1; // Add a note if more than this share of the area was left out.
+// Add a note if more than this share of the outline's area was left out.
+constexpr double kWarnShare = 0.1;
 // Height of the default trunk, as a share of the outline's height.
 constexpr double kTrunkHeight = 0.85;
-// Maximum number of outline points for the search of crossings.
+// Maximum number of outline points when searching for crossings.
 constexpr std::size_t kMaxCorners = 1024;
 
 Result<void> check_points(Drawing const& drawing)
@@ -91,7 +93,7 @@ std::vector<Vec2> in_frame(std::vector<Vec2> const& points, Similarity const& fr
     return result;
 }
 
-// Appends the second stroke to the first at their nearest ends.
+// Appends the second stroke to the first; `ends` says which of their ends meet.
 std::vector<Vec2> joined(std::vector<Vec2> first, std::vector<Vec2> second, unsigned ends)
 {
     if ((ends & 1U) == 0)
@@ -137,7 +139,7 @@ std::vector<Vec2> join_strokes(std::vector<std::vector<Vec2>> strokes,
     return std::move(*longest);
 }
 
-// Joins strokes to one and closes it.
+// Joins strokes to one outline and closes it.
 Result<std::vector<Vec2>> close_outline(std::vector<std::vector<Vec2>> strokes,
                                         std::vector<std::string>& notes)
 {
@@ -174,7 +176,8 @@ std::vector<Vec2> smoothed(std::vector<Vec2> const& outline, double deviation)
     return result;
 }
 
-// Makes the samples independent of where the stroke began, also for the mirrored outline.
+// Rotates the samples so that they do not depend on where the stroke began, also for a mirrored
+// outline.
 void begin_at_farthest(std::vector<Vec2>& outline)
 {
     auto const farthest

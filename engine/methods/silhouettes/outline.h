@@ -11,7 +11,7 @@
 
 namespace tractus::silhouette {
 
-// The branches that follow the style of a branch that was drawn on (sibling_style.h).
+// The branches to which the style of a branch that was drawn on is propagated (sibling_style.h).
 enum class StyleScope {
     None,
     Siblings, // Siblings that were not drawn on.
@@ -54,13 +54,13 @@ using ChosenStyles = std::map<std::string, std::string>;
 struct Drawing {
     // The crown's outline: one stroke or more, in any order.
     std::vector<std::vector<Vec2>> outline;
-    std::vector<Vec2> trunk;                    // Trunk, base first; empty: not drawn.
+    std::vector<Vec2> trunk;                    // Trunk, base first; empty if none was drawn.
     std::vector<std::vector<Vec2>> branches {}; // Branches of the trunk; each begins near it.
     // Drawn crowns of branches, at most one each (own_outline.h).
     std::vector<OwnOutline> own_outlines {};
     std::vector<OwnBranch> own_branches {}; // Branches drawn on branches (own_branch.h).
     ChosenStyles styles {};
-    std::vector<BumpTouch> touches {}; // Touches in the order in which they were made.
+    std::vector<BumpTouch> touches {}; // Touches at bumps, in the order in which they were made.
     // True if the crown's outline is declared a leaf, which ends the recursion.
     bool is_leaf = false;
     // The crown's surface if it was drawn in space (drawn_surface.h); empty: derived from the
@@ -92,7 +92,7 @@ struct CleanDrawing {
     std::vector<Vec2> outline;
     std::vector<Vec2> trunk;                    // Trunk as 64 equally spaced points, base first.
     std::vector<std::vector<Vec2>> branches {}; // Strokes of branches; none degenerates to a point.
-    std::vector<BumpTouch> touches {};          // Touches at this outline.
+    std::vector<BumpTouch> touches {};          // Touches at bumps of this outline.
     Similarity to_sheet; // Transform from the normalised frame to millimetres of the drawing.
     std::vector<std::string> notes; // Assumptions made and parts ignored, one sentence each.
 };

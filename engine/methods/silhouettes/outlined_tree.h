@@ -64,8 +64,8 @@ struct DrawnCrownLine {
 struct OutlinedTree {
     static scene::SourceKind const kKind;
 
-    Stroke trunk {};   // Stroke of the trunk from the foot upwards; no tips: not drawn.
-    Stroke outline {}; // Stroke around the crown; no tips: not drawn.
+    Stroke trunk {};   // Stroke of the trunk from the foot upwards; empty if none was drawn.
+    Stroke outline {}; // Stroke around the crown; empty if none was drawn.
     std::vector<DrawnBranch> branches {};
     // Names of branches, kept across changes of the lines; empty: see name_of().
     BranchNames names {};
@@ -108,8 +108,8 @@ Result<Vec2> foot_of(OutlinedTree const& tree);
 // there is no outline, and like infer_skeleton().
 Result<Skeleton> skeleton_of(OutlinedTree const& tree);
 
-// Path of the branch for which a stroke is the own outline (own_outline.h); no value if it is none,
-// or if the tree has no outline. Fails like skeleton_of().
+// Path of the branch for which a stroke is the own outline (own_outline.h); no value if it is the
+// outline of no branch, or if the tree has no outline. Fails like skeleton_of().
 Result<std::optional<std::string>>
 branch_outlined_by(OutlinedTree const& tree, Stroke const& stroke, Search search = Search::OnTrunk);
 
@@ -119,7 +119,7 @@ struct LineOnBranch {
     StyleScope style_to = StyleScope::None;
     Search search = Search::OnTrunk;
     bool is_leaf = false; // True: declare the outline a leaf.
-    bool of_bump = false; // True: the outline is the inferred one, taken from a bump.
+    bool of_bump = false; // True: the outline was inferred from a touched bump instead of drawn.
 };
 
 // The branch that ends in the bump at a stroke's midpoint (leaf_on_bump(), bump_leaf.h). Fails like
@@ -141,7 +141,7 @@ Result<std::optional<std::string>> parent_of_drawn_branch(OutlinedTree const& tr
 Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke,
                                      LineOnBranch const& line);
 
-// The style choices that a stroke makes (copied_by(), chosen_style.h), and the tree with such
+// The style choices that a stroke makes (copied_by(), chosen_style.h), and the tree with these
 // choices. Fail like copied_by(), choose_styles() and skeleton_of().
 Result<ChosenStyles> styles_copied_by(OutlinedTree const& tree, Stroke const& stroke);
 Result<OutlinedTree> with_styles(OutlinedTree tree, ChosenStyles const& chosen);
@@ -152,8 +152,8 @@ Result<OutlinedTree> with_touch(OutlinedTree tree, DrawnTouch touch, Search sear
 // Position of a touch on the paper: the midpoint of its stroke.
 Result<Vec2> place_of(DrawnTouch const& touch);
 
-// Id of the smallest drawn outline around a stroke's midpoint; 0 for the crown's, no value if there
-// is none.
+// Id of the smallest drawn outline around a stroke's midpoint; 0 for the crown's outline, no value
+// if there is no outline around it.
 Result<std::optional<scene::ItemId>> outline_around(OutlinedTree const& tree, Stroke const& stroke);
 
 // Adds a line on the crown's surface and removes those that it replaces (takes_place_of(),

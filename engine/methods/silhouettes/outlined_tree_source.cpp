@@ -77,7 +77,8 @@ constexpr double kShortestTrunk_mm = 5;
 Result<Plant> bare_stem(std::vector<Vec2> const& trunk, double scale)
 {
     constexpr std::size_t kNodes = 17;
-    constexpr double kThickest = 0.02; // Radius at the foot, as a share of the stem's length.
+    // Radius of the stem at its foot, as a share of the stem's length.
+    constexpr double kThickest = 0.02;
     double const length_mm = length_of(trunk);
     if (length_mm < kShortestTrunk_mm)
         return fail(Fault::User,
@@ -106,7 +107,7 @@ scene::BuiltSource built_of(Skeleton const& skeleton, OutlinedTree const& tree)
     return built;
 }
 
-// Varies only what the drawing leaves open, by changing the seed.
+// Varies, by another seed, only what the drawing leaves open.
 OutlinedTree varied(OutlinedTree tree, scene::SourceVariation const& variation)
 {
     constexpr std::uint32_t kStream = 0x7472;

@@ -7,11 +7,12 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Greatest distance to a branch, as a share of the outline's diagonal.
+// A point on a branch is at most this far from its axis, as a share of the outline's diagonal.
 constexpr double kNear = 0.025;
-// Minimum distance to the trunk, as a share of the outline's diagonal.
+// A point on a branch is at least this far from the trunk, as a share of the outline's diagonal.
 constexpr double kOffTrunk = 0.02;
-constexpr double kShortest = 0.02; // Minimum length of a stroke, as a share of the parent's length.
+// Minimum length of a stroke for a branch, as a share of the parent branch's length.
+constexpr double kShortest = 0.02;
 
 bool is_long_enough(std::span<Vec2 const> stroke, Branch const& parent)
 {

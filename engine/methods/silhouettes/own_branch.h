@@ -11,13 +11,13 @@
 
 namespace tractus::silhouette {
 
-// The branches to search.
+// The branches that a search considers.
 enum class Search {
     OnTrunk,  // The trunk's branches only.
     AnyLevel, // The trunk's branches and the children of branches that were drawn on.
 };
 
-// The branch of a system at a point, and its distance; no value if there is none.
+// The branch of a system at a point, and its distance from the point; no value if there is none.
 //
 // A point is on a branch if it is within 2.5 % of the outline's diagonal of the branch's axis,
 // nearer to it than to all others and to the trunk, and at least 2 % of the diagonal away from the

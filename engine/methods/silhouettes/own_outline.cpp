@@ -16,7 +16,7 @@ constexpr double kMaxOfCrown = 0.5;
 constexpr double kMaxOfTrunk = 0.5;
 constexpr double kMinOfBranch = 1.0 / 3;
 constexpr double kMinShared = 0.2;
-// Maximum number of points of a stroke for the search of crossings.
+// Maximum number of points of a stroke when searching for crossings.
 constexpr std::size_t kMaxToCross = 512;
 
 // The outline of the area that a stroke encloses.
@@ -39,7 +39,8 @@ double share_inside(std::vector<Vec2> const& loop, BranchingSystem const& system
     return static_cast<double>(count) / static_cast<double>(run.last - run.first + 1);
 }
 
-// The drawn outline of a branch's crown, prepared; empty if it cannot be one.
+// The drawn outline of a branch's crown, prepared by clean_drawing(); empty if it cannot be the
+// branch's outline.
 std::vector<Vec2> crown_in(std::vector<Vec2> const& drawn, Branch const& branch)
 {
     constexpr std::size_t kPoints = 96;
@@ -55,9 +56,10 @@ std::vector<Vec2> crown_in(std::vector<Vec2> const& drawn, Branch const& branch)
 // size and stays inside the outline.
 void follow_model(BranchingSystem const& system, Branch& copy, double area_before)
 {
-    // Tolerance for leaving the outline, as a share of its diagonal.
+    // Greatest distance by which the copy's crown may leave the outline, as a share of its
+    // diagonal.
     constexpr double kMaxOver = 0.01;
-    // Smallest scale, as a share of the one that preserves the copy's area.
+    // Smallest scale, as a share of the largest one that does not enlarge the copy.
     constexpr double kSmallest = 0.3;
     auto const& model = system.branches[*copy.model];
     double const limit = kMaxOver * box_of(system.outline).diagonal();
@@ -121,7 +123,7 @@ std::optional<std::size_t> branch_in(BranchingSystem const& system, std::span<Ve
 
 void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outlines)
 {
-    // Indices of changed branches, with their previous areas.
+    // Indices of the changed branches, with the previous areas of their crowns.
     std::vector<std::pair<std::size_t, double>> taken;
     for (auto const& own : outlines) {
         auto const i = number_of(system, own.branch);
@@ -148,7 +150,8 @@ void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outl
         system.coverage_after = coverage_of(system);
 }
 
-// Tries the branch as inferred and then as drawn; the two can be in different places.
+// Searches among the trunk's branches as inferred, then among those with drawn outlines applied; a
+// branch can be in different places in the two.
 static Result<std::optional<std::pair<std::string, double>>>
 outlined_on_trunk(Drawing const& drawing, std::span<Vec2 const> stroke,
                   SkeletonOptions const& options)

@@ -32,8 +32,8 @@ std::optional<std::size_t> branch_in(BranchingSystem const& system, std::span<Ve
 
 // Replaces the crowns of branches by the outlines drawn for them. A copy that gets one is no longer
 // a copy; copies of such a branch copy the drawn crown, as large as their places allow. All other
-// branches stay. Outlines that belong to no branch, or that do not contain their branch's end, are
-// ignored. Updates `coverage_after`.
+// branches stay. Outlines that belong to no branch, that contain no part of their branch or that
+// clean_drawing() refuses are ignored. Updates `coverage_after`.
 void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outlines);
 
 // Adds a closed stroke to a drawing as the outline of the branch that it surrounds, replacing an

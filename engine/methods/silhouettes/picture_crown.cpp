@@ -14,10 +14,10 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr double kMinArea = 0.006; // Smallest area of a crown, as a share of the picture's.
+constexpr double kMinArea = 0.006; // Smallest area of a crown, as a share of the picture's area.
 constexpr double kMaxArea = 0.6;
 
-// A boolean for each pixel.
+// A boolean for each pixel of a picture.
 struct Mask {
     int width;
     int height;
@@ -161,12 +161,12 @@ std::size_t most_before_sides(Flood const& flood, Mask const& size)
     return flood.order.size();
 }
 
-// Number of pixels where the flood grows least while its level rises by a tenth; among nearly equal
-// ones, the largest. No value if it always grows fast.
+// Size, in pixels, at which the flood grows least when its level changes by 12 % up and down; of
+// nearly equal ones, the largest. No value if the flood always grows fast.
 std::optional<std::size_t> steadiest(Flood const& flood, Mask const& size)
 {
     constexpr float kRise = 0.12f;
-    // Maximum growth, as a share of its area, at which a flood counts as stable.
+    // Maximum growth, as a share of the flood's area, at which a flood counts as stable.
     constexpr double kRest = 0.9;
     constexpr double kLarge = 0.3;
     auto const all = static_cast<double>(flood.order.size());
@@ -191,7 +191,7 @@ std::optional<std::size_t> steadiest(Flood const& flood, Mask const& size)
     return best;
 }
 
-// Dilates the mask by `reach` pixels, or erodes it if not `in`.
+// Dilates the mask by `reach` pixels if `in` is true; erodes it if `in` is false.
 Mask grown(Mask const& mask, int reach, bool in)
 {
     Mask result = mask;
@@ -234,8 +234,8 @@ Mask framed(Mask const& mask)
     return result;
 }
 
-// The largest part, without holes and without parts thinner than twice `thin`; gaps narrower than
-// twice `gap` are closed.
+// The largest connected part of a mask, without holes and without parts thinner than twice `thin`;
+// gaps narrower than twice `gap` are closed.
 std::optional<Mask> solid_part(Mask mask, int gap, int thin)
 {
     mask = grown(grown(mask, gap, true), gap, false);
@@ -265,8 +265,8 @@ std::optional<Mask> solid_part(Mask mask, int gap, int thin)
     return largest;
 }
 
-// Traces the region's edge along pixel corners, counter-clockwise with y up. Takes a framed mask
-// and returns coordinates of the original picture.
+// Traces the region's edge along pixel corners, counter-clockwise with y up. Takes a mask from
+// framed() and returns coordinates of the original picture.
 std::vector<Vec2> edge_of(Mask const& mask)
 {
     int x = 0;

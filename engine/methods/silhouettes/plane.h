@@ -35,7 +35,7 @@ double distance_to_outline(std::span<Vec2 const> outline, Vec2 const& point);
 double distance_to_line(Vec2 const& point, std::span<Vec2 const> line);
 
 // Distance to the first intersection of a ray with the outline, as a multiple of `ahead`; no value
-// if it does not meet the outline.
+// if the ray does not meet the outline.
 std::optional<double> ray_distance_to_outline(std::span<Vec2 const> outline, Vec2 const& from,
                                               Vec2 const& ahead);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kTangentOver = 0.02;  // Length over which the parent's tangent is taken on both
                                        // sides, as a share of the parent's length.
 constexpr double kStraightOn_deg = 20; // A child at the tip within this angle continues its parent.
-// Children within this share of the mean distance are at one node.
+// Children closer than this share of their mean distance are at one node.
 constexpr double kSameNode = 0.2;
 
 // An axis, evaluated by arc length.
@@ -40,7 +40,7 @@ public:
         return nodes_[i] + share * (nodes_[i + 1] - nodes_[i]);
     }
 
-    // Tangent at a length; zero for an axis without length.
+    // Tangent at an arc length; zero for an axis without length.
     Vec3 direction(double length_mm) const
     {
         double const step_mm = kTangentOver * this->length_mm();

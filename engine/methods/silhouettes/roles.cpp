@@ -8,16 +8,17 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Largest angle to the trunk's final direction that counts as straight ahead.
+// Largest angle to the trunk's final direction at which a bump counts as straight ahead.
 constexpr double kAhead_deg = 20;
 // The trunk forks and has no apex if the second-best bump's closeness() is less than this multiple
 // of the best one's.
 constexpr double kFork = 1.25;
-constexpr double kOn = 0.85; // Length of the extension as a share of the distance to the outline,
-                             // if there is no bump ahead.
+// Length of the trunk's extension if there is no bump ahead, as a share of the distance to the
+// outline.
+constexpr double kOn = 0.85;
 
-// The bump through whose arc the trunk enters its run inside the outline, if the trunk passes
-// within `reach` times the bump's radius of its end.
+// The bump through whose arc the trunk enters the outline, if the trunk passes the bump's end at
+// less than `reach` times the bump's radius.
 std::optional<std::size_t> find_foot(std::vector<Bump> const& bumps, std::span<Vec2 const> outline,
                                      std::span<Vec2 const> trunk, std::size_t first_inside,
                                      double reach)
@@ -38,8 +39,8 @@ std::optional<std::size_t> find_foot(std::vector<Bump> const& bumps, std::span<V
     return std::nullopt;
 }
 
-// Badness of a bump as the apex: below 1 if it surrounds the trunk's end or is straight ahead of
-// it.
+// Penalty of a bump as the apex: below 1 if the bump surrounds the trunk's end or is straight ahead
+// of the end.
 double closeness(Bump const& bump, Vec2 const& end, Vec2 const& ahead)
 {
     Vec2 const way = bump.end - end;
@@ -68,7 +69,7 @@ bool is_round(std::vector<Bump> const& bumps, std::span<Vec2 const> outline)
 std::optional<Run> inside_run(std::span<Vec2 const> outline, std::span<Vec2 const> trunk)
 {
     std::optional<Run> longest;
-    std::size_t count = 0; // Number of consecutive samples inside.
+    std::size_t count = 0; // Number of consecutive samples inside the outline.
     for (std::size_t k = 0; k <= trunk.size(); ++k) {
         if (k < trunk.size() && is_inside(outline, trunk[k])) {
             ++count;

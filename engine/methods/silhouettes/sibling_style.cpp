@@ -69,7 +69,7 @@ public:
         angles_.emplace(angles_of(*below_), angles_of(*above_));
     }
 
-    // Mean of both, weighted by their distance along the trunk.
+    // Mean of a number over both sources, weighted by their distance along the trunk.
     template<typename Number> double mean(Number const& number) const
     {
         double const low = number(*below_);
@@ -107,7 +107,8 @@ std::vector<double> places_on(double length, Mixed const& style, std::uint64_t s
     return StyledPlaces(places, Pattern::Even, seed, 1).next({ .number = number });
 }
 
-// Sides for `count` children, with the same share on the left, from the base on, as in the source.
+// Sides for `count` children. From the base on, the share on the left follows that of the source's
+// children.
 std::vector<Side> sides_for(std::size_t count, ParentStyle const& source)
 {
     auto const n = source.children.size();
@@ -130,7 +131,7 @@ std::vector<Side> sides_for(std::size_t count, ParentStyle const& source)
     return sides;
 }
 
-// Index of the source child nearest in position, on the given side if there is one.
+// Index of the source's child nearest to position `u`, on the given side if there is one.
 std::size_t nearest_child(ParentStyle const& source, double u, Side side)
 {
     std::size_t best = 0;
@@ -146,7 +147,8 @@ std::size_t nearest_child(ParentStyle const& source, double u, Side side)
     return best;
 }
 
-// Scales the similarity so that at most a tenth of the child's crown is outside the outline.
+// Scales the similarity, between a third and one and a half times `usual`, so that at most a tenth
+// of the child's crown is outside the outline.
 Similarity fitted(Similarity way, Branch const& child, std::vector<Vec2> const& outline,
                   double usual)
 {
@@ -168,7 +170,7 @@ Similarity fitted(Similarity way, Branch const& child, std::vector<Vec2> const& 
     return way;
 }
 
-// A copy of a source's child on a sibling.
+// A copy of a source's child, placed on a sibling at position `u`.
 Branch copied(Branch const& child, Similarity const& way, Side side, double u)
 {
     Branch copy { .origin = Branch::Origin::Copy, .path = child.path };
@@ -222,7 +224,7 @@ ParentStyle parent_style(Branch const& parent, BranchingSystem const& system)
         Vec2 const start = branch.model ? branch.from_model.vector(start_of(own)) : start_of(own);
         double const u = line.place_of(branch.path.curve.base);
         auto child = branch;
-        if (branch.model) // The copy's model does not exist in the other system.
+        if (branch.model) // The copy's model will not exist in the sibling's system.
             child.stroke = branch.from_model.points(own.stroke);
         child.model.reset();
         style.children.push_back({ u, angle_deg(line.direction(u), start), std::move(child) });

@@ -14,12 +14,12 @@ namespace tractus::silhouette {
 struct ParentStyle {
     // A child, as the model for copies on siblings.
     struct Child {
-        double u = 0; // Position as a share of the parent's length.
+        double u = 0; // Position of the child, as a share of the parent's length.
         double angle_deg = 0;
         Branch branch; // The child itself, with the side of the parent that it is on.
     };
 
-    double t = 0; // Position of the parent on the trunk.
+    double t = 0; // Position of the parent along the trunk, 0 to 1.
     Side side = Side::Left;
     double length = 0;              // Length of the parent, in the unit of its system.
     std::vector<Child> children {}; // Children from the parent's base to its tip, at least one.
@@ -27,8 +27,8 @@ struct ParentStyle {
                           // only one child.
     double deviation = 0; // Standard deviation of the distances between children.
     bool is_of_own_outline = false;
-    bool includes_deeper_levels
-        = false; // True if the style also applies to deeper levels (StyleScope::Deeper).
+    // True if the style also applies to deeper levels (StyleScope::Deeper).
+    bool includes_deeper_levels = false;
 
     // Shares of the parent's length before the first child and up to the last one.
     double unbranched() const { return children.front().u; }
@@ -55,9 +55,9 @@ void take_style(BranchingSystem& system, Branch const& parent, std::span<ParentS
 // more than a tenth of it would be outside the outline.
 void take_leaf(Branch& branch, Branch const& source, std::span<Vec2 const> outline);
 
-// Turns the ends of a system's branches into leaves: those that were not drawn on and for which
-// `may` returns true, if the nearest branch along the parent whose style goes to its siblings is a
-// leaf. Includes the apex branch.
+// Turns the ends of a system's branches, including the apex branch, into leaves like those of their
+// siblings. A branch is turned if it was not drawn on, if `may` returns true for it, and if the
+// nearest branch that passes its style to siblings is a leaf.
 void spread_leaves(BranchingSystem& system, std::function<bool(Branch const&)> const& may);
 
 // True if the system has branches and all of them are leaves.

@@ -18,14 +18,14 @@ using BranchNames = std::map<std::string, std::vector<std::string>>;
 
 // Number of branching levels and the resolution of their inference.
 struct SkeletonOptions {
-    int levels = 2; // Branching levels, 1 to 3; 1: only the trunk has branches.
+    int levels = 2; // Number of branching levels, 1 to 3; 1: only the trunk has branches.
     InferenceOptions tree {};
     // Options for inferred crowns, for which fewer samples are enough.
     InferenceOptions below { .outline = { .samples = 80, .smoothing_samples = 1 },
                              .bumps = {},
                              .fill = { .steps = 12, .most_branches = 16, .enough = 0.85 },
                              .angles = {} };
-    // Options for the crowns of branches that were drawn.
+    // Options for the branches' crowns whose outlines were drawn.
     InferenceOptions outlined { .outline = { .samples = 160 },
                                 .bumps = {},
                                 .fill = { .steps = 16, .most_branches = 32, .enough = 0.92 },
@@ -36,7 +36,8 @@ struct SkeletonOptions {
     // Styles by level: the trunk's branches, then their branches. A style that is set replaces the
     // branching angles of the options above, and no branch is inferred below its first position.
     std::vector<BranchStyle> styles {};
-    std::uint64_t seed = 1; // Seed for the distances of branches that follow a sibling's style.
+    // Seed for the distances between branches that follow a sibling's style.
+    std::uint64_t seed = 1;
 };
 
 // Reference to a branch of one of a skeleton's systems.

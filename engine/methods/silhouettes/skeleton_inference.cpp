@@ -16,7 +16,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-// The drawing's lines on branches of one system, grouped by the branches' names.
+// The drawing's lines on children of the branch `parent`, each with its branch's name instead of
+// the path.
 template<typename Drawn>
 std::vector<Drawn> drawn_on(std::vector<Drawn> const& lines, std::string_view parent)
 {
@@ -39,7 +40,8 @@ void name_branches(BranchingSystem& system, BranchNames const& names, std::strin
         system.branches[i].name = found->second[i];
 }
 
-// Assigns touches to drawn outlines; touches at other outlines have no effect.
+// Assigns touches to the branches whose outlines were drawn; touches at other outlines have no
+// effect.
 void give_touches(BranchingSystem& system, std::vector<BumpTouch> const& touches)
 {
     for (auto touch : touches) {
@@ -79,8 +81,8 @@ public:
         outlined.outline.min_area_mm2 = 0;
         skeleton_.surface = drawing_.surface;
         std::size_t first = 0;
-        // Branches below the usual levels have children only if they were drawn on or follow a
-        // style.
+        // Branches beyond the form's number of levels have children only if they were drawn on or
+        // follow a style.
         for (int level = 1; first < skeleton_.systems.size(); ++level) {
             bool const is_usual = level < options_.levels;
             LevelInference const how { .usual = styled(below, options_.styles, level),
@@ -137,7 +139,8 @@ private:
         skeleton_.systems.push_back(std::move(system));
     }
 
-    // Makes `made` the system of a branch; none if it has no branches.
+    // Makes `made` the system of the children of `parent`, which has no children if `made` is
+    // empty.
     void bear(BranchRef const& parent, std::optional<BranchingSystem> made,
               std::vector<std::size_t> const& parents)
     {
@@ -149,7 +152,8 @@ private:
         add(*std::move(made), parent, parents);
     }
 
-    // Chosen styles apply to branches without drawn children, and only if the source exists.
+    // Finds the branches of a level that take a chosen style: those without drawn children whose
+    // source exists.
     void find_targets(Level const& level)
     {
         targets_.clear();
@@ -194,8 +198,8 @@ private:
         });
     }
 
-    // True if a branch is inferred now. A target with copies is inferred as well, because its
-    // copies keep the inferred children.
+    // True if the children of a branch are inferred with its level. A target with copies is
+    // inferred as well, because its copies keep the inferred children.
     bool is_wanted(BranchRef const& at, Which which) const
     {
         auto const& branch = skeleton_.systems[at.system].branches[at.branch];
@@ -233,7 +237,7 @@ private:
         }
     }
 
-    // The style of a branch for its siblings; without children if it has none.
+    // The style that a branch passes on; it has no children if the branch has none.
     ParentStyle style_of(BranchRef const& at)
     {
         auto const below = skeleton_.system_of[at.system][at.branch];
@@ -250,7 +254,7 @@ private:
         return style;
     }
 
-    // Styles of the branches that were drawn on and whose style goes to siblings, sorted by
+    // Styles of those branches of a system that pass their style on to siblings, sorted by
     // position.
     std::vector<ParentStyle> styles_for_siblings(std::size_t system)
     {
@@ -285,8 +289,8 @@ private:
         return *std::move(system);
     }
 
-    // Gives the branches that were not drawn on the style of siblings that were; without such
-    // siblings, the style from the level above.
+    // Gives branches that were not drawn on the style of siblings that were drawn on or, without
+    // such siblings, the style from the level above.
     void follow_styles(std::size_t s, LevelInference const& how)
     {
         auto styles = styles_for_siblings(s);
@@ -310,7 +314,7 @@ private:
                 stand_alone({ s, i }, std::move(made[i]));
     }
 
-    // Passes styles that apply to deeper levels on to the systems of a system's branches.
+    // Passes styles that apply to deeper levels on from a system to the systems of its branches.
     void hand_down(std::size_t s)
     {
         auto styles = styles_for_siblings(s);
@@ -324,7 +328,7 @@ private:
                 from_above_[below] = handed;
     }
 
-    // Applies the chosen styles.
+    // Gives the targets of the current level their chosen styles.
     void follow_chosen(LevelInference const& how)
     {
         std::vector<std::optional<BranchingSystem>> made;
@@ -352,7 +356,7 @@ private:
     SkeletonOptions const& options_;
     BranchNamer* namer_;
     Skeleton skeleton_;
-    std::vector<Target> targets_; // Targets of the current level.
+    std::vector<Target> targets_; // Branches of the current level that take a chosen style.
     // Styles from the level above for the branches of each system.
     std::vector<std::vector<ParentStyle>> from_above_;
 };

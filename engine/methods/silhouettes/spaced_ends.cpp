@@ -11,11 +11,12 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Position of a spaced branch's end on the straight way from its base to the outline.
+// Position of a spaced branch's end on the straight line from its base to the outline, 0 to 1.
 constexpr double kEndsAt = 0.85;
 // Greatest distance by which a branch may leave the outline, as a share of its diagonal.
 constexpr double kMaxOut = 0.01;
-// Least length of a branch, as a share of the outline's diagonal; the trunk covers what is nearer.
+// Minimum length of a branch, as a share of the outline's diagonal; the trunk would hide shorter
+// ones.
 constexpr double kMinSpacedLength = 0.015;
 
 Vec2 trunk_direction(std::span<Vec2 const> trunk, std::size_t sample)
@@ -24,7 +25,7 @@ Vec2 trunk_direction(std::span<Vec2 const> trunk, std::size_t sample)
     return direction_of(trunk[next] - trunk[sample > 0 ? sample - 1 : 0]);
 }
 
-// Samples of an outline that have an owner.
+// Records which samples of an outline have an owner: a bump, a drawn branch or an end of the trunk.
 class Ownership {
 public:
     explicit Ownership(std::size_t samples)
@@ -41,7 +42,7 @@ public:
         }
     }
 
-    // Takes `width` samples around one.
+    // Marks about `width` samples around the given one as owned.
     void take_around(std::size_t sample, double width)
     {
         auto const n = is_owned_.size();
@@ -50,7 +51,7 @@ public:
                static_cast<std::uint32_t>((sample + half) % n) });
     }
 
-    // A run of samples without an owner: its first sample, and how many there are.
+    // A run of consecutive samples without an owner.
     struct Stretch {
         std::size_t first;
         std::size_t count;
@@ -85,7 +86,7 @@ std::size_t nearest_sample(std::span<Vec2 const> outline, Vec2 const& point)
     return static_cast<std::size_t>(nearest - outline.begin());
 }
 
-// The samples of a bump's arc up to `width` samples from its tip on both sides, and those of
+// The part of a bump's arc up to `width` samples from its tip on both sides, extended to include
 // `least`.
 Arc around_tip(std::span<Vec2 const> outline, Bump const& bump, std::size_t width, Arc const& least)
 {
@@ -129,7 +130,7 @@ public:
     }
 
 private:
-    // A part of the outline, and the trunk sample from which its branch starts.
+    // A part of the outline, its middle sample, and the trunk sample from which its branch starts.
     struct Part {
         Arc arc;
         std::size_t middle;
@@ -137,14 +138,14 @@ private:
         Side side;
     };
 
-    // Number of samples of the outline for each branch.
+    // Number of outline samples per branch, if the outline is divided evenly.
     double spacing() const
     {
         return static_cast<double>(crown_.outline.size()) / static_cast<double>(crown_.branches);
     }
 
-    // The part of the outline to which only the bump's own branch goes: all of a bump that is as
-    // wide as a few parts, and of a wider one so much around its tip.
+    // The part of the outline that belongs to the bump's own branch alone: the whole arc of a bump
+    // up to kMaxParts spacings wide, or that width around the tip of a wider one.
     Arc kept_by_lateral(Bump const& bump) const
     {
         constexpr double kMaxParts = 3;
@@ -166,7 +167,8 @@ private:
                             ? kept_by_lateral(bump)
                             : kept_by_trunk(crown_.outline, bump, crown_.branches));
         }
-        // The trunk keeps the outline where it enters beside bumps, and straight ahead of its end.
+        // The trunk owns the outline where it enters, if there is no foot bump, and straight ahead
+        // of its end.
         if (!has_foot && run_.first > 0)
             owners.take_around(nearest_sample(crown_.outline, trunk_[run_.first]), spacing());
         auto const ahead = ray_distance_to_outline(crown_.outline, trunk_[run_.last],
@@ -181,8 +183,8 @@ private:
         return owners;
     }
 
-    // Even parts of the stretches without an owner. Each stretch gets as many as it has spacings,
-    // rounded, and all together at most as many as the crown lacks.
+    // Divides the stretches without an owner into even parts, each about one spacing wide. There
+    // are at most as many parts as the crown lacks branches.
     std::vector<Arc> parts() const
     {
         auto const stretches = owners().free_stretches();
@@ -190,7 +192,8 @@ private:
         for (auto const& stretch : stretches)
             free += static_cast<double>(stretch.count);
         double const lacks = static_cast<double>(crown_.branches - crown_.has);
-        // On a smooth outline all parts are a little narrower, since the trunk's ends keep theirs.
+        // Minimum width of a part, in spacings. On a smooth outline all parts are narrower than a
+        // spacing, since the trunk's ends own some of the outline.
         constexpr double kNarrowest = 0.8;
         double const width = std::max(kNarrowest * spacing(), free / lacks);
         std::vector<Arc> arcs;
@@ -234,8 +237,8 @@ private:
         return part;
     }
 
-    // Sorts the parts of a side by their bases and moves bases apart that coincide at an end of the
-    // trunk.
+    // Sorts the parts of one side of the trunk by their bases, and moves bases apart that are too
+    // close.
     void spread_bases(std::vector<Part>& parts) const
     {
         if (parts.empty())
@@ -243,7 +246,8 @@ private:
         std::sort(parts.begin(), parts.end(), [&](Part const& a, Part const& b) {
             return std::pair(a.base, height(a)) < std::pair(b.base, height(b));
         });
-        constexpr double kMinGap = 0.4; // Minimum gap, as a share of the mean distance of bases.
+        // Minimum distance between bases, as a share of their mean distance.
+        constexpr double kMinGap = 0.4;
         auto const run = run_.last - run_.first;
         auto const gap = static_cast<std::size_t>(kMinGap * static_cast<double>(run)
                                                   / static_cast<double>(parts.size()));
@@ -264,7 +268,8 @@ private:
     {
         Vec2 const to = crown_.outline[part.middle];
         Vec2 const base = trunk_[part.base];
-        // A branch rises a little towards its end.
+        // Weight of the trunk's direction in the end tangent, so that a branch rises a little
+        // towards its end.
         constexpr double kRise = 0.25;
         Vec2 const way = to - base;
         BranchEnd const end { .end = base + kEndsAt * way,
@@ -283,7 +288,7 @@ private:
         return branch;
     }
 
-    // A place just inside the outline.
+    // A point inside the outline near the outline sample `at`, towards the trunk.
     Vec2 inner_end(Vec2 const& at) const
     {
         auto const nearest
@@ -292,7 +297,8 @@ private:
         return at + (1 - kEndsAt) * inwards;
     }
 
-    // The part as a bump whose cone at the branch's base holds it.
+    // The part described as a bump, with a radius for which the cone at the branch's base contains
+    // the part.
     Bump described(Arc const& arc, Cubic const& curve, Vec2 const& tip) const
     {
         auto bump = describe_bump(crown_.outline, arc, arc, 0);

@@ -25,7 +25,8 @@ OrganShape leaf_spray(LeafForm const& form, MaterialId material, std::uint32_t v
 {
     constexpr std::uint32_t kStream = 0x5a1;
     constexpr double kSpiral_deg = 137.5;
-    constexpr double kFirst = 0.12; // Share of the twig, from its base, without leaves.
+    // Share of the twig's length, from its base, without leaves.
+    constexpr double kFirst = 0.12;
     Random random({ .seed = 1, .stream = kStream, .substream = variant });
     OrganShape spray;
     spray.name = fmt::format("spray {}", variant + 1);

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint32_t kSprayVariants = 8;
 
-// Length of a parent with the default number of twigs, and lengths of twigs, as shares of the
-// tree's height.
+// Length of a parent that gets TreeOptions::sprays twigs, and greatest and smallest length of a
+// twig, as shares of the tree's height.
 constexpr double kParent = 0.07;
 constexpr double kLongestSpray = 0.055;
 constexpr double kShortestSpray = 0.016;

@@ -11,7 +11,7 @@ namespace tractus::silhouette {
 
 // The parent axis of twigs with leaves, already part of the tree.
 struct SprayParent {
-    Space const& space; // Transform of the parent's plane.
+    Space const& space; // Transform from the parent's plane to the plant.
     Line const& line;
     // Crown inside which twigs end; empty: they have their default length.
     std::vector<Vec2> const& crown;
@@ -48,7 +48,7 @@ private:
     struct TwigDirection {
         double lean;
         double around;
-        double length; // Length of the twig in the plane's unit.
+        double length; // Length of the twig, in the unit of the parent's plane.
     };
 
     void add(SprayPlace const& place, TwigDirection const& way, Random& random);

@@ -73,7 +73,8 @@ std::optional<BranchSet> StyledBranchSetMaker::next(Parent const& parent)
     Model const model { system, surface, drawn };
     auto const thetas = arrangement(model, branch_at, parent.number);
     double const extent = std::max(places.back() - places.front(), 1e-9);
-    // Branches that keep their ends come first; the angles of the others compensate for theirs.
+    // Branches that keep their ends come first; the angles of the other branches compensate for
+    // theirs.
     for (auto const has_end : { true, false })
         for (std::size_t k = 0; k < places.size(); ++k) {
             double const share = (places[k] - places.front()) / extent;
@@ -85,8 +86,8 @@ std::optional<BranchSet> StyledBranchSetMaker::next(Parent const& parent)
     return branch_set;
 }
 
-// Selects as many visible branches as there are positions, in the order of their positions. Those
-// of the least rank are preferred, and within a rank those of the largest crowns.
+// Selects at most `most` visible branches and returns their indices in the order of their
+// positions. Those of the least rank are preferred; within a rank, those of the largest crowns.
 std::vector<std::size_t> StyledBranchSetMaker::kept_branches(BranchingSystem const& system,
                                                              std::vector<DrawnPlace> const& drawn,
                                                              std::size_t most)
@@ -105,7 +106,8 @@ std::vector<std::size_t> StyledBranchSetMaker::kept_branches(BranchingSystem con
     return kept;
 }
 
-// Positions are mapped as if nodes were equally spaced, because the pattern works on node numbers.
+// Arranges the branches around the parent. Positions are mapped as if nodes were equally spaced,
+// because the pattern works on node numbers.
 std::vector<Place>
 StyledBranchSetMaker::arrangement(Model const& model,
                                   std::vector<std::optional<std::size_t>> const& branch_at,
@@ -133,9 +135,9 @@ StyledBranchSetMaker::arrangement(Model const& model,
         .places;
 }
 
-// A branch that was drawn or ends in a bump still goes to its end from its new base, unless that
-// changes its length too much or takes it far from the style's angle. Other branches do not end on
-// the outline.
+// True for a branch that was drawn, and for one that ends in a bump, unless going there from its
+// new base would change its length too much or turn it far from the style's angle. Other branches
+// do not end on the outline.
 bool StyledBranchSetMaker::keeps_end(Parent const& parent, Model const& model,
                                      StyledPlace const& place) const
 {
@@ -184,7 +186,8 @@ void StyledBranchSetMaker::stand(Parent const& parent, BranchSet& branch_set, Mo
         branch_set.branches.back().name = name_of(model.system.branches[*branch]);
 }
 
-// Chord over the part of its axis from which angles are measured, in its system's plane.
+// Chord over the first part of a branch's axis (kAngleOver), from which its angle is measured, in
+// the plane of its system.
 Vec2 StyledBranchSetMaker::way_of(std::size_t index, std::size_t i) const
 {
     auto const& system = skeleton_.systems[index];

@@ -34,7 +34,8 @@ double normal_quantile(double share)
     return (low + high) / 2;
 }
 
-// Positions from 0 to 1 whose distances are log-normal with the deviation `spread`.
+// Positions from 0 to 1 whose distances are log-normal with the normal scores `scores` and the
+// logarithmic deviation `spread`.
 std::vector<double> shares_of(std::vector<double> const& scores, double spread)
 {
     std::vector<double> shares { 0 };
@@ -91,8 +92,8 @@ bool StyledPlaces::next_has_children()
     return true;
 }
 
-// Child counts: the mean for the first parent, then pairs of one above and one equally far below
-// the mean. A few parents thus also have the right mean.
+// Number of children of the next parent: the mean for the first parent, then pairs of one above and
+// one equally far below the mean. So even a few parents have the right mean.
 std::size_t StyledPlaces::next_count(std::size_t least)
 {
     auto const pair = (counted_ + 1) / 2;
@@ -117,10 +118,11 @@ double StyledPlaces::next_first(double low)
     return first;
 }
 
-// Distance from the first child to the last.
+// Distance from the next parent's first child to its last, as a share of the parent's length.
 double StyledPlaces::next_extent(std::size_t count, double room)
 {
-    constexpr double kMin = 0.3; // Limits relative to the mean distance of a parent.
+    // Limits of the result, as multiples of the style's mean.
+    constexpr double kMin = 0.3;
     constexpr double kMax = 3;
     extent_left_ += style_.spacing * static_cast<double>(count - 1) * extent_factor();
     if (count < 2)
@@ -132,9 +134,9 @@ double StyledPlaces::next_extent(std::size_t count, double room)
     return extent;
 }
 
-// Factor on the distances of the next parent, representing the part of the variance that is between
-// parents. Like the counts, factors come in pairs around 1; large factors go with high and low
-// counts equally often.
+// Factor on the distances between the next parent's children. It represents the part of the
+// variance that is between parents. Like the counts, factors come in pairs around 1; large factors
+// go with high and low counts equally often.
 double StyledPlaces::extent_factor() const
 {
     auto const pair = counted_ / 2; // next_count() has already counted this parent.
@@ -149,8 +151,8 @@ double StyledPlaces::extent_factor() const
     return std::max(0.0, 1 + ((counted_ + pair) % 2 == 0 ? -off : off));
 }
 
-// Coefficient of variation for the next parent, chosen so that all distances together keep the
-// style's standard deviation.
+// Coefficient of variation of the distances on the next parent, chosen so that the distances on all
+// parents together keep the style's standard deviation.
 double StyledPlaces::next_unevenness(std::size_t count, std::size_t nodes, double extent)
 {
     constexpr double kMaxChanged = 2;
@@ -166,8 +168,9 @@ double StyledPlaces::next_unevenness(std::size_t count, std::size_t nodes, doubl
     return std::clamp(wanted, usual / kMaxChanged, usual * kMaxChanged);
 }
 
-// Normal scores for the distances between nodes. Wither 2009 uses normally distributed distances;
-// these are log-normal, which gives the required coefficient of variation without negative values.
+// Normal scores for the distances between a parent's nodes. Wither 2009 uses normally distributed
+// distances; here they are log-normal, which gives the required coefficient of variation without
+// negative values.
 std::vector<double> StyledPlaces::node_scores(std::size_t nodes, std::uint32_t parent) const
 {
     Random random({ .seed = seed_, .stream = kPlaceStream, .substream = parent });

@@ -9,21 +9,22 @@
 
 namespace tractus::silhouette {
 
-// Generates the positions of children for one parent after another of a level, so that all together
-// match the style. Deviations on one parent, because counts are whole numbers or its crown leaves
-// no room, are made up for on the following ones.
+// Generates the positions of children for the parents of a level, one after the other, so that all
+// together match the style. Where one parent deviates, because counts are whole numbers or its
+// crown leaves no room, the following ones compensate.
 class StyledPlaces {
 public:
     // The random stream is specific to `level`.
     StyledPlaces(BranchStyle const& style, Pattern pattern, std::uint64_t seed,
                  std::uint32_t level);
 
-    // True if the next parent has children.
+    // True if the next parent should have children.
     bool next_has_children();
 
     struct Parent {
-        double low = 0;           // Share of the parent's length, from its base, without children.
-        std::size_t least = 0;    // Smallest number of children, regardless of the style.
+        // Share of the parent's length, from its base, that must bear no children.
+        double low = 0;
+        std::size_t least = 0;    // Minimum number of children, regardless of the style.
         std::uint32_t number = 0; // Number of the parent, which selects its random numbers.
     };
     // Positions on the next parent as shares of its length, ascending; those of one node are equal.
@@ -38,8 +39,8 @@ public:
     std::vector<double> next(Parent const& parent);
 
     // next_angle_deg(): branching angle of the next branch, at `share` of the distance from its
-    // parent's first child to its last. take_angle(): accounts for a branch that has its own angle
-    // there.
+    // parent's first child to its last. take_angle(): records that the branch at this position
+    // keeps an angle of its own.
     double next_angle_deg(double share);
     void take_angle(double share, double angle_deg);
 
@@ -54,12 +55,14 @@ private:
     BranchStyle style_;
     std::size_t whorl_;
     std::uint64_t seed_;
-    double count_phase_ = 0; // Starting phases of the sequences, as shares of a turn.
+    // Starting phases of the sequences of counts, angles and extents, as shares of a turn.
+    double count_phase_ = 0;
     double angle_phase_ = 0;
     double extent_phase_ = 0;
     std::size_t counted_ = 0;
     std::size_t angled_ = 0;
-    double bearing_ = 0; // Remainders of rounding, carried over from earlier parents.
+    // Remainders of the sequences' rounding, carried over from earlier parents.
+    double bearing_ = 0;
     double count_left_ = 0;
     double first_left_ = 0;
     double angle_left_deg_ = 0;

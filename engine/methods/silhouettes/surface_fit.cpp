@@ -57,7 +57,8 @@ bool SurfaceFit::holds(Vec3 const& plant_mm) const
 {
     Vec3 const sheet = to_sheet_ * plant_mm;
     Vec3 const at = surface_.to_trunk(Vec3(sheet.x(), sheet.y(), -sheet.z()));
-    constexpr double kOver = 1.03; // Leaves may reach this multiple of the surface's distance.
+    // Leaves may reach this multiple of the surface's distance from the trunk.
+    constexpr double kOver = 1.03;
     return at.head<2>().norm() <= kOver * reach(std::atan2(at.y(), at.x()), at.z());
 }
 

@@ -56,7 +56,7 @@ public:
 private:
     // An axis still to be added.
     struct Parent {
-        std::size_t system = kNoSystem; // The system whose trunk the axis is.
+        std::size_t system = kNoSystem; // The system whose trunk is this axis.
         Space space;
         Line line;
         std::vector<Vec2> crown {};
@@ -90,7 +90,7 @@ private:
         return options_.levels[options_of(level)];
     }
 
-    // Adds axes depth first, so that every axis comes after its parent.
+    // Adds an axis and its descendants depth first, so that every axis comes after its parent.
     void grow(Parent const& parent)
     {
         std::optional<BranchSet> own;
@@ -119,7 +119,7 @@ private:
         }
     }
 
-    // Adds the petiole and the leaf.
+    // Adds a leaf that ends a branch: its petiole as an axis and its blade as an organ.
     void grow_leaf(Parent const& stalk, LeafBlade const& leaf)
     {
         auto const axis = add_axis(stalk, node_places(stalk, nullptr));
@@ -141,7 +141,7 @@ private:
         ++tree_.leaves;
     }
 
-    // Leaves with the same outline share one organ shape.
+    // The organ shape of a leaf; leaves with the same outline share one.
     OrganShapeId shape_of(LeafBlade const& leaf)
     {
         auto& shapes = tree_.plant.organ_shapes;
@@ -190,8 +190,8 @@ private:
                .is_stroke = !model.stroke.empty() });
     }
 
-    // Positions of the parent's axis nodes, as shares of its length: evenly spaced ones and those
-    // of its branches.
+    // Positions of an axis's nodes, as shares of its length: evenly spaced ones, and those of its
+    // branches.
     std::vector<double> node_places(Parent const& parent, BranchSet const* branch_set) const
     {
         constexpr std::array kSegments { 16, 8, 4, 3 };
@@ -244,7 +244,8 @@ private:
             return found->second;
         auto& branch_set = set_maker_[system];
         auto options = level_options(level);
-        // The branch was drawn in as much detail as a tree, so it gets as many added branches.
+        // A crown with a drawn outline has as much detail as a tree, so it gets as many added
+        // branches.
         if (skeleton_.systems[system].is_of_own_outline)
             options.added = std::max(options.added, level_options(0).added);
         branch_set = maker_.make(system, options);
@@ -252,7 +253,7 @@ private:
         return branch_set;
     }
 
-    // The branches in the style of the parent's level; null if it has none.
+    // Branches placed by the style of the parent's level; null if the parent gets none.
     BranchSet const* styled_branch_set(Parent const& parent, std::optional<BranchSet>& own)
     {
         own = styled_[options_of(parent.level)].next(

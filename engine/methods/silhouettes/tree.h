@@ -38,8 +38,8 @@ struct TreeOptions {
     double tip_radius_of_height = 0.0006;
 };
 
-// A branch's position around its parent. Its name is that of name_of(), or "a" and its position if
-// it was added.
+// A branch's position around its parent. Its name comes from name_of(), or is "a" and the position
+// for an added branch.
 struct PlacedBranch {
     std::string name;
     Place place;

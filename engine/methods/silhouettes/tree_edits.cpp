@@ -16,7 +16,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Names indexed by the enumerations' values.
+// Names indexed by the values of DrawTree::Part.
 constexpr std::array kParts { "trunk",      "outline", "branch", "own_outline",
                               "own_branch", "split",   "join",   "surface" };
 void list(scene::Fields& fields, DrawTree& edit)
@@ -111,7 +111,8 @@ Result<void> check_tree(OutlinedTree const& tree)
     return {};
 }
 
-// Moves the plant with its foot on the paper, so that it stays where it was drawn.
+// Replaces a plant's tree. The plant moves with the trunk's foot on the paper, so that the tree
+// stays where it was drawn.
 Result<scene::DocumentState> with_tree(scene::DocumentState state, scene::ItemId plant,
                                        OutlinedTree tree)
 {
@@ -169,7 +170,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, DrawTree const&
                                 .id = edit.id });
 }
 
-// Removes the entry with this id; false if there is none.
+// Removes the entry with this id; returns false if there is none.
 template<typename Drawn> bool take_out(std::vector<Drawn>& drawn, scene::ItemId id)
 {
     return std::erase_if(drawn, [&](Drawn const& one) { return one.id == id; }) > 0;

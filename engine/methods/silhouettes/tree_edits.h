@@ -27,7 +27,7 @@ struct DrawTree {
     bool of_bump = false; // True: the outline comes from a touch at a bump (bump_leaf.h).
     // Style propagation from the branch that is drawn on (sibling_style.h).
     StyleScope style_to = StyleScope::None;
-    Search search = Search::OnTrunk; // The branches among which that branch is searched.
+    Search search = Search::OnTrunk; // The branches that the search for that branch considers.
     // An existing tree; 0: a new plant, which becomes the active one. The fields down to `scale`
     // apply only to a new plant.
     scene::ItemId plant = 0;

@@ -13,7 +13,7 @@ namespace tractus::silhouette {
 // The settings of a tree apart from its lines.
 struct TreeForm {
     int levels = 2; // Branching levels below the twigs, 1 to 3.
-    // Patterns around the trunk, its branches, and their branches.
+    // Branching patterns around the trunk, around its branches, and around their branches.
     std::array<Pattern, 3> patterns {};
     double density = 1; // Factor on the number of added branches, 0 to 10.
     // Styles by level; on a level with a style, `density` has no effect (measured_style.h).

@@ -53,8 +53,8 @@ void list(scene::Fields& fields, StyleNames const& names, BranchStyle& style)
     fields.sparse_field(names.angle_deviation_deg, &style.angle_deviation_deg);
 }
 
-// Lists the number of branches in a whorl. It is written only if it is not three, so that older
-// whorls keep their file format.
+// Lists the number of branches in a whorl. It is written only if it is not three, so that whorls of
+// three keep their file format.
 void list_whorl(scene::Fields& fields, char const* name, Pattern& pattern)
 {
     int whorl = pattern.whorl == kUsualWhorl ? 0 : pattern.whorl;

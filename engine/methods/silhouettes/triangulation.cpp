@@ -75,7 +75,8 @@ private:
             if (turn_at(i) > 0 && is_empty(corners_at(i)))
                 return i;
         }
-        // Only collinear corners are left: clips the one with the largest turn.
+        // There is no ear, because only collinear corners are left: clips the one with the largest
+        // turn.
         std::size_t best = 0;
         for (std::size_t i = 1; i < n; ++i)
             if (turn_at(i) > turn_at(best))

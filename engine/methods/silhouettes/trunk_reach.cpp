@@ -37,13 +37,16 @@ std::optional<double> extension_into_crown(std::span<Vec2 const> trunk,
 {
     constexpr double kFarthest_mm = 6;
     constexpr double kOfLength = 0.15;
-    // Factor on the tip's distance for a crown that is met obliquely.
+    // The straight way to the crown may be this multiple of the tip's greatest distance, since it
+    // can meet the crown obliquely.
     constexpr double kOblique = 2;
-    // Minimum way through the crown, as a share of the crown's extent in that direction.
+    // Minimum length of the straight line inside the crown, as a share of the crown's extent in its
+    // direction.
     constexpr double kThrough = 0.5;
-    // Length of the extension, as a share of the way through the crown.
+    // The extension ends at this share of the straight line inside the crown.
     constexpr double kOn = 0.85;
-    // Offset past the first intersection, as a share of the outline's diagonal.
+    // Offset past the line's first intersection with the outline, as a share of the outline's
+    // diagonal.
     constexpr double kBeyond = 1e-6;
     if (trunk.size() < 2)
         return std::nullopt;

@@ -26,7 +26,7 @@ std::optional<double> extension_into_crown(std::span<Vec2 const> trunk,
 std::optional<double> extension_into_crown(std::span<Vec2 const> trunk,
                                            std::vector<std::vector<Vec2>> const& strokes);
 
-// Extends a trunk straight on by this length.
+// Extends a trunk straight on from its tip by this length.
 void go_on(std::vector<Vec2>& trunk, double by);
 
 } // namespace tractus::silhouette

@@ -16,7 +16,7 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-// Wraps to the shorter way around, -180 to 180 degrees.
+// Wraps an angle to the range -180 to 180 degrees: the shorter way around.
 double shorter_deg(double angle_deg)
 {
     return angle_deg - 360 * std::round(angle_deg / 360);
@@ -57,9 +57,9 @@ public:
     }
 
 private:
-    // A branch of a whorl and its slot. There are whorl_ slots around a node.
+    // A branch of a node and its slot: one of the node's whorl_ equally spaced azimuths.
     struct Member {
-        std::size_t branch; // Index of the branch's place.
+        std::size_t branch; // Index of the branch in places_.
         std::size_t slot;
     };
 
@@ -67,14 +67,14 @@ private:
         double u = 0;
         std::size_t room = 0; // Maximum number of branches of the node.
         std::vector<Member> members {};
-        double turn_deg = 0; // Rotation of all slots relative to the pattern.
+        double turn_deg = 0; // Rotation of all of the node's slots relative to the pattern.
     };
 
     enum class Pairs { All, Once };
 
     bool keeps_u(std::size_t i) const { return drawn_[i].keeps_u; }
 
-    // Drawn branches that do or do not keep their u, sorted by u.
+    // Indices of the drawn branches that keep their u, or of those that do not, sorted by u.
     Indices by_u(bool keep) const
     {
         Indices result;
@@ -86,7 +86,7 @@ private:
         return result;
     }
 
-    // Adds equally spaced nodes, except where branches keep their u.
+    // Adds equally spaced nodes; the nearest ones move to branches that keep their u.
     void add_nodes()
     {
         std::vector<Node> kept;
@@ -115,7 +115,8 @@ private:
                          [](Node const& a, Node const& b) { return a.u < b.u; });
     }
 
-    // Sets capacities so that the nodes hold exactly all branches; the last nodes have less.
+    // Sets the nodes' capacities so that together they hold exactly all branches; the last nodes
+    // hold fewer.
     void limit_rooms()
     {
         auto left_over = nodes_.size() * whorl_ - count_;
@@ -126,8 +127,8 @@ private:
         }
     }
 
-    // Azimuth of a slot before its node is rotated. `shift` advances the pattern by so many nodes,
-    // since it can begin in any phase.
+    // Azimuth of a slot before its node is rotated. The pattern can begin in any phase; shift_
+    // advances it by that many nodes.
     double slot_deg(std::size_t k, std::size_t slot) const
     {
         return static_cast<double>(k + shift_) * node_turn_deg(options_.pattern)
@@ -145,7 +146,7 @@ private:
                            [&](Member const& member) { return member.slot == slot; });
     }
 
-    // The free slot nearest to a branch's side.
+    // The free slot of node `k` that is nearest to the side on which a branch was drawn.
     std::size_t nearest_slot(std::size_t k, std::size_t branch) const
     {
         std::size_t best = 0;
@@ -172,8 +173,8 @@ private:
         shift_ = 0;
     }
 
-    // Cost: squared displacement of branches along the parent, in nodes, plus the squared distance
-    // of slots from the branches' sides.
+    // Moves drawn branches to nodes in one phase of the pattern. Returns the cost: squared
+    // displacement of branches along the parent, in nodes, plus cost_of_slot().
     double move_drawn(std::size_t shift)
     {
         shift_ = shift;
@@ -194,7 +195,8 @@ private:
         std::erase_if(branches, [&](std::size_t i) { return drawn_[i].theta_deg != side_deg; });
         if (branches.empty())
             return 0;
-        // A free slot of a node; slots are sorted by cost.
+        // A free slot of a node, and the cost of moving a branch to it. A node's slots are sorted
+        // by cost.
         struct Free {
             std::size_t node;
             double cost;
@@ -229,7 +231,8 @@ private:
         return sum;
     }
 
-    // Cost of rotating a branch to a slot, expressed in nodes. Small rotations are free.
+    // Cost of rotating a branch by an angle, as the square of the equivalent displacement in nodes.
+    // Small rotations are free.
     static double cost_of_slot(double off_deg)
     {
         constexpr double kFree_deg = 20;
@@ -256,7 +259,7 @@ private:
         return best;
     }
 
-    // Adds branches in the remaining slots.
+    // Adds branches in the remaining slots of all nodes.
     void fill_nodes()
     {
         auto next = drawn_.size();
@@ -279,7 +282,8 @@ private:
             node.turn_deg = random_turn_deg();
     }
 
-    // Places a node's branches at a rotation; drawn ones as near to it as their limit allows.
+    // Places a node's branches with the node rotated by `turn_deg`; drawn branches rotate as far as
+    // their limit allows.
     void stand(std::size_t k, double turn_deg)
     {
         auto& node = nodes_[k];
@@ -322,8 +326,8 @@ private:
         return sum;
     }
 
-    // Rotates whole nodes by random search. Each proposal moves all branches of a node, so
-    // proportionally fewer proposals are made.
+    // Rotates whole nodes by random search. Each proposal moves all branches of a node, so fewer
+    // proposals are made than in arrange().
     void search(Arrangement& result)
     {
         auto const proposals = options_.proposals / static_cast<int>(whorl_);

@@ -52,7 +52,7 @@ private:
     std::vector<std::size_t> line_begins_;
 };
 
-// A cursor over a text; each reader skips whitespace first.
+// A cursor over a text; each reading function skips whitespace first.
 struct Reading {
     std::string_view text;
     std::size_t at = 0;
@@ -78,8 +78,8 @@ struct Reading {
         at = before;
         return false;
     }
-    // Reads up to and including the closing sign and returns the text before it. No value if any
-    // other bracket, '=' or ';' comes first.
+    // Reads up to and including the character `closing` and returns the text before it. No value if
+    // any other bracket, '=' or ';' comes first.
     std::optional<std::string_view> up_to(char closing)
     {
         auto const end = text.find_first_of("[]{}=;", at);
@@ -151,7 +151,7 @@ private:
         return { first, text_.in_source(end - 1) + 1 - first };
     }
 
-    // Finds the line "#define SEGMENTS 0".
+    // Finds the line "#define SEGMENTS n" or "#define N n", where n is a whole number.
     void read_count()
     {
         auto const text = text_.characters();

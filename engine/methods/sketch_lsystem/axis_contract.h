@@ -14,16 +14,16 @@ namespace tractus::sketch {
 
 // A model in cpfg's language can grow along a stroke if its text keeps this contract:
 //
-//     #define SEGMENTS 0        number of segments; the stored number is for no stroke
+//     #define SEGMENTS 0        number of segments; stored with its value without a stroke
 //     define: { array length[2] = {9, 8.8};    segment lengths: plain numbers, in the model's unit
 //               array plane[1] = {0};          turn before each segment, in degrees: its plane ...
 //               array bend[1] = {0}; }         ... and its angle
 //     K(i) : i < SEGMENTS --> /(plane[i])+(bend[i])\(plane[i])F(length[i]) ... K(i + 1)
 //
-// Past the end of length[], each segment's ratio to the one before it is that of the last two
-// numbers. The drawn axis begins where the turtle starts and has its own counter, here i. Nothing
-// else may turn it: all commands beside the segments that roll, bend or use random numbers are in
-// brackets. A homomorphism may draw the segment, and N may stand for SEGMENTS.
+// Beyond the end of length[], the ratio of successive lengths is that of the last two numbers. The
+// drawn axis begins where the turtle starts and has its own counter, here i. Nothing else may turn
+// the axis: all other commands that roll, bend or use random numbers are in brackets. A
+// homomorphism may draw the segment, and N may stand for SEGMENTS.
 
 // A range of characters of a text.
 struct TextSpan {
@@ -31,11 +31,12 @@ struct TextSpan {
     std::size_t size = 0;
 };
 
-// The places in a text that keep the contract, in the order of the text.
+// The spans of a text that a stroke fills in under the contract.
 struct AxisContract {
     std::string count_name {}; // Name of the segment count in the text: "SEGMENTS" or "N".
-    TextSpan count {};         // Span of the number after that name.
-    TextSpan length {}; // Span of the length array, from '[' to '}'; likewise plane and bend.
+    TextSpan count {};         // Span of the number of segments, which follows `count_name`.
+    // Spans of the arrays `length`, `plane` and `bend`, each from '[' to '}'.
+    TextSpan length {};
     TextSpan plane {};
     TextSpan bend {};
     std::vector<double> lengths {}; // Values of the length array, in the model's unit.
@@ -44,16 +45,15 @@ struct AxisContract {
 // Result of checking a text against the contract. `lacks` has one sentence for each violation found
 // in the text, with file and line; empty: the contract is kept.
 struct ContractReading {
-    AxisContract contract {}; // Places in the text; complete only if `lacks` is empty.
+    AxisContract contract {}; // Spans found in the text; complete only if `lacks` is empty.
     std::vector<std::string> lacks {};
 };
 ContractReading read_contract(std::string const& name, std::string_view text);
 
-// Finds the contract's places in a text. Fails with a user error that describes the first
-// violation.
+// Finds the contract's spans in a text. Fails with a user error that describes the first violation.
 Result<AxisContract> contract_of(std::string const& name, std::string_view text);
 
-// Values to be written to the places of a contract, as text.
+// Values to be written to the spans of a contract, as text.
 struct ContractValues {
     std::size_t count = 0;
     std::string length {}; // Text of the length array, such as "{9, 8.8}".
@@ -61,7 +61,7 @@ struct ContractValues {
     std::string bend {};
 };
 
-// Returns the text with new values in the contract's places; all other bytes stay the same.
+// Returns the text with new values in the contract's spans; all other bytes stay the same.
 std::string with_values(std::string_view text, AxisContract const& contract,
                         ContractValues const& values);
 

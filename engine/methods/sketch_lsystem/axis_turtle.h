@@ -15,10 +15,10 @@ public:
     {
     }
 
-    // The turn after which the turtle's heading is along `way`.
+    // The turn that points the turtle's heading along `way`.
     Turn turn_towards(Vec3 const& way) const
     {
-        // The plane of a smaller bend would be numerical noise.
+        // Below this bend the plane of the turn would be numerical noise.
         constexpr double kStraight_deg = 1e-6;
         double const left = left_.dot(way);
         double const down = down_.dot(way);
@@ -35,7 +35,8 @@ public:
         rotate(left_, down_, -turn.plane_deg);
     }
 
-    // The vector in space that was `from_start` in the frame of a turtle before its first command.
+    // Rotates a vector with the turtle: `from_start` is given for the turtle's start orientation,
+    // the result is for its present one.
     Vec3 vector_from_start(Vec3 const& from_start) const
     {
         return from_start.z() * heading_ - from_start.x() * left_ + from_start.y() * down_;
@@ -43,7 +44,7 @@ public:
 
     // Rolls about the heading: `/` in turtle commands.
     void roll(double angle_deg) { rotate(left_, down_, angle_deg); }
-    // Turns from the heading to the left: `+`.
+    // Turns to the left: `+` in turtle commands.
     void yaw(double angle_deg) { rotate(heading_, left_, angle_deg); }
 
     Vec3 const& position_mm() const { return position_mm_; }

@@ -34,7 +34,7 @@ Result<GrowAlongStroke> sketch_in(scene::PlantState const& plant, scene::ItemId 
     return *sketch;
 }
 
-// Applies `change` to a sketch and returns the document with the changed sketch in its place.
+// Applies `change` to the edited sketch and returns the document with the changed sketch.
 template<typename Edit, typename Change>
 Result<scene::DocumentState> changed(scene::DocumentState state, Edit const& edit,
                                      Change const& change)

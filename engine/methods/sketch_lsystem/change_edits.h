@@ -11,10 +11,10 @@
 
 namespace tractus::sketch {
 
-// Edits of a plant that grew along a stroke, or of such a grafted part of a plant. Strokes on its
-// branches keep their places on these branches. `part` is 0 for the plant itself.
+// Edits of a plant, or of a grafted part of a plant, that grew along a stroke. Strokes on its
+// branches stay at the same places on these branches. `part` is 0 for the plant itself.
 
-// Edit: another rule, or another model, grows along the same stroke.
+// Edit: grows another rule, or another model, along the same stroke.
 struct ChangeSketch {
     static scene::EditKind const kKind;
 
@@ -22,7 +22,8 @@ struct ChangeSketch {
     scene::ItemId part = 0;
     Rule rule {};
     Leaves leaves = Leaves::Leafy;
-    ModelRule model {}; // Model that grows instead of the rule, see GrowAlongStroke::model.
+    // Model that grows instead of the rule, if it is set (GrowAlongStroke::model).
+    ModelRule model {};
 };
 
 // Edit: shortens the stroke at its end, together with what has grown along it.
@@ -31,7 +32,7 @@ struct ShortenSketch {
 
     scene::ItemId plant = 0;
     scene::ItemId part = 0;
-    std::uint64_t tips = 0; // Number of tips, from the beginning of the stroke, that are kept.
+    std::uint64_t tips = 0; // Number of tip samples to keep, from the beginning of the stroke.
 };
 
 // Edit: replaces the stroke. A plant moves to the beginning of the new stroke; a grafted part stays
@@ -58,11 +59,12 @@ struct GrownPart {
 // All parts of a plant that grew along strokes, newest first; the plant itself comes last.
 std::vector<GrownPart> all_grown(scene::PlantState const& plant);
 
-// The newest part of a plant that grew along a stroke, or the plant itself; no value: none did.
+// The newest part of a plant that grew along a stroke, or the plant itself; no value if neither
+// did.
 std::optional<GrownPart> newest_grown(scene::PlantState const& plant);
 
-// Number of the stroke's tips that are needed for `segments` segments; no value: the whole stroke
-// makes fewer.
+// Number of the stroke's tip samples that are needed for `segments` segments; no value if the whole
+// stroke is too short for so many.
 Result<std::optional<std::size_t>> count_tips(GrowAlongStroke const& sketch, std::size_t segments);
 
 } // namespace tractus::sketch

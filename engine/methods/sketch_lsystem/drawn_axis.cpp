@@ -73,17 +73,18 @@ std::string array_of(std::vector<Turn> const& turns, double Turn::*angle_deg)
     return fmt::format("{{{}}}", text);
 }
 
-// Names that the model's text uses for a ring of laterals. Level 0 is the drawn axis; higher levels
-// are laterals that are axes themselves.
+// A ring of laterals in the model's text. Rings of level 0 are on the drawn axis; rings of higher
+// levels are on laterals that are axes themselves.
 struct Ring {
     int laterals = 0;
     std::string ending {}; // Suffix of the names of the ring's definitions, such as "_A".
     // Beginning of the laterals' apex module, up to the length argument: "L(" or "A(0, ".
     std::string apex {};
-    bool gives_way = false; // True if the laterals have only so much room as the array `room` says.
+    bool gives_way = false; // True if the model's array `room` limits the laterals' lengths.
 };
 
-// The letter of a lateral rule; skips letters of turtle commands and of the model's other modules.
+// The module letter of a lateral rule. Letters of turtle commands and of the model's other modules
+// are skipped.
 static std::string letter_of(std::size_t level)
 {
     constexpr std::string_view kLetters = "ABCDEHIJ";
@@ -106,7 +107,7 @@ static Ring ring_at(Rule const& rule, std::size_t level)
     return ring;
 }
 
-// The ring of laterals that fork, as in the paper.
+// The ring at the end of a lateral that forks, as in Ijiri et al. 2006.
 static Ring fork_of(Rule const& rule)
 {
     auto ring = ring_at(rule, rule.lateral_rules.size());
@@ -114,7 +115,7 @@ static Ring fork_of(Rule const& rule)
     return ring;
 }
 
-// The text of a node's laterals. `twist` is an expression for the ring's azimuth.
+// The model text of a node's laterals. `twist` is an expression for the ring's azimuth.
 static std::string text_of(Ring const& ring, std::string_view twist, std::string_view depth)
 {
     std::string text;
@@ -169,7 +170,8 @@ static std::string lateral_definitions(Rule const& rule)
     return text;
 }
 
-// Returns the array of the laterals' room, shares of their lengths; empty if none gives way.
+// The array `room` of the model's text: the share of its length for which each lateral has room.
+// Empty if laterals do not give way.
 static std::string array_of_room(DrawnAxis const& axis)
 {
     std::string text;
@@ -180,8 +182,8 @@ static std::string array_of_room(DrawnAxis const& axis)
         : fmt::format("\n          array room[{}] = {{{}}};", axis.room.size(), text);
 }
 
-// Returns the arrays of turns. An axis without segments gets arrays of one zero, because cpfg does
-// not allow empty arrays.
+// The arrays of the model's text: planes and bends of the turns, and the laterals' room. An axis
+// without segments gets arrays of one zero, because cpfg does not allow empty arrays.
 static std::string arrays_of(DrawnAxis const& axis)
 {
     if (axis.turns.empty())
@@ -232,8 +234,8 @@ static std::string rules_of(Rule const& rule, DrawnAxis const& axis)
                               "d - 1"));
 }
 
-// Returns the homomorphism rules for leaves. All leaves of a plant have about the same length;
-// rules that call each other end in finer twigs and get smaller leaves.
+// The homomorphism rules for leaves. All leaves of a plant have about the same length. Lateral
+// rules that refer to each other (laterals_by) end in finer twigs and get smaller leaves.
 static std::string leaves_of(Rule const& rule)
 {
     bool const is_fine = std::ranges::any_of(rule.lateral_rules, &LateralRule::laterals_by);

@@ -13,7 +13,7 @@ namespace tractus::sketch {
 
 // The turn of an axis before one of its segments, relative to the preceding segment's frame after
 // parallel transport: `/(plane)+(bend)\(plane)` in turtle commands. The plane is from -180 to 180
-// degrees, the bend from 0 to 180. Both are 0 where the axis continues straight.
+// degrees, the bend from 0 to 180. Both angles are 0 where the axis continues straight.
 struct Turn {
     double plane_deg = 0;
     double bend_deg = 0;
@@ -21,14 +21,15 @@ struct Turn {
     bool operator==(Turn const&) const = default;
 };
 
-// A stroke as seen by a model that grows along it: one turn per segment, and the number of times
-// that laterals may fork. All numbers are rounded to six significant digits, as in the model's
-// text.
+// A stroke in the form that a model needs to grow along it: one turn per segment, and the number of
+// times that laterals may fork. All numbers are rounded to six significant digits, as in the
+// model's text.
 struct DrawnAxis {
     Vec3 base_mm = Vec3::Zero(); // Start of the stroke, which is the plant's origin.
     std::vector<Turn> turns;
     int depth = kUncutDepth;
-    // Room of the laterals (lateral_room.h), in whose order they are; empty: none gives way.
+    // Share of its length for which each lateral has room, in the order of lateral_room(); empty:
+    // all laterals grow to full length.
     std::vector<double> room {};
 
     int segments() const { return static_cast<int>(turns.size()); }

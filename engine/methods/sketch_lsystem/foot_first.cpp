@@ -8,9 +8,12 @@ namespace tractus::sketch {
 
 bool is_drawn_to_foot(std::span<Vec3 const> tips_mm, std::optional<double> ground_mm)
 {
-    constexpr double kDown = 0.7; // Least descent as a share of the way from the first to the last.
-    constexpr double kAbove = 0.1; // Tolerance for points below the end, as a share of the descent.
-    constexpr double kGround = 0.3; // Greatest height of the end, as a share of the descent.
+    // Minimum descent, as a share of the distance from the first tip to the last.
+    constexpr double kDown = 0.7;
+    // Greatest depth of other tips below the last one, as a share of the descent.
+    constexpr double kAbove = 0.1;
+    // Greatest height of the last tip above the ground, as a share of the descent.
+    constexpr double kGround = 0.3;
     if (tips_mm.size() < 2)
         return false;
     Vec3 const way_mm = tips_mm.back() - tips_mm.front();

@@ -18,7 +18,7 @@ namespace tractus::sketch {
 
 namespace {
 
-// Scale of a model's text: a millimetre drawn is a centimetre of the plant.
+// World millimetres per plant millimetre in a model's text: 1 mm drawn is 1 cm of the plant.
 constexpr double kModelScale = 0.1;
 
 bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
@@ -28,7 +28,7 @@ bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
         && one.model == other.model && one.is_drawn_reversed == other.is_drawn_reversed;
 }
 
-// Varies the laterals of the rule; the drawn axis stays as it is.
+// Returns the edit with the laterals of its rule varied at random; the drawn axis stays as it is.
 GrowAlongStroke varied(GrowAlongStroke edit, scene::SourceVariation const& variation)
 {
     constexpr std::uint32_t kStream = 0x736B;
@@ -93,7 +93,7 @@ void list(scene::Fields& fields, GrowAlongStroke& edit)
     fields.numbers(edit.stroke);
 }
 
-// Scales a rule for a document whose scale differs from that of the model's text.
+// Scales a rule's lengths for a document whose scale differs from that of the model's text.
 Rule at_scale(Rule rule, double scale)
 {
     rule.first_length_mm *= kModelScale / scale;
@@ -147,8 +147,8 @@ static constexpr std::array<LateralNames, kMaxLateralRules> kLateralNames { {
     { { "J_r", "J_q", "J_k", "J_a", "J_s", "J_v", "J_T", "J_l_min", "J_by" } },
 } };
 
-// Works on a copy of the rules and writes it back only after a change: edits are shared between
-// threads.
+// Works on a copy of the rules and writes it back only after a change, because edits are shared
+// between threads.
 static void list_lateral_rules(scene::Fields& fields, std::vector<LateralRule>& rules)
 {
     constexpr LateralRule kNone { 0, 0, 0, 0, 0, 0, 0, 0, 0 };

@@ -14,8 +14,8 @@
 
 namespace tractus::sketch {
 
-// Edit: adds a plant that a rule grows along a stroke (Ijiri et al. 2006). The plant stands where
-// the stroke begins and becomes the active plant.
+// Edit: adds a plant that a rule grows along a stroke (Ijiri et al. 2006). The plant is rooted
+// where the stroke begins and becomes the active plant.
 struct GrowAlongStroke {
     static scene::EditKind const kKind;
 
@@ -31,8 +31,8 @@ struct GrowAlongStroke {
     // Model that grows instead of the rule, if it is set. Only the rule's limit is used then, and
     // the model decides about leaves.
     ModelRule model {};
-    // True if the pen drew the stroke from the plant's tip to its foot, so that the tips are in the
-    // reverse of their drawn order (foot_first.h).
+    // True if the pen drew the stroke from the plant's tip to its foot; the tips are then stored in
+    // reverse order (foot_first.h).
     bool is_drawn_reversed = false;
 };
 
@@ -58,9 +58,9 @@ Result<std::vector<Vec3>> drawn_nodes_mm(GrowAlongStroke const& edit);
 scene::PlantSource source_of(GrowAlongStroke const& edit);
 GrowAlongStroke const* sketch_of(scene::PlantSource const& source);
 
-// Variation of laterals between the plants of a collection with spread 1: standard deviations of
+// How much laterals vary between the plants of a collection with spread 1: standard deviations of
 // the rule's angle, of its ratios (relative), and of its twists. No deviation exceeds
-// kMostDeviations standard deviations.
+// kMaxDeviations standard deviations.
 struct RuleSpread {
     double angle_deg = 6;
     double share = 0.06;
@@ -84,7 +84,8 @@ inline constexpr std::array kSurfaceWords { "space", "paper", "decided" };
 // start of the stroke.
 Vec3 stands_at_mm(GrowAlongStroke const& edit);
 
-// The plant's position on the paper that the stroke was drawn on; no value: it was drawn in space.
+// The plant's position on the paper that the stroke was drawn on; no value for a stroke drawn in
+// space.
 std::optional<Vec2> paper_position_mm(GrowAlongStroke const& edit);
 
 } // namespace tractus::sketch

@@ -13,8 +13,9 @@ namespace {
 // A lateral that has room for less than this share of its length does not grow.
 constexpr double kMinRoom = 0.25;
 
-// The ends of a lateral's internodes, with all that it bears, for a first internode of length 1. In
-// the order of growth, so that a limit on their number leaves out the finest ones.
+// The ends of the internodes of a lateral and of everything that it bears, for a first internode of
+// length 1. They are in the order of growth, so that the limit kMaxPoints leaves out the finest
+// ones.
 class LateralCloud {
 public:
     explicit LateralCloud(Rule const& rule)
@@ -31,15 +32,16 @@ public:
 private:
     static constexpr std::size_t kMaxPoints = 4000;
 
-    // The apex of a lateral, by the lateral rule number `level`, or of one that forks.
+    // The apex of a lateral. `level` is the index of its lateral rule; the number of lateral rules
+    // means that it forks.
     struct Apex {
         std::size_t level = 0;
-        int node = 1; // Number of the node that the apex makes next.
+        int node = 1; // Number of the next node that the apex makes.
         double length = 1;
         AxisTurtle turtle;
     };
 
-    // The least length of an internode, as a share of the longest lateral's first one.
+    // Minimum length of an internode, as a share of the first internode of the longest lateral.
     static double shortest_of(Rule const& rule)
     {
         constexpr double kFinest = 0.04;
@@ -76,7 +78,7 @@ private:
         apices.push_back(apex);
     }
 
-    // The numbers of laterals that fork as the drawn axis's rule says.
+    // The values for laterals that fork, from the drawn axis's rule.
     LateralRule ring_of_forks() const
     {
         return { .laterals = rule_.laterals,
@@ -90,11 +92,11 @@ private:
     std::vector<Vec3> points_;
 };
 
-// The nodes of other parts of the axis, seen from one of its nodes.
+// Vectors from a node of the axis to the nodes on other parts of the axis (lateral_room.h).
 std::vector<Vec3> ways_to_other_parts(std::span<Vec3 const> nodes_mm, std::size_t node)
 {
-    // Between nodes of one part the way straight across is at least this share of that along the
-    // axis. On a circle that is where it has turned by 113 degrees.
+    // Two nodes are on one part if their straight distance is at least this share of their distance
+    // along the axis. On a circular arc this holds up to a turn of 113 degrees.
     constexpr double kSamePart = 0.85;
     std::vector<double> along_mm { 0 };
     for (std::size_t i = 1; i < nodes_mm.size(); ++i)
@@ -108,8 +110,8 @@ std::vector<Vec3> ways_to_other_parts(std::span<Vec3 const> nodes_mm, std::size_
     return ways_mm;
 }
 
-// The largest share of a lateral that stays on the near side of all planes between the ways' ends,
-// at half the occupancy radius from them.
+// The largest share of a lateral's size at which it stays on its own node's side of the planes
+// midway along `ways_mm`, at least half of `radius_mm` from them. 0 if it is below kMinRoom.
 double room_for(std::vector<Vec3> const& lateral_mm, std::vector<Vec3> const& ways_mm,
                 double radius_mm)
 {

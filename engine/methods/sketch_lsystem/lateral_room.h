@@ -9,14 +9,15 @@
 
 namespace tractus::sketch {
 
-// How much of its length each lateral of a drawn axis has room for, where laterals give way
-// (Rule::occupancy_radius_mm): 1 for all of it, 0 for a lateral that does not grow. In the order of
-// the nodes from the axis's second on, and of the laterals around each.
+// Share of its length for which each lateral of a drawn axis has room, if laterals give way
+// (Rule::occupancy_radius_mm): 1 for its full length, 0 for a lateral that does not grow. Ordered
+// by the axis's nodes, from the second one on, and at each node by the laterals around it.
 //
-// The space around the axis is divided among its nodes: a lateral, with all that it bears, stays
-// nearer to its own node than to any node of another part of the axis, by half the occupancy radius
-// (Palubicki et al. 2009 remove the markers within that radius of a bud). Parts are other parts
-// where the axis has turned back between them; along a part laterals overlap as they always did.
+// The space around the axis is divided among its nodes. A lateral, with all that it bears, stays on
+// its own node's side of the plane midway to each node of another part of the axis, at least half
+// the occupancy radius from that plane (Palubicki et al. 2009 remove the markers within that radius
+// of a bud). Two nodes are on different parts if the axis turns back between them; laterals of one
+// part may overlap.
 std::vector<double> lateral_room(Rule const& rule, std::span<Vec3 const> nodes_mm,
                                  std::vector<Turn> const& turns);
 

@@ -11,9 +11,9 @@ namespace tractus::sketch {
 
 namespace {
 
-constexpr double kUnit_mm = 10; // A turtle's unit is a centimetre of the plant.
+constexpr double kUnit_mm = 10; // Millimetres of the plant per turtle unit, which is a centimetre.
 
-// The lengths of all segments that an axis may have, in the model's unit.
+// The lengths of all segments that the drawn axis may have, in the model's unit.
 std::vector<double> all_lengths(AxisContract const& contract)
 {
     constexpr double kShortest = 0.02; // Shortest length allowed, as a share of the first length.
@@ -97,7 +97,7 @@ Result<void> check_follows(std::string const& name, Plant const& plant,
     return {};
 }
 
-// A test stroke of a few segments that bends more and more, in millimetres on the desk.
+// The nodes of a short, increasingly bent test stroke, in millimetres on the desk.
 static std::vector<Vec3> short_nodes_mm(SegmentLengths const& lengths)
 {
     constexpr std::size_t kSegments = 6;
@@ -116,7 +116,7 @@ std::vector<std::string> missing_for_stroke(ModelRule const& model,
     auto const reading = read_contract(model.source.name, model.source.text);
     if (!reading.lacks.empty())
         return reading.lacks;
-    constexpr double kScale = 1; // Plant and stroke have the same scale.
+    constexpr double kScale = 1; // The test plant is as large as its stroke.
     auto const nodes_mm = short_nodes_mm(lengths_on_desk(reading.contract, kScale));
     auto const source = model_along(model, nodes_mm, kScale);
     if (!source)

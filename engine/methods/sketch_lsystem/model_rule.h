@@ -17,7 +17,7 @@
 namespace tractus::sketch {
 
 // A model in cpfg's language that takes the place of a rule. It keeps the contract of
-// axis_contract.h; its text is stored as it is without a stroke.
+// axis_contract.h; its text is stored with the values that it has without a stroke.
 struct ModelRule {
     lsystem::ModelSource source { .name = {}, .view_name = {} };
     // Texts of the files that the model includes, by name.
@@ -36,7 +36,7 @@ constexpr int kMaxModelSegments = 1000;
 // below a fiftieth of the first.
 SegmentLengths lengths_on_desk(AxisContract const& contract, double scale);
 
-// Returns the model with the axis through these nodes written to its contract's places; all other
+// Returns the model with the axis through these nodes written to its contract's spans; all other
 // bytes of its text stay the same. Fails with a user error if the model does not keep the contract.
 Result<lsystem::ModelSource> model_along(ModelRule const& model, std::span<Vec3 const> nodes_mm,
                                          double scale);
@@ -55,8 +55,9 @@ Result<ModelAxis> axis_along(ModelRule const& model, std::span<Vec3 const> nodes
 Result<void> check_follows(std::string const& name, Plant const& plant,
                            std::span<Vec3 const> nodes_mm);
 
-// Lists what a model lacks to grow along a stroke, one sentence each; empty: nothing. A text that
-// keeps the contract is also tested by growing it along a short stroke, with two seeds.
+// Lists what a model lacks to grow along a stroke, one sentence for each fault; empty if the model
+// is suitable. A text that keeps the contract is also tested by growing it along a short stroke,
+// with two seeds.
 std::vector<std::string> missing_for_stroke(ModelRule const& model,
                                             scene::LoadOptions const& options);
 

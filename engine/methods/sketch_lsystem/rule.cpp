@@ -100,8 +100,8 @@ namespace {
 
 // Counts the internodes that a rule's model will make. Lengths are multiplied in the model's order,
 // so that rounding ends the count and the model at the same internode. Only one lateral of each
-// ring is followed, and its count is multiplied. If following takes more steps than the limit, the
-// plant has too many internodes in any case.
+// ring is followed, and its count is multiplied. If more internodes must be followed than the
+// plant's limit allows, the plant has too many in any case.
 class InternodeCounter {
 public:
     explicit InternodeCounter(Rule const& rule)
@@ -124,7 +124,8 @@ public:
 private:
     bool is_too_much() const { return followed_ > rule_.most_internodes; }
 
-    // Adds a ring of equal laterals, each growing by the lateral rule number `level`.
+    // Adds the internodes of a ring of equal laterals that grow by the lateral rule with index
+    // `level`.
     void add_ring(int laterals, double length_mm, int steps, int depth, std::size_t level)
     {
         if (level == rule_.lateral_rules.size())
@@ -142,7 +143,8 @@ private:
         count_ = before + laterals * count_;
     }
 
-    // Adds laterals that fork as in the paper: each ends in a ring of further laterals.
+    // Adds the internodes of laterals that fork as in Ijiri et al. 2006: each ends in a ring of
+    // further laterals.
     void add_forks(int laterals, double length_mm, int steps, int depth)
     {
         auto const& last = rule_.lateral_rules;

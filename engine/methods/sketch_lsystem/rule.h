@@ -27,7 +27,7 @@ struct LateralRule {
     double angle_deg = 45;      // a: branching angle between the lateral and its own laterals.
     double lateral_length = 0.5; // s: ratio of a lateral's length to its parent's.
     double lateral_width = 0.55; // v: ratio of a lateral's diameter to its parent's.
-    double twist_deg = 90;       // T: azimuth by which successive rings are turned.
+    double twist_deg = 90;       // T: azimuth between successive rings of laterals.
     double shortest_mm = 3;      // l_min: length of the shortest allowed internode.
     // by: number of the rule for the lateral's own laterals, from 1; 0: the next rule in the list.
     int laterals_by = 0;
@@ -48,28 +48,29 @@ struct Rule {
     double angle_deg = 45;        // a, 0 to 150: branching angle between a lateral and its parent.
     double lateral_length = 0.62; // s, 0.2 to 1: ratio of a lateral's length to its parent's.
     double lateral_width = 0.55;  // v, 0.2 to 1: ratio of a lateral's diameter to its parent's.
-    // T, -180 to 180: azimuth by which successive rings of the drawn axis are turned.
+    // T, -180 to 180: azimuth between successive rings of the drawn axis.
     double axis_twist_deg = 90;
-    // t, -180 to 180: azimuth by which successive rings of a lateral are turned.
+    // t, -180 to 180: azimuth between successive rings of a lateral.
     double lateral_twist_deg = 90;
 
     double shortest_mm = 1; // l_min, above 0: length of the shortest allowed internode.
-    // o, 0 to 100: occupancy radius, mm. Laterals give way to what grows along another part of the
-    // drawn axis: they stay short, or do not grow (lateral_room.h). 0: they do not give way.
+    // o, 0 to 100: occupancy radius, mm. Laterals leave room for other parts of the drawn axis:
+    // they stay short, or do not grow (lateral_room.h). 0: laterals ignore other parts.
     double occupancy_radius_mm = 0;
-    int most_segments = 64;           // n_max, 1 to 10,000: most segments of the drawn axis.
-    double most_internodes = 200'000; // limit, n_max to 10 million: most internodes of the plant.
+    int most_segments = 64; // n_max, 1 to 10,000: maximum number of segments of the drawn axis.
+    // limit, n_max to 10 million: maximum number of internodes of the plant.
+    double most_internodes = 200'000;
 
-    // Rules of laterals in the ranges above, at most kMaxLateralRules. The first rule is for
-    // laterals of the drawn axis; laterals of the last rule fork, with that rule's numbers. If the
-    // list is empty, all laterals fork, with the numbers above.
+    // Rules of laterals, at most kMaxLateralRules, with values in the ranges given above. The first
+    // rule is for laterals of the drawn axis; laterals of the last rule fork, with that rule's
+    // values. If the list is empty, all laterals fork, with the values above.
     std::vector<LateralRule> lateral_rules {};
 
     bool operator==(Rule const&) const = default;
 };
 
-// Checks a rule. Fails with a user error for a value out of range; the message names letter, value
-// and range.
+// Checks a rule. Fails with a user error for a value out of range; the message names its letter,
+// the value and the range.
 Result<void> check_rule(Rule const& rule);
 
 // Rounds a number as a model's text shows it: to six significant digits, -0 to 0.
@@ -79,19 +80,20 @@ double rounded_as_text(double value);
 // describes the plant completely.
 Rule rounded_as_text(Rule const& rule);
 
-// Index in the list of the rule for laterals of the rule at `place`; the list's size means that
-// they fork.
+// Index, in the list of lateral rules, of the rule for the laterals of the rule at `place`; the
+// list's size means that they fork.
 std::size_t lateral_rule_after(Rule const& rule, std::size_t place);
 
-// Default limit on how often laterals may fork, and on the internodes of a lateral that continues.
+// Default limit on how often laterals may fork, and on the number of internodes of a lateral that
+// is an axis itself.
 constexpr int kUncutDepth = 64;
 
-// Number of internodes of a plant with `segments` segments whose laterals fork at most `depth`
-// times. Approximate above 2^53, and possibly infinite.
+// Number of internodes of a plant whose axis has `segments` segments and whose laterals fork at
+// most `depth` times. Approximate above 2^53, and possibly infinite.
 double count_internodes(Rule const& rule, int segments, int depth);
 
 // The largest depth at which the plant stays within the rule's limit, at most kUncutDepth. It never
-// rises while a stroke grows.
+// rises as `segments` rises.
 int depth_within_limit(Rule const& rule, int segments);
 
 } // namespace tractus::sketch

@@ -24,16 +24,17 @@ public:
     {
     }
 
-    // Adds a tip, in any frame with millimetres; a tip that is not finite is ignored. Returns the
-    // number of segments completed by it: the number of times to apply the rule.
+    // Adds a position of the pen's tip, in millimetres in any one frame; a position that is not
+    // finite is ignored. Returns the number of segments that it completes: the number of times to
+    // apply the rule.
     int push(Vec3 const& tip_mm);
 
-    // The first tip and the ends of all segments; empty before the first tip.
+    // The first tip position and the ends of all segments; empty before the first push().
     std::span<Vec3 const> nodes_mm() const { return nodes_mm_; }
     int segments() const { return nodes_mm_.empty() ? 0 : static_cast<int>(nodes_mm_.size()) - 1; }
 
-    // True if the axis has reached its largest number of segments, or if its next segment would be
-    // too short: it no longer follows the pen.
+    // True if the axis no longer follows the pen, because it has reached its maximum number of
+    // segments or its next segment would be too short.
     bool is_full() const;
 
     double next_length_mm() const { return next_length_mm_; }
@@ -46,7 +47,7 @@ private:
     Vec3 last_tip_mm_ = Vec3::Zero();
 };
 
-// Computes the nodes of a whole stroke.
+// Computes the nodes of the axis for a whole stroke.
 std::vector<Vec3> resample_stroke(SegmentLengths const& lengths, std::span<Vec3 const> tips_mm);
 std::vector<Vec3> resample_stroke(Rule const& rule, std::span<Vec3 const> tips_mm);
 

@@ -16,10 +16,10 @@ namespace tractus::sketch {
 
 namespace {
 
-// Assumed inaccuracy of hand drawing: standard deviations of positions on the axis and of
-// logarithms of lengths.
+// Assumed inaccuracy of hand drawing: standard deviations of positions on the axis (kPlace_mm) and
+// of logarithms of lengths (kLength).
 constexpr double kPlace_mm = 0.7;
-// Inaccuracy of positions on the axis, as a share of its length.
+// Standard deviation of positions as a share of the axis's length, where that exceeds kPlace_mm.
 constexpr double kPlaceShare = 0.008;
 constexpr double kLength = 0.06;
 
@@ -46,7 +46,7 @@ std::vector<Vec3> steady(std::vector<Vec3> const& points)
 
 struct Foot {
     double away_mm = std::numeric_limits<double>::infinity();
-    double at_mm = 0; // Arc length along the line at the foot.
+    double at_mm = 0; // Arc length from the line's beginning to the foot.
 };
 
 Foot foot_on(std::vector<Vec3> const& line, Vec3 const& point)
@@ -69,14 +69,15 @@ struct Lateral {
     std::vector<Vec3> line;
     // Index of the parent lateral; no value: the axis is the parent.
     std::optional<std::size_t> parent;
-    double at_mm = 0;     // Arc length along the parent of the lateral's foot.
+    double at_mm = 0;     // Arc length along the parent to the lateral's foot.
     double length_mm = 0; // Length of the lateral's chord.
     int depth = 1;
 
     Vec3 way() const { return (line.back() - line.front()).normalized(); }
 };
 
-// Finds the parent of each lateral: the line nearest to either of its ends.
+// Finds the parent of each lateral: the axis if it touches an end of the lateral; otherwise a
+// lateral near one of its ends; failing that, the axis.
 std::vector<Lateral> attach(std::vector<Vec3> const& axis, DrawnTwig const& twig)
 {
     std::vector<Lateral> laterals;
@@ -119,7 +120,7 @@ std::vector<Lateral> attach(std::vector<Vec3> const& axis, DrawnTwig const& twig
     return laterals;
 }
 
-// A ring pattern for the axis's laterals. Nodes are numbered from 0 at the base.
+// A ring pattern for the axis's laterals. Nodes are numbered from 0, the first node above the base.
 struct Ring {
     int laterals = 1; // Number of laterals at each node.
     int bare = 0;
@@ -129,7 +130,7 @@ struct Ring {
     double cost = std::numeric_limits<double>::infinity();
 };
 
-// Distance of node `number` from the base, as a multiple of the first internode.
+// Distance of node `number` from the axis's base, as a multiple of the first internode's length.
 double node_place(double ratio, int number)
 {
     double sum = 0;
@@ -141,8 +142,8 @@ double node_place(double ratio, int number)
     return sum;
 }
 
-// Sum of squared residuals of the laterals against a ring pattern with this ratio; also fits the
-// ring's lengths.
+// Fits the ring pattern's lengths to the laterals for its given ratio. Returns the sum of squared
+// residuals.
 double squares(std::vector<Lateral const*> const& laterals, Ring& ring, double place_mm)
 {
     double top = 0;
@@ -184,8 +185,8 @@ Ring find_ring(std::vector<Lateral const*> const& laterals, double axis_mm)
                 Ring ring { .laterals = count, .bare = bare, .ratio = ratio };
                 double const sum = squares(laterals, ring, place_mm);
                 auto const missing = static_cast<int>(laterals.size()) % count;
-                // Penalties favour rules that leave little to explain: few bare nodes, and no
-                // laterals missing at the topmost node.
+                // Penalties favour simple rules: few bare nodes, and no laterals missing at the
+                // topmost node.
                 ring.cost = sum + 3.0 * bare + (missing > 0 ? 6 : 0) - 0.01 * count;
                 if (ring.cost < best.cost)
                     best = ring;
@@ -209,7 +210,7 @@ struct Frame {
     }
 };
 
-// Branching angle and azimuth of one lateral.
+// Node, branching angle and azimuth of one lateral of the axis.
 struct Turned {
     int node = 0;
     double angle_deg = 0;
@@ -294,7 +295,8 @@ double deviation_of(std::vector<double> const& values)
     return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-// Adds the branching angles and relative lengths of laterals that are attached to other laterals.
+// Appends the branching angles and relative lengths of laterals that are attached to other
+// laterals.
 void add_deeper(std::vector<Lateral> const& laterals, std::vector<double>& angles_deg,
                 std::vector<double>& log_shares)
 {

@@ -14,24 +14,27 @@ namespace tractus::sketch {
 // on a sheet has y = 0.
 struct DrawnTwig {
     std::vector<Vec3> axis_mm;
-    std::vector<std::vector<Vec3>> laterals_mm; // Laterals, 1 to kMaxTwigLaterals.
+    std::vector<std::vector<Vec3>> laterals_mm; // From 1 to kMaxTwigLaterals laterals.
 };
 constexpr std::size_t kMaxTwigLaterals = 200;
 
 // The rule that fits a drawn twig best.
 struct TwigRule {
-    // k, l, r, a, s and T are fitted; widths and limits have their default values. T is, of all
-    // equivalent twists, the one nearest to 0.
+    // The rule. Its k, l, r, a, s and T are fitted; w and l_min are scaled to the drawing, t is
+    // 180/k degrees, and the other values are defaults. T is, of all equivalent twists, the one
+    // nearest to 0.
     Rule rule;
     int order = 1;      // Levels of branching: 1 if only the axis bears laterals.
     int nodes = 0;      // Number of the axis's nodes that bear laterals.
-    int bare_nodes = 0; // Number of nodes without laterals, below the nodes that bear some.
-    // Standard deviations of the drawing from the rule.
+    int bare_nodes = 0; // Number of the axis's nodes without laterals, below those that bear some.
+    // Standard deviations of the drawing from the rule: here, of branching angles.
     double angle_deviation_deg = 0;
-    double length_deviation = 0;  // Deviation of laterals' lengths, relative to the length.
-    double spacing_deviation = 0; // Deviation of nodes' positions, relative to the internode there.
+    double length_deviation = 0; // Relative deviation of the laterals' lengths.
+    // Deviation of the nodes' positions along the axis, relative to the internode there.
+    double spacing_deviation = 0;
     double twist_deviation_deg = 0;
-    // Root mean square of the deviations above, in radians and shares; 0 for a perfect fit.
+    // Root of the sum of squares of the deviations above, in radians and shares, with the twist's
+    // weighted by the sine of the branching angle; 0 for a perfect fit.
     double misfit = 0;
 
     // A twig with a greater misfit does not follow such a rule.

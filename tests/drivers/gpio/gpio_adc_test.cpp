@@ -127,7 +127,7 @@ TEST(GpioAdc, WaitsNoLongerThanItIsTold)
 
 TEST(GpioAdc, RepeatsWhatTheSchedulerInterrupted)
 {
-    // Interrupted twice in a row during the bits of the reading.
+    // Two conversions in a row are interrupted while the bits of the reading are sent.
     SimulatedConverter converter({},
                                  { .pauses = { { request(3, 30), milliseconds(30) },
                                                { request(4, 40), milliseconds(3) } } });

@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Lines of a chip that reports the given edges, independent of waiting.
+// Lines of a chip that reports the given edges at their times. Time advances only in read().
 class ScriptedEdges final : public GpioEdges {
 public:
     explicit ScriptedEdges(std::vector<QuadratureEdge> told)

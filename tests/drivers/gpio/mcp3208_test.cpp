@@ -10,7 +10,7 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-constexpr unsigned kRequests = 51; // Requests for one conversion of 12 bits.
+constexpr unsigned kRequests = 51; // Number of requests for one conversion of 12 bits.
 
 // Index of the request that ends the sampling: CS low, ten for the command, then one rising edge.
 constexpr std::uint64_t kSamplingEnds = 12;

@@ -87,7 +87,7 @@ protected:
     fs::path root_ = fs::temp_directory_path() / ("tractus_events_" + std::to_string(::getpid()));
 };
 
-// Bit maps of a pen: keys 0x140, 0x14a and 0x14b are bits 0, 10 and 11 of the sixth word.
+// Bit maps of a pen in sysfs: keys 0x140, 0x14a and 0x14b are bits 0, 10 and 11 of the sixth word.
 constexpr char const* kPenKeys = "c01 0 0 0 0 0";
 constexpr char const* kTouchKeys = "400 0 0 0 0 0";
 constexpr char const* kPenAxes = "1000003";

@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Fixture with a folder that imitates sysfs with one tablet on port 2 of bus 1: two interfaces, and
-// a device without a bus.
+// Fixture with a folder that imitates sysfs with one tablet of two interfaces on port 2 of bus 1,
+// and a device without a bus.
 class HidSysfs : public testing::Test {
 protected:
     HidSysfs()

@@ -214,7 +214,7 @@ TEST(LibinputRecord, RefusesEventsThatAreNone)
     }
 }
 
-// Axes as version 1.2 writes them, with a comment behind each event.
+// A recording with axes as version 1.2 writes them, and a comment after each event.
 constexpr char const* kEvemu = "# EVEMU 1.2\n"
                                "# Input device name: \"Pen\"\n"
                                "N: Pen # 2\n"

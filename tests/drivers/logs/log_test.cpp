@@ -191,7 +191,8 @@ TEST(LogReader, RefusesWhatIsNoLog)
               "<bytes>\")");
 }
 
-// Three times this size is 2 modulo 2^64, which is the number of characters that follow.
+// The report's stated size is such that three times it is 2 modulo 2^64, the number of characters
+// that follow.
 TEST(LogReader, SkipsAReportWhoseSizeWouldWrapAround)
 {
     auto const log = parsed("R: 1 c0\n"
@@ -208,7 +209,7 @@ TEST(LogReader, RefusesALineThatIsNoLogs)
     EXPECT_EQ(error_of("R: 1 c0\n" + line + "y\n"),
               "pen.hid:2: a line of more than 1048576 bytes: this is no log");
     EXPECT_EQ(parsed("R: 1 c0\n" + line + "\nE: 0.1 1 01\n").records.size(), 1u);
-    // A device file could be endless.
+    // A device file is refused because it could be endless.
     auto const zeros = read_log("/dev/zero");
     ASSERT_FALSE(zeros);
     EXPECT_EQ(zeros.error().message, "cannot read /dev/zero: it is a device");
@@ -222,7 +223,7 @@ TEST(LogReader, NamesTextInUtf16)
               "pen.hid is text in UTF-16 or UTF-32: save it again as UTF-8");
 }
 
-// Lines may end anywhere within the pieces in which a file is read.
+// Lines must be read wherever they end within the pieces in which a file is read.
 TEST(LogReader, ReadsALogOfManyPieces)
 {
     auto const path = std::filesystem::temp_directory_path()

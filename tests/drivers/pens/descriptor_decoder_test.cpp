@@ -214,7 +214,7 @@ TEST(KnownHabits, SecondaryTipSwitchIsTheSecondButton)
     EXPECT_EQ(device.sample("07 24 10 27 c4 09 00 00").buttons, 2u);
     EXPECT_EQ(device.sample("07 28 10 27 c4 09 00 00").buttons, 4u); // Invert is the third button.
     EXPECT_FALSE(device.sample("07 00 00 00 00 00 00 00").in_range);
-    // The pen comes into range turned round.
+    // The pen comes into range with its eraser end towards the tablet.
     EXPECT_TRUE(device.sample("07 28 10 27 c4 09 00 00").eraser);
     EXPECT_TRUE(device.sample("07 30 10 27 c4 09 ff 0f").touching);
 }

@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// 100 counts per millimetre on 200 x 100 mm, pressure up to 2047.
+// A scale of 100 counts per millimetre on 200 x 100 mm, with pressure up to 2047.
 PenScale const kScale {
     .y_maximum = 10'000,
     .mm_per_count = { 0.01, 0.01 },
@@ -20,7 +20,7 @@ PenScale const kScale {
     .has_tilt = true,
 };
 
-// The pen states of Linux's tests.
+// Pen states as in Linux's tests.
 PenFields const kOut { .pressure = 0, .tilt_deg = Vec2::Zero(), .in_range = false, .tip = false };
 PenFields const kHover { .x = 5000, .y = 2500, .pressure = 0, .in_range = true, .tip = false };
 PenFields const kContact { .x = 5000, .y = 2500, .pressure = 900, .in_range = true, .tip = true };
@@ -375,7 +375,7 @@ TEST(PenState, AHoverAfterSilenceProvesNoRest)
 
 TEST(PenState, ATouchFarFromWhereItFellSilentIsAnother)
 {
-    auto const far = at_place(kContact, 5600, 2500); // A distance of 6 mm.
+    auto const far = at_place(kContact, 5600, 2500); // This place is 6 mm away.
     Pen pen({ .reports_leaving = false });
     EXPECT_EQ(pen.push(kContact), 'C');
     EXPECT_EQ(pen.push(far, 101ms), 'o');

@@ -334,7 +334,7 @@ TEST(Wacom, FramesOverBluetoothLieBetweenTheirReports)
         all.insert(all.end(), some.begin(), some.end());
     };
     report(100ms, { frame, frame, frame });
-    report(112ms, { frame, frame, frame, frame }); // Earlier than four samples take.
+    report(112ms, { frame, frame, frame, frame }); // Sooner than four samples take.
     report(300ms, { frame, frame });               // Long after the previous report.
     // At the same time as the previous report, and then out of order.
     report(300ms, { frame, frame });
@@ -418,7 +418,7 @@ TEST(Wacom, PlTakesThePenForTheEraserIfItComesWithTheBit)
 {
     Tablet tablet("wacom-pl", 511);
     EXPECT_FALSE(tablet.sample("02 40 4e 10 00 13 44 40").eraser);
-    // The bit is the pen's second button.
+    // Here the bit is the pen's second button.
     EXPECT_EQ(tablet.sample("02 40 4e 10 20 13 44 40").buttons, 2u);
     tablet.sample("02 00 00 00 00 00 00 00");
     auto const eraser = tablet.sample("02 40 4e 10 28 13 44 7f");

@@ -115,11 +115,11 @@ TEST_F(PenDecoderTest, SaysNothingWhileThePenIsAway)
 
 TEST_F(PenDecoderTest, ErasesWithEitherWayOfSayingSo)
 {
-    auto const eraser = sample(with_flags("30")); // Eraser, without invert or tip.
+    auto const eraser = sample(with_flags("30")); // The flag "eraser", without "invert" or "tip".
     EXPECT_TRUE(eraser.eraser && eraser.touching);
-    auto const inverted = sample(with_flags("29")); // The flags invert and tip.
+    auto const inverted = sample(with_flags("29")); // The flags "invert" and "tip".
     EXPECT_TRUE(inverted.eraser && inverted.touching);
-    auto const hovering = sample(with_flags("28")); // The flag invert alone.
+    auto const hovering = sample(with_flags("28")); // The flag "invert" alone.
     EXPECT_TRUE(hovering.eraser && hovering.in_range);
     EXPECT_FALSE(hovering.touching);
 }

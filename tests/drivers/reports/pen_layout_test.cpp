@@ -98,7 +98,7 @@ TEST(PenLayout, DistrustsASizeThatNoTabletHas)
 
 TEST(PenLayout, ReadsAPhysicalRangeWithoutUnitAsThousandthsOfAnInch)
 {
-    // An XP-Pen display of 344 x 195 mm: 34419 x 19461 counts on 13551 x 7662.
+    // An XP-Pen display of 344 x 195 mm: 34419 x 19461 counts on 13551 x 7662 without a unit.
     auto const found = pen_with_axes("27 73 86 00 00 35 00 46 ef 34", "26 05 4c 46 ee 1d");
     ASSERT_EQ(found.size(), 1u);
     EXPECT_NEAR(found[0].size_mm.x(), 344.2, 0.1);

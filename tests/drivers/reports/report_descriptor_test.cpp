@@ -28,7 +28,7 @@ HidField only_field(std::string const& text)
 
 TEST(ReportDescriptor, ReadsTheMouseOfTheStandard)
 {
-    // Example of HID 1.11, appendix E.10.
+    // The example of HID 1.11, appendix E.10.
     auto const mouse
         = parse("05 01 09 02 a1 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02"
                 "95 01 75 05 81 01 05 01 09 30 09 31 15 81 25 7f 75 08 95 02 81 06 c0 c0");
@@ -39,7 +39,7 @@ TEST(ReportDescriptor, ReadsTheMouseOfTheStandard)
     EXPECT_EQ(mouse->fields[2].bit_offset, 2u);
     auto const& y = mouse->fields[4];
     EXPECT_EQ(y.usage, 0x0001'0031u);
-    EXPECT_EQ(y.bit_offset, 16u); // After three buttons, five bits of padding, and X.
+    EXPECT_EQ(y.bit_offset, 16u); // Offset after three buttons, five bits of padding, and X.
     EXPECT_EQ(y.bit_size, 8u);
     EXPECT_TRUE(y.is_relative);
     EXPECT_EQ(y.logical_minimum, -127);

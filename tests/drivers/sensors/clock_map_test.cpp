@@ -15,8 +15,8 @@ using Order = ClockMap::Order;
 
 // A device that sends every millisecond by its own clock, and a host that receives it with delays.
 struct SimulatedClock {
-    double drift_ppm = 0;          // Slowness of the device's clock.
-    std::uint32_t first_us = 1000; // The device's clock at the host's time 0.
+    double drift_ppm = 0;          // Parts per million by which the device's clock is slow.
+    std::uint32_t first_us = 1000; // The device's clock when the host's time is 0.
     double jitter_us = 0;          // Mean delay in addition to the minimum transmission time.
     double stall_ms = 0;           // Duration of occasional stalls of the host.
     Random random { { .seed = 1 } };

@@ -24,8 +24,8 @@ struct FakeWire {
     Timestamp now {};
     bool is_plugged = true;
 
-    // Returns the packets that arrive instead of an answer, in order. Empty: answers arrive
-    // unchanged.
+    // Returns the packets that arrive instead of a given answer, in order. Without this function,
+    // answers arrive unchanged.
     std::function<std::vector<Bytes>(Bytes)> disturb {};
 
     std::vector<Bytes> commands {}; // Commands as they were written.

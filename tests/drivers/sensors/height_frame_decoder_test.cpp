@@ -61,7 +61,7 @@ TEST(HeightFrame, CrcIsTheOneOfTheProtocol)
     EXPECT_EQ(height_frame_crc({}), 0xFFFF);
 }
 
-// The example in the protocol's documentation.
+// Compares a frame with the example in the protocol's documentation.
 TEST(HeightFrame, IsLaidOutAsTheProtocolSays)
 {
     HeightFrame made { .flags = kHeightFrameStart,

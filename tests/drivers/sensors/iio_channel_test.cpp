@@ -1,4 +1,4 @@
-// The driver of industrial I/O with a folder that imitates the kernel's.
+// Tests the driver of industrial I/O with a folder that imitates the kernel's.
 
 #include "drivers/sensors/iio_channel.h"
 

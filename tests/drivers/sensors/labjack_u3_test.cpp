@@ -46,7 +46,7 @@ struct LabJackU3 : testing::Test {
     FakeWire wire;
 };
 
-// One single-ended analogue input, as in the user's guide.
+// The command reads one single-ended analogue input, as in the user's guide.
 TEST(LabJackPacket, HasBothChecksums)
 {
     auto const packet = labjack_packet(LabJackCommand::Feedback, bytes("00 01 00 1f"));
@@ -196,7 +196,7 @@ TEST(LabJackU3Options, AreReadFromAnAddress)
 
 TEST_F(LabJackU3, DecoderTellsAnErrorOfTheDevice)
 {
-    // A pin that is still digital.
+    // The requested pin is still digital.
     auto const answer
         = model.answer(labjack_packet(LabJackCommand::Feedback, bytes("00 01 05 1f")));
     auto const decoder = make_height_decoder(u3()).value();

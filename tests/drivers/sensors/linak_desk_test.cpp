@@ -23,7 +23,7 @@ struct LinakDesk : testing::Test {
             if (command.size() == 1)
                 return desk.get_feature(std::to_integer<std::uint8_t>(command[0])).value();
             EXPECT_TRUE(desk.set_feature(command));
-            // An unexpected packet, which counts as no answer.
+            // The desk sends an unexpected packet, which counts as no answer.
             return Bytes { std::byte { 0x99 } };
         };
     }
@@ -126,7 +126,7 @@ TEST_F(LinakDesk, SaysThatItIsUnplugged)
     EXPECT_FALSE(source->read(100ms));
 }
 
-// The bytes of a sinking desk at 600.0 mm.
+// The report's bytes are those of a sinking desk at 600.0 mm.
 TEST(LinakDeskDecoder, ReadsTheAnswersBytes)
 {
     auto const decoder = make_linak_desk_decoder();

@@ -63,7 +63,7 @@ TEST_F(Mcp2221a, ReadsThePinAgainstTheSupply)
 {
     auto const source = open();
     ASSERT_TRUE(source) << source.error().message;
-    EXPECT_EQ(read(**source), 409); // Expected 2 V / 5 V * 1024.
+    EXPECT_EQ(read(**source), 409); // Expected is 2 V / 5 V * 1024.
     EXPECT_EQ((*source)->info().name, "MCP2221 USB-I2C/UART Combo, GP1");
 }
 
@@ -72,7 +72,7 @@ TEST_F(Mcp2221a, ReadsAnotherPinAgainstAnotherReference)
     model.set_volts(3, 1);
     auto const source = open({ .pin = 3, .reference = Mcp2221aReference::Volts2048 });
     ASSERT_TRUE(source);
-    EXPECT_EQ(read(**source), 500); // Expected 1 V / 2.048 V * 1024.
+    EXPECT_EQ(read(**source), 500); // Expected is 1 V / 2.048 V * 1024.
     EXPECT_EQ((*source)->info().name,
               "MCP2221 USB-I2C/UART Combo, GP3, 0.002 V per count from 0 V");
 }

@@ -1,5 +1,5 @@
-// The driver of serial ports with a simulated board behind a pseudo-terminal: the same system calls
-// as with a real board.
+// Tests the driver of serial ports with a simulated board behind a pseudo-terminal: the same system
+// calls as with a real board.
 
 #include "drivers/sensors/serial_line.h"
 
@@ -184,7 +184,8 @@ TEST(SerialLine, ReplaysFromALogAsItWasRead)
     EXPECT_EQ(log.records.size(), 3u) << "what could not be decoded is in the log, too";
 }
 
-// The board is unplugged, and returns at another node, named by a symbolic link as udev's are.
+// The board is unplugged, and returns at another node. A symbolic link as udev makes it names the
+// node.
 TEST(SerialLine, GoesOnWhenTheBoardIsBack)
 {
     auto const link

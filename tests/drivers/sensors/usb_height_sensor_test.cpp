@@ -13,8 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// The sensor model with its requests, and with simulated time that advances with each read, in
-// which it measures.
+// A sensor model that answers requests. Its simulated time advances with each read, and meanwhile
+// it measures.
 struct FakeSensor {
     sim::HeightSensorModel model;
     bool is_plugged = true;

@@ -1,4 +1,4 @@
-// One report of each kind of each format, except Wacom's formats, of which there is one.
+// One report of each kind of each format. Of Wacom's formats, only the Bamboo Pad's is tested here.
 
 #include "drivers/pens/families.h"
 

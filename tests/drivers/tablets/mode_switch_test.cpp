@@ -22,11 +22,11 @@ std::string hex(std::span<std::byte const> bytes)
     return text;
 }
 
-// A fake tablet that records what it receives, and has these strings.
+// A fake tablet with the given strings, which records the requests that it receives.
 class FakePort final : public TabletPort {
 public:
     std::map<int, std::string> strings;
-    std::string refused_report; // Report that it refuses, in the form of `told`.
+    std::string refused_report; // Report that the tablet refuses, written as in `told`.
     bool has_usb = true;
     std::vector<std::string> told;
 

@@ -19,9 +19,10 @@ namespace {
 
 // Conditions of a udev rule that permits access to a USB device.
 struct Rule {
-    bool is_for_usb = false; // The rule is for the USB device itself, not for its hidraw nodes.
-    std::string vendors;     // Alternatives such as "0458|056a".
-    std::string products;    // Empty if the rule applies to all products.
+    // True: the rule is for the USB device itself, not for its hidraw nodes.
+    bool is_for_usb = false;
+    std::string vendors;  // Alternative vendor ids, such as "0458|056a".
+    std::string products; // Alternative product ids; empty if the rule applies to all products.
 };
 
 std::string match_of(std::string const& line, char const* key)

@@ -144,7 +144,7 @@ TEST(TabletDecoder, ReadsAMakersOwnFormatByTheTable)
     EXPECT_TRUE(traits.has_tilt);
     EXPECT_EQ(traits.button_count, 2u);
 
-    // The middle of the surface, at half pressure.
+    // The report is of a pen in the middle of the surface, at half pressure.
     auto const sample = decode(**decoder, "08 81 38 63 03 3e 00 10 00 00 00 00");
     ASSERT_TRUE(sample);
     EXPECT_NEAR(sample->position_mm.x(), 127, 0.01);
@@ -267,7 +267,7 @@ TEST(TabletDecoder, LetsThePenLeaveBeforeItGoesOnInTheOtherFormat)
     info.report_descriptor.insert(info.report_descriptor.end(), described.begin(), described.end());
     auto decoder = make_pen_decoder(info);
     ASSERT_TRUE(decoder);
-    // The table's size, since the descriptor has none.
+    // The size is the table's, since the descriptor has none.
     EXPECT_EQ((*decoder)->traits().size_mm, Vec2(254, 158.75));
     EXPECT_FALSE((*decoder)->traits().is_size_assumed);
 
@@ -317,7 +317,7 @@ TEST(TabletDecoder, KnowsATabletOverBluetooth)
     EXPECT_EQ((*decoder)->traits().raw_pressure_maximum, 8191);
 }
 
-// A recording of a real tablet.
+// A recording of a real tablet, and what the tablet's maker publishes.
 
 struct Recorded {
     char const* file;

@@ -67,7 +67,7 @@ TEST(TabletLookup, ReadsAWacomThatItDoesNotKnowAsAnIntuosIfItsReportsAreAsLong)
     // Report 2 with nine bytes after its id.
     info.report_descriptor = bytes("06 00 ff 09 01 a1 01 85 02 75 08 95 09 09 01 81 02 c0");
     EXPECT_EQ(found_name(info), "Wacom (model not known, read as an Intuos)");
-    info.product_id = 0x037a; // A CTL-472 is an Intuos, whatever the length of its reports.
+    info.product_id = 0x037a; // A CTL-472 is an Intuos, regardless of the length of its reports.
     EXPECT_EQ(found_name(info), "Wacom CTL-472");
     info.product_id = 0xeeee;
     info.report_descriptor = bytes("06 00 ff 09 01 a1 01 85 02 75 08 95 08 09 01 81 02 c0");
@@ -133,7 +133,7 @@ TEST(TabletLookup, TellsATabletsPadFromItsPen)
     EXPECT_EQ(pen->identifier->family, "wacom-intuos");
 }
 
-// Pad and pen of an XP-Pen Artist 13.3 differ only in their output reports.
+// The pad and the pen of an XP-Pen Artist 13.3 differ only in their output reports.
 TEST(TabletLookup, TellsATabletsPadFromItsPenByOutputReports)
 {
     auto info = device(0x28bd, 0x000b);

@@ -23,7 +23,7 @@ TEST(StringDescriptor, IsText)
 
 TEST(StringDescriptor, KeepsNumbersThatAreNoText)
 {
-    // Zeros, unpaired and swapped surrogates, line ends.
+    // The texts contain zeros, unpaired and swapped surrogates, and line ends.
     for (auto const* const text : { "00 00 0a 00", "00 d8 41 00", "00 dc 00 d8", "ff ff 3d d8" })
         EXPECT_EQ(string_descriptor_bytes(string_descriptor_text(bytes(text))), bytes(text))
             << text;

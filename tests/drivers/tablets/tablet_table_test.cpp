@@ -98,7 +98,7 @@ TEST(TabletTable, RefusesIdentifiersThatItDoesNotUnderstand)
             << line;
 }
 
-// The table itself is complete and valid.
+// Tests of the table itself, which must be complete and valid.
 
 TEST(KnownTablets, AreAll)
 {

@@ -87,7 +87,7 @@ Result<void> write_model_files(fs::path const& base, lines::LineModel const& mod
     return write_file(fs::path(base).concat(".l"), model.source.text);
 }
 
-// Writes the folder and returns a sentence that says what is in it.
+// Writes the output folder and returns a sentence about its content.
 Result<std::string> write_folder(ConstructArguments const& arguments, scene::LoadModel const& load,
                                  lines::LineModel model, Plant const& plant)
 {

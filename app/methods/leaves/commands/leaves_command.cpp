@@ -38,7 +38,7 @@ struct LeavesArguments {
     std::uint64_t seed = 1;
     fs::path output;
     double size_mm = 100;
-    std::optional<int> paint; // Side of the pictures in pixels.
+    std::optional<int> paint; // Side of the painted pictures in pixels; no value: not painted.
 };
 
 Result<leaf::Grammar> load_grammar(fs::path const& path)

@@ -30,13 +30,13 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kMaxSide = 16'384; // Side of a page, in pixels.
+constexpr int kMaxSide = 16'384; // Maximum side of a page, in pixels.
 constexpr int kMaxLeaves = 4096;
 
 struct PaintArguments {
     std::vector<std::string> leaves;
     fs::path output;
-    int count = 1; // Leaves of each kind.
+    int count = 1; // Number of leaves of each kind.
     int side = 512;
     double age = 0.5;
     std::optional<double> age_to;
@@ -56,7 +56,7 @@ struct PaintedLeaf {
     std::string name;
     std::uint64_t seed = 0;
     double age = 0;
-    double length_mm = 0; // Length of the picture's side on the leaf.
+    double length_mm = 0; // Side of the picture, measured on the leaf.
     leaf::LeafPicture picture;
 };
 

@@ -28,7 +28,7 @@ struct SketchedLeaf {
     std::filesystem::path sketch;
     std::filesystem::path output;
     bool reports = false;
-    std::string height;        // Height in place of a height sensor's that a recording lacks.
+    std::string height;        // Heights for a recording without a height sensor.
     tools::Methods methods {}; // Methods whose tools a recording may use.
 };
 

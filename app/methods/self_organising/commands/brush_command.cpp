@@ -37,14 +37,14 @@ struct BrushArguments {
     fs::path example;
     bool report = false;
     fs::path strokes;
-    std::string from;   // Plant from which the tree grows; empty: from a seed.
-    std::string height; // Height for a log that lacks a height sensor's.
+    std::string from;   // Plant from which the tree grows; empty: it grows from a seed.
+    std::string height; // Heights for a log without a height sensor.
     std::string habit = "oak";
     int years = 12;
     std::uint64_t seed = 1;
     std::string radius = "8..40";
     double scale = 10;      // Size of the tree relative to the strokes.
-    bool is_scaled = false; // True: the scale was given.
+    bool is_scaled = false; // True if the user gave `scale`.
     bool waits = false;
     fs::path output;
     batch::PlantFileOptions file;
@@ -77,7 +77,7 @@ std::vector<double> weights_of(std::vector<Stroke> const& strokes)
     return has_times ? seconds : lengths_mm;
 }
 
-// Years of each stroke, at least one.
+// Years of growth along each stroke, at least one.
 std::vector<int> years_of(std::vector<Stroke> const& strokes, int years)
 {
     auto const weights = weights_of(strokes);
@@ -94,7 +94,7 @@ std::vector<int> years_of(std::vector<Stroke> const& strokes, int years)
     return shares;
 }
 
-// The strokes that the brush follows; none for a plant that grows on by itself.
+// The strokes that the brush follows; none for a plant that continues to grow by itself.
 Result<std::vector<Stroke>> strokes_of(BrushArguments const& arguments)
 {
     if (arguments.strokes.empty())
@@ -110,13 +110,13 @@ Result<std::vector<Stroke>> strokes_of(BrushArguments const& arguments)
     return strokes;
 }
 
-// The periods of the tree's life: one for each stroke, or one without.
+// The periods of the tree's life: one for each stroke, or a single one without a stroke.
 Result<std::vector<LifePeriod>> parts_of(BrushArguments const& arguments)
 {
     auto strokes = TRY(strokes_of(arguments));
     if (strokes.empty())
         return std::vector<LifePeriod> { { .years = arguments.years } };
-    // Dereferenced unchecked, as the option parser has checked the range.
+    // The option parser has checked that the range is valid.
     auto const [min_mm, most_mm] = *options::parse_range(arguments.radius);
     auto const years = years_of(strokes, arguments.years);
     std::vector<LifePeriod> parts;
@@ -154,7 +154,7 @@ Result<std::vector<scene::Edit>> edits_of(BrushArguments const& arguments)
                                        .id = plant });
     } else {
         edits = TRY(beginning_edits(arguments, plant));
-        if (arguments.is_scaled) // Otherwise the plant is as large as the window shows it.
+        if (arguments.is_scaled) // Otherwise it keeps the size that the window shows.
             edits.emplace_back(scene::SetScale { 1 / arguments.scale });
         edits.emplace_back(GrowFrom {
             .plant = plant, .habit = habit, .seed = arguments.seed, .next = std::move(parts[0]) });
@@ -164,7 +164,7 @@ Result<std::vector<scene::Edit>> edits_of(BrushArguments const& arguments)
     return edits;
 }
 
-// Number of edits along a stroke.
+// Number of edits that grow a tree along a stroke.
 std::size_t brushed_count(std::vector<scene::Edit> const& edits)
 {
     auto const is_brushed = [](scene::Edit const& edit) {

@@ -39,16 +39,17 @@ constexpr std::size_t kMaxPlaces = 2000;
 struct SilhouetteArguments {
     std::vector<fs::path> drawings;
     fs::path output;
-    silhouette::TreeForm form; // Form from the options; its patterns are not set, see `patterns`.
+    silhouette::TreeForm form; // Form set by the options, except its patterns (see `patterns`).
     // Pattern of each level; the last one applies to deeper levels as well.
     std::vector<std::string> patterns;
-    std::optional<int> whorl;          // Branches in each whorl.
-    std::optional<int> branches;       // Branches of the trunk in the plane of the drawing.
+    std::optional<int> whorl;          // Number of branches in each whorl.
+    std::optional<int> branches;       // Number of the trunk's branches in the drawing's plane.
     std::string style;                 // File of a plant whose style is measured and used.
-    CLI::App const* command = nullptr; // The parsed command, which tells which options were given.
+    CLI::App const* command = nullptr; // The parsed command; it knows which options were given.
     double height_m = 8;
-    std::optional<std::size_t> count; // Number of places; only if an arrangement alone is wanted.
-    // Branches that take the style of a branch with parts drawn on it.
+    // Number of places in an arrangement; if set, only an arrangement is made.
+    std::optional<std::size_t> count;
+    // Which other branches take the style of a branch with parts drawn on it.
     silhouette::StyleScope style_to = silhouette::StyleScope::None;
     bool report = false;
     bool session = false;
@@ -68,7 +69,7 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
         form.plane_branches = silhouette::kUsualPlaneBranches;
     std::vector<silhouette::Pattern> given;
     for (auto const& word : arguments.patterns)
-        // Dereferenced unchecked, as the option's one_of() check has passed.
+        // The option's one_of() check has made sure that the pattern exists.
         given.push_back(*silhouette::pattern_of(word));
     for (std::size_t level = 0; level < form.patterns.size() && !given.empty(); ++level)
         form.patterns[level] = given[std::min(level, given.size() - 1)];
@@ -78,7 +79,7 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
     return form;
 }
 
-// Checks that --whorl is given only together with whorls.
+// Fails if --whorl is given although no level has whorls.
 Result<void> check_whorl(SilhouetteArguments const& arguments)
 {
     auto const patterns = form_of(arguments).patterns;
@@ -144,7 +145,7 @@ tl::unexpected<Error> about_drawing(fs::path const& file, Error const& error)
     return fail(error.fault, fmt::format("{}: {}", file.string(), error.message));
 }
 
-// Writes the tree where the user wants it and returns the names of the files.
+// Writes the tree to the requested files and returns their names.
 Result<std::string> write_tree(SilhouetteArguments const& arguments, fs::path const& drawing,
                                Plant const& plant)
 {
@@ -346,7 +347,7 @@ void add_options(CLI::App& command, SilhouetteArguments& arguments)
                     "The folder for pictures and glTF, made if it is not there; or the tree alone, "
                     "as the file's ending says: .glb, .obj, .mtg or .png")
         ->type_name("OUTPUT");
-    // Comes before the form's options, which override a style.
+    // Added before the form's options, which override a style.
     add_style_options(command, arguments);
     add_form_options(command, arguments);
     add_leaf_options(command, arguments);

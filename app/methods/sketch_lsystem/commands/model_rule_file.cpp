@@ -37,13 +37,14 @@ std::string describe_contract(std::filesystem::path const& model, scene::LoadOpt
 {
     auto edit = io::load_model_edit(model);
     if (!edit)
-        return {}; // Returns nothing, as the model's general check has reported the error.
+        return {}; // The model's general check reports the error.
     auto const name = edit->source.name;
     auto const lacks = sketch::missing_for_stroke(rule_of_model(*std::move(edit)), options);
     if (lacks.empty())
         return "\nCan be grown along a stroke\n";
-    // Models that were not written for strokes lack all parts, of which the manual tells.
-    constexpr std::size_t kParts = 5; // A count of segments, three arrays and a turn.
+    // Models that were not written for strokes lack all required parts; the manual lists these.
+    // Required parts: a count of segments, three arrays and a turn.
+    constexpr std::size_t kParts = 5;
     if (lacks.size() >= kParts)
         return "\nCannot be grown along a stroke: it has not the places for it that the manual "
                "lists (models.md)\n";

@@ -45,14 +45,14 @@ namespace fs = std::filesystem;
 struct SketchArguments {
     tools::Methods methods;
     fs::path stroke;
-    fs::path twig; // File of a twig; replaces `stroke` and `rule`.
+    fs::path twig; // File of a twig, used instead of `stroke` and `rule`.
     fs::path rule;
     fs::path folder;
     std::size_t number = 1; // Number of the stroke in its file, counted from 1.
-    std::string surface;    // Empty: chosen by surface_for().
+    std::string surface;    // Surface of the stroke; empty: see surface_for().
     // Where the plant stands: at the stroke's "foot", or where it "begins" or "ends".
     std::string stands = "foot";
-    std::string height;     // Height for a log that lacks a height sensor's.
+    std::string height;     // Heights for a log without a height sensor.
     std::uint64_t seed = 1; // Random seed of a model.
     bool bare = false;
     bool report = false;
@@ -72,8 +72,8 @@ Result<Stroke> choose_stroke(SketchArguments const& arguments)
                             arguments.number, strokes.size()));
 }
 
-// Surface on which the stroke was drawn. Files of strokes give places in space; for a log it is
-// decided from the pen's path.
+// Surface on which the stroke was drawn. Unless the user names it: space for files of strokes; for
+// a log, inferred from the pen's path.
 StrokeSurface surface_for(SketchArguments const& arguments)
 {
     if (arguments.surface.empty())
@@ -81,7 +81,7 @@ StrokeSurface surface_for(SketchArguments const& arguments)
     return arguments.surface == "space" ? StrokeSurface::Space : StrokeSurface::Paper;
 }
 
-// The stroke with its foot first, and whether it was turned round for that.
+// The stroke with its foot first, and whether it was reversed for that.
 struct FootFirst {
     Stroke stroke;
     StrokeSurface surface;
@@ -179,7 +179,7 @@ void warn_of_cut(sketch::Rule const& rule, sketch::DrawnAxis const& axis)
                         axis.depth, rule.most_internodes));
 }
 
-// The edit that a pen in the window would have made, so that rule and stroke stay editable there.
+// The edit that a pen in the window would have made, so that rule and stroke can be edited there.
 Result<sketch::GrowAlongStroke> drawn_edit(SketchArguments const& arguments,
                                            sketch::Rule const& rule)
 {
@@ -326,7 +326,7 @@ Result<void> sketch_plant(SketchArguments const& arguments)
     return model.is_set() ? sketch_model(arguments, std::move(model)) : sketch_rule(arguments);
 }
 
-// Adds options that say which stroke is meant and how its plant stands.
+// Adds options that choose the stroke and the position of its plant.
 void add_stroke_options(CLI::App& command, SketchArguments& arguments)
 {
     command.add_option("--stroke", arguments.number, "Which of the strokes in the file")

@@ -26,9 +26,9 @@ std::string print_rule_file(Rule const& rule);
 //                internode to the one before it
 //   divergence   T, degrees from node to node
 //   order        how many levels of laterals there are, at least 1
-//   nodes        nodes of the axis that bear laterals; bare_nodes: nodes below those, without
-//   laterals deviations   {"angle", "length_ratio", "internode", "divergence"}: standard deviations
-//   of the
+//   nodes        nodes of the axis with laterals
+//   bare_nodes   nodes below those, without laterals
+//   deviations   {"angle", "length_ratio", "internode", "divergence"}: standard deviations of the
 //                drawing from the rule, in degrees and shares
 //   misfit       all deviations combined; 0 is a perfect fit
 //   is_rule      false: no rule fits this twig
