@@ -28,7 +28,8 @@ struct DeriveAnew {
 
 // Returns the edit that gives the active plant the seeds that the plant of `key` has by
 // SeedAssignment (varied_scene.h) if the active plant is the only one of the document. No value if
-// the plant of `key` has no seed of its own. `share` as in Individuality::seeds.
+// the plant of `key` has no seed of its own, and if nothing would change. `share` as in
+// Individuality::seeds.
 std::optional<DeriveAnew> derive_anew(Scene const& scene, variation::PlantKey const& key,
                                       double share);
 
