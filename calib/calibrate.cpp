@@ -8,8 +8,8 @@ namespace tractus::calib {
 
 namespace {
 
-// Rounds to a number of significant digits, through the decimal form, so that the printed value has
-// no more digits.
+// Rounds `value` to `digits` significant digits. The conversion goes through decimal text, so that
+// the printed value has no more digits.
 double rounded(double value, int digits)
 {
     return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);

@@ -15,8 +15,8 @@
 namespace tractus::calib {
 
 // Functions that apply the result of a fit to a rig and record it there. Numbers are rounded so
-// that the rig file is easy to read, but far more finely than their errors. `date` is today's,
-// "2026-11-21".
+// that the rig file is easy to read, but far more finely than their errors. `date` is today's date,
+// in the form "2026-11-21".
 
 SensorIdentity identity_of(drivers::DeviceInfo const& info);
 

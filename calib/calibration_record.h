@@ -15,7 +15,7 @@ namespace tractus::calib {
 // repeated. Dates are "2026-11-21"; `error` or `errors` in a name means standard error, unless
 // described otherwise.
 
-// Identity of a height sensor. Another sensor of the same model has another potentiometer.
+// Identity of a height sensor, since another sensor of the same model has another potentiometer.
 struct SensorIdentity {
     std::string name {};
     std::string id {};     // Bus, vendor and product id, hexadecimal: "0003:1209:0001".
@@ -45,7 +45,8 @@ struct HeightRecord {
     Vec2 heights_mm = Vec2::Zero(); // Lowest and highest height of the calibrated range.
     Vec2 mm_per_count = Vec2::Zero(); // Height per count at the lowest and at the highest height.
     double noise_counts = 0;          // Standard deviation of a resting sensor's readings.
-    // Height measured from below minus height measured from above, and its standard error.
+    // Difference of height for the same reading: carriage coming from below minus carriage coming
+    // from above. The second number is its standard error.
     std::optional<Vec2> hysteresis_mm {};
 
     // Millimetres by which re-zeroing has raised the model since the fit.
@@ -75,8 +76,8 @@ struct LatencyRecord {
     double rms_mm = 0;
     std::size_t touches = 0;
 
-    // Pen position on the way up minus that on the way down, measured along the edge, and its
-    // standard error.
+    // Pen position along the edge on the carriage's way up minus that on its way down, and the
+    // standard error of this difference.
     std::optional<Vec2> direction_mm {};
 };
 

@@ -14,8 +14,8 @@ namespace tractus::calib {
 // Parses the record. Fails with a user error naming file, line and key.
 Result<CalibrationRecord> parse_calibration_record(TomlTable& table);
 
-// Prints the tables; parse_calibration_record() restores an equal record. Empty for an empty
-// record.
+// Prints the record as TOML tables, from which parse_calibration_record() restores an equal record.
+// Returns an empty text for an empty record.
 std::string print_calibration_record(CalibrationRecord const& record);
 
 } // namespace tractus::calib

@@ -17,10 +17,10 @@ constexpr std::size_t kFewestBursts = 8;
 // At least one sample in this many must arrive in a burst for bursts to be assumed.
 constexpr std::size_t kOneInBurst = 150;
 constexpr std::size_t kOneCountedAnew = 32;
-// Tenths of the learning time for which samples are kept after a failed attempt. The samples that
-// disturbed it may soon be too old to count.
+// Share of the learning time, in tenths, for which samples are kept after a failed attempt. The
+// samples that caused the failure may soon be too old to count.
 constexpr std::int64_t kKeptTenths = 9;
-// A burst's last sample that is late by this many periods shows that one was lost.
+// If a burst's last sample is late by at least this many periods, a sample may have been lost.
 constexpr double kSurely = 1.1;
 
 // A point in the plane of sample index and arrival time.
@@ -71,7 +71,7 @@ Duration EvenTimes::burst_interval() const
         / static_cast<std::int64_t>(bursts_);
 }
 
-// Restarts with the first sample, or with the first one after a silence.
+// Starts anew with the very first sample, or with the first sample after a silence.
 void EvenTimes::begin(Timestamp arrival)
 {
     samples_.clear();
@@ -101,7 +101,8 @@ double EvenTimes::late_periods(Sample const& sample) const
     return (static_cast<double>(sample.arrival) - line_ns(sample.index)) / period_ns_;
 }
 
-// Returns how many samples were lost (negative: too many) before the last sample of a burst.
+// Returns how many samples were lost before the last sample of a burst. The number is negative if
+// there were more samples than expected.
 std::int64_t EvenTimes::missed_at(Sample const& last) const
 {
     constexpr double kBarely = 0.1;
@@ -144,9 +145,9 @@ void EvenTimes::end_burst()
     judge();
 }
 
-// Fits the line again and returns how many bursts it does not explain without another step. If it
-// explains all of them, only the period was slightly wrong: bursts whose rhythm is close to that of
-// the samples reveal it only occasionally.
+// Fits the line again and returns how many bursts are still too late for it, unless it gets a step.
+// None means that only the period was slightly wrong. This happens if bursts have nearly the rhythm
+// of the samples, because the period then shows only occasionally.
 std::size_t EvenTimes::unexplained_bursts()
 {
     fit();
@@ -164,7 +165,7 @@ void EvenTimes::forget_oldest()
     samples_.pop_front();
 }
 
-// Decides whether times are to be corrected, and finds the line if so.
+// Decides whether sample times are to be corrected. If so, fits the line from index to time.
 void EvenTimes::judge()
 {
     auto const count = samples_.size();
@@ -179,7 +180,7 @@ void EvenTimes::judge()
         fit();
     else if (is_evened_)
         is_evened_ = unexplained_bursts() == 0 && is_line_known_;
-    // Counting fails: the device does not sample evenly, or samples were lost.
+    // Counting samples has failed: the device does not sample evenly, or samples were lost.
     if (has_bursts && !is_evened_) {
         is_line_known_ = false;
         if (was_evened)
@@ -190,9 +191,9 @@ void EvenTimes::judge()
     }
 }
 
-// Fits the line below the last samples of bursts by the method of Moon, Skelly and Towsley, as in
-// ClockMap::fit(): the edge of their lower convex hull that spans their mean index. If too little
-// time has passed, the period stays unchanged.
+// Fits the line below the last samples of all bursts by the method of Moon, Skelly and Towsley, as
+// in ClockMap::fit(): the edge of their lower convex hull that spans their mean index. If the
+// samples cover too little time, the period stays unchanged.
 void EvenTimes::fit()
 {
     std::vector<HullPoint> hull;

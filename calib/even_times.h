@@ -12,26 +12,27 @@ namespace tractus::calib {
 // sample evenly but do not report their clock.
 //
 // Delivery (USB, radio, scheduler) adds a delay that is never negative, and often collects several
-// samples into a burst. The samples themselves are evenly spaced. The n-th sample was therefore
-// taken on the line below all arrivals over n, as in a ClockMap for devices with a clock, and the
-// distance above the line is delivery jitter. The minimum delay remains in the result as a constant
-// latency.
+// samples into a burst. The samples themselves are evenly spaced. If arrival times are plotted over
+// the sample number, the true sampling times therefore form a line below all arrivals, as in a
+// ClockMap for devices with a clock. An arrival's distance above the line is delivery jitter. The
+// minimum delay remains in the result as a constant latency.
 //
 // Times are corrected only if the arrivals prove the need: at least one in 150 samples of the last
 // eight seconds arrived less than half a period after its predecessor, which an evenly sampling
 // device cannot cause. Counting must also explain the arrivals: the last sample of each burst must
 // be less than a period late, because a burst delivers everything taken until then. A lost or
 // surplus sample appears as a step of one period, at the latest three bursts later, and is counted.
-// If there are many such steps, the device does not sample evenly: then all arrival times are kept,
+// If there are many such steps, the device does not sample evenly. All arrival times are then kept,
 // as in the first half second, and the next attempt needs twice as much data, up to four seconds.
 // The first half second must be without loss, so that a loss is not mistaken for another period. A
-// stream whose bursts have one sample each is not corrected either.
+// stream is not corrected either if each of its bursts has only one sample.
 //
 // After a silence of kSilence the device may have restarted: its period is kept, but the phase of
 // its samples is determined again from the first bursts.
 //
-// One limit cannot be overcome without a device clock: if bursts keep step with the samples, the
-// last sample of each waits equally long for delivery, up to a period, and this counts as latency.
+// One error cannot be avoided without a device clock: if bursts keep step with the samples, the
+// last sample of each burst waits equally long for delivery, up to a period. This counts as
+// latency.
 //
 // The result depends only on the arrivals: equal arrivals give equal times.
 class EvenTimes {

@@ -41,7 +41,7 @@ static double pressure(drivers::PenSample const& pen)
     return pen.pressure ? std::clamp(*pen.pressure, 0.0, 1.0) : (pen.touching ? 1.0 : 0.0);
 }
 
-// Returns the tilt of the pen's shaft, turned by the mounting of the tablet.
+// Returns the tilt of the pen's shaft after the rotation of the tablet to the world frame.
 static std::optional<Vec2> tilt_rad(drivers::PenSample const& pen,
                                     Eigen::Affine3d const& T_world_tablet)
 {
@@ -149,10 +149,10 @@ void Fuser::doubt(Timestamp instant)
         heights_.add_unknown(instant);
 }
 
-// Makes tips while the pen is silent.
+// Makes tips from height readings while the pen is silent.
 void Fuser::follow_surface(Timestamp arrival)
 {
-    // The stroke must first be ended by a tip that is made from a pen sample.
+    // After a gap, the stroke must first be ended by a tip that is made from a pen sample.
     if (gap_before_live_ || gap_before_settled_)
         return;
     for (auto const at : touch_.take_instants(arrival, heights_, rig_.max_height_age)) {
@@ -168,7 +168,7 @@ void Fuser::follow_surface(Timestamp arrival)
         keep_silence();
 }
 
-// Treats the silence as rest: its tips are drawn.
+// Treats the pen's silence as rest, so that the tips made during it are drawn.
 void Fuser::keep_silence()
 {
     is_silence_sure_ = true;
@@ -197,8 +197,8 @@ void Fuser::drop_silence()
     doubtful_.clear();
 }
 
-// Keeps tips in order: the corrected time of the sample that ends a silence may lie before the last
-// tip made in the silence.
+// Keeps tips in time order. The corrected time of the sample that ends a silence may be earlier
+// than the last tip made in the silence; the sample's tip is then moved after it.
 static void put_after(TipSample& tip, Timestamp last_in_silence)
 {
     if (tip.time <= last_in_silence)
@@ -247,8 +247,8 @@ std::optional<TipSample> Fuser::push(drivers::PenSample const& reported)
 
 void Fuser::settle_ready()
 {
-    // Samples that have waited too long have lost their heights; the same is true if the clock has
-    // jumped back.
+    // True if a sample has waited so long that its heights have been forgotten. The same holds for
+    // samples from before a backward jump of the clock.
     auto const given_up = [&](Moment const& moment) {
         return std::chrono::abs(pending_.back().instant - moment.instant)
             > kPatience + rig_.max_height_age;

@@ -28,15 +28,16 @@ struct ScriptedHeight {
 
 // Statistics of a fuser, for reports and for explaining why there are no strokes.
 struct FuserCounts {
-    // Number of pen samples pushed; of those settled to a tip; of those given up because no reading
-    // lay within Rig::max_height_age.
+    // Number of pen samples pushed. `settled` counts those that became a settled tip,
+    // `pens_without_height` those given up because no reading lay within Rig::max_height_age.
     std::size_t pens = 0;
     std::size_t settled = 0;
     std::size_t pens_without_height = 0;
 
-    // Number of height samples pushed; of those refused because they belong to another converter or
-    // are outside the model; of those doubted on arrival (height_judge.h), regardless of the later
-    // decision; of those used although outside the calibrated range.
+    // Number of height samples pushed. `heights_refused` counts those of another converter or
+    // outside the model, `heights_doubted` those doubted on arrival (height_judge.h), regardless of
+    // the later decision, and `heights_uncalibrated` those used although outside the calibrated
+    // range.
     std::size_t heights = 0;
     std::size_t heights_refused = 0;
     std::size_t heights_doubted = 0;
@@ -46,7 +47,7 @@ struct FuserCounts {
     // `settled`.
     std::size_t settled_in_silence = 0;
 
-    // Number of settled tips, with or without a silence, that are outside the calibrated range.
+    // Number of settled tips outside the calibrated range, including those settled in a silence.
     std::size_t settled_uncalibrated = 0;
 };
 
@@ -84,19 +85,18 @@ public:
     // once, and height samples are ignored.
     Fuser(Rig const& rig, ScriptedHeight const& height);
 
-    // Adds a height sample. Readings that the surface cannot have are ignored, also for live tips:
-    // see HeightJudge. If they are few, the height is interpolated across them.
+    // Adds a height sample. Readings that are implausible for a moving surface are ignored, also
+    // for live tips (see HeightJudge). The height is interpolated across a few such readings.
     void push(drivers::HeightSample const& sample);
 
     // Notes that the sensor gave a reading without a usable height.
     void miss_height(Timestamp received);
 
-    // Adds a pen sample and returns its live tip. No value before the first height, and while the
-    // last one is older than Rig::max_height_age. The first tip after such a gap does not touch, so
-    // that no stroke crosses the gap.
+    // Adds a pen sample and returns its live tip. No value before the first height, or while the
+    // last height is older than Rig::max_height_age. The first tip after such a gap does not touch,
+    // so that no stroke crosses the gap.
     //
-    // Samples out of range have tips too, which report that the pen is up at its last position in
-    // range.
+    // A pen that is out of range also gives tips. They are lifted, at its last position in range.
     [[nodiscard]] std::optional<TipSample> push(drivers::PenSample const& pen);
 
     // Returns the live tips made from readings since the last call while the pen was silent, in
@@ -117,7 +117,7 @@ public:
     [[nodiscard]] std::vector<TipSample> take_settled();
 
     // Settles all remaining tips from the available readings, at the end of the samples or before a
-    // pause. A pen that touches is taken to have done so until now.
+    // pause. If the pen last touched, it is assumed to have touched until now.
     void flush();
 
     // Forgets all heights when the sensor was disconnected, after flush(): its later readings are
@@ -169,7 +169,7 @@ private:
     SilentTouch touch_;
     std::deque<Moment> pending_; // Moments that are not settled yet, in time order.
     std::vector<TipSample> settled_;
-    // Settled tips that are dropped if the silence turns out to be a loss of reports.
+    // Settled tips of the present silence, dropped if the silence was a loss of reports.
     std::vector<TipSample> doubtful_;
     std::vector<TipSample> live_in_silence_;
     Timestamp last_live_in_silence_ = Timestamp::min();

@@ -41,7 +41,7 @@ struct HeightCapture {
 std::vector<HeightCapture> captures_without(std::span<HeightCapture const> captures,
                                             std::span<std::size_t const> left_out);
 
-// The least and the greatest reading of some captures.
+// The least and the greatest mean reading of several captures.
 struct ReadingRange {
     double low = 0;
     double high = 0;
@@ -49,7 +49,7 @@ struct ReadingRange {
     bool operator==(ReadingRange const&) const = default;
 };
 
-// Returns the range of at least one capture.
+// Returns the range of the captures' mean readings; there must be at least one capture.
 ReadingRange reading_range(std::span<HeightCapture const> captures);
 
 // Returns the width of a bin of HeightCapture::scatter: one count of a 12-bit converter, or the
@@ -73,7 +73,7 @@ struct HeightReading {
     bool is_at_rest = false; // True if the readings are steady enough for a capture.
 };
 
-// Summarises the readings of about kCaptureTime. No value for no readings.
+// Summarises the readings of about kCaptureTime. No value if there are none.
 std::optional<HeightReading> summarize(std::span<drivers::HeightSample const> samples);
 
 // Makes a capture from readings at rest; the caller fills in `from`. Fails with a sentence that

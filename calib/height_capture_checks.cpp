@@ -17,8 +17,7 @@ constexpr double kMinSpan_mm = 20;
 constexpr double kMinCounts = 5;
 // Heights that differ by at least this much must have different readings.
 constexpr double kMinStep_mm = 5;
-// The string is slack where readings change by less than this share of the usual counts per
-// millimetre.
+// The string is slack where the counts per millimetre fall below this share of their median.
 constexpr double kSlackPart = 0.05;
 
 std::vector<std::size_t> by_height(Captures captures)
@@ -53,7 +52,7 @@ tl::unexpected<Error> slack(HeightCapture const& low, HeightCapture const& high)
                             (low.counts + high.counts) / 2, low.ruler_mm, high.ruler_mm));
 }
 
-// Fails if readings do not follow the ruler, in general or between two neighbouring heights.
+// Fails if readings do not follow the ruler, over all captures or between neighbouring heights.
 Result<void> check_slack(Captures captures, std::vector<std::size_t> const& order)
 {
     auto const [low, high]
@@ -92,8 +91,8 @@ Result<void> check_slack(Captures captures, std::vector<std::size_t> const& orde
     return {};
 }
 
-// Returns the longest sequence of captures, in rising height, whose readings change in one
-// direction, given by `sign`.
+// Returns the longest subsequence of captures, in rising height, whose readings all change in the
+// direction given by `sign`.
 std::vector<std::size_t> longest_in_order(Captures captures, std::vector<std::size_t> const& order,
                                           double sign)
 {

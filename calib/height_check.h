@@ -18,14 +18,15 @@ struct HeightCheck {
     double low_mm = 0;    // Lowest and highest height by the ruler.
     double high_mm = 0;
 
-    // Checked heights that the rig's fit itself used, and checked heights outside its calibrated
-    // range: they prove less.
+    // Checked heights at which the rig was also calibrated, and checked heights outside its
+    // calibrated range. An error at these heights proves less about the rig's accuracy than
+    // elsewhere.
     std::vector<double> known_mm {};
     std::vector<double> outside_mm {};
 };
 
-// Compares the rig with captures. Fails with a user error for no captures, for another
-// converter than the rig's, and for readings outside the rig's model.
+// Compares the heights by the rig's model with the heights by the ruler. Fails with a user error
+// for no captures, for another converter than the rig's, and for readings outside the rig's model.
 Result<HeightCheck> check_height(std::span<HeightCapture const> captures,
                                  std::int32_t full_scale_counts, Rig const& rig);
 

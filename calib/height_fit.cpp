@@ -28,11 +28,11 @@ constexpr double kRarityOfSlips = 9.2;
 // Least number of surplus captures from which a variance can be estimated.
 constexpr std::size_t kFreedomThatTells = 3;
 constexpr std::size_t kMaxKnots = 12;
-// Factor on a variance estimated from one to three surplus captures, which is as often too small:
-// the square of Student's quantile for one standard error at three degrees of freedom over the
-// normal one.
+// Factor on a variance that was estimated from one to three surplus captures, because such an
+// estimate is often too small. It is the square of the ratio of two quantiles for one standard
+// error: Student's at three degrees of freedom, and the normal one.
 constexpr double kSmallSampleFactor = 1.43;
-// Linearity of a spool's potentiometer in usual data sheets.
+// Linearity that data sheets usually state for the potentiometer of a string sensor.
 constexpr double kUsualLinearity_percent = 0.25;
 // Least number of captures from which a bend can be estimated.
 constexpr std::size_t kFewestForBend = 5;
@@ -60,7 +60,7 @@ struct RobustFit {
 
 using Fitter = std::function<std::optional<ModelFit>(Captures)>;
 
-// Returns the best of the fits that leave out one more capture than `present`.
+// Returns the best of all fits that leave out one more capture than `present` does.
 std::optional<RobustFit> leave_one_out(Captures captures, RobustFit const& present,
                                        Fitter const& fitter)
 {
@@ -139,7 +139,7 @@ std::optional<RobustFit> fit_best_monotone(Captures captures, HeightFitOptions c
     return best;
 }
 
-// Returns a fitter for a law and a track with the given linearity.
+// Returns a fitter for a linear or string law on a track with the linearity in `options`.
 Fitter law_fitter(std::optional<ModelFit> (*fit)(Captures), HeightFitOptions const& options)
 {
     return [fit, options](Captures some) -> std::optional<ModelFit> {
@@ -166,7 +166,7 @@ std::optional<RobustFit> fit_kind(HeightModelKind kind, Captures captures,
 }
 
 // Returns the probability that a richer model without merit would improve on the simpler one as
-// much. Residuals far below the ruler's accuracy are due to chance and do not count.
+// much as `rich` does. Residuals far below the ruler's accuracy are due to chance and do not count.
 double chance_of_gain(RobustFit const& simple, RobustFit const& rich, double ruler_error_mm)
 {
     double const min_variance = ruler_error_mm * ruler_error_mm / 9;
@@ -190,9 +190,9 @@ double misfit(RobustFit const& fit, double variance_mm2)
         * (kSlipDeviations * kSlipDeviations + kRarityOfSlips);
 }
 
-// Returns the probability that a string would improve on a line as much by the ruler's error alone.
-// The ruler's error is known better than a few captures can show; if many are left over, their
-// variance counts too.
+// Returns the probability that the ruler's error alone would let a string improve on a line as much
+// as this one does. The stated error of the ruler is more reliable than an estimate from a few
+// captures. If there are at least three surplus captures, their variance counts too.
 double chance_of_aslant(RobustFit const& line, RobustFit const& string, double ruler_error_mm)
 {
     double variance_mm2 = ruler_error_mm * ruler_error_mm;

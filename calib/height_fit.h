@@ -40,7 +40,7 @@ struct FitParameter {
     double standard_error = 0;
 };
 
-// Result of one kind of model, which explains the choice to the user.
+// How one kind of model fits the captures, shown to the user to explain the choice.
 struct HeightCandidate {
     HeightModelKind kind = HeightModelKind::Linear;
     std::size_t parameters = 0;
@@ -79,12 +79,13 @@ struct HeightFit {
     double rms_mm = 0;
     double max_mm = 0;
     double capture_error_mm = 0; // Standard deviation of a capture, on which the errors are based.
-    // Standard deviation of the captures about the law, at least the ruler's error. Only a bend
-    // within HeightFitOptions::linearity_percent is allowed for, not one that was added later.
+    // Standard deviation of the captures about the law, at least the ruler's error. The law allows
+    // for a bend of the track only if HeightFitOptions::linearity_percent is given. The bend that
+    // is otherwise added after the choice of the law does not reduce this value.
     double apart_mm = 0;
 
-    std::optional<Hysteresis>
-        hysteresis;          // Known only if at least two captures came from each side.
+    // Difference between up and down; known only if at least two captures came from each side.
+    std::optional<Hysteresis> hysteresis;
     double noise_counts = 0; // Standard deviation of the readings at rest, over all captures.
     double low_counts = 0;   // Range of the readings, without slipped captures.
     double high_counts = 0;
@@ -94,8 +95,8 @@ struct HeightFit {
     double high_mm = 0;
 };
 
-// Returns the standard error of the fitted height at a reading, as far as it comes from the
-// parameters.
+// Returns the standard error of the fitted height at a reading, due to the parameters' errors
+// alone.
 double height_error_mm(HeightFit const& fit, double counts);
 
 // Fits the height sensor's model to captures, given in the order in which they were made.

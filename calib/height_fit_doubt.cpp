@@ -22,7 +22,7 @@ constexpr double kMaxErrors = 3; // Greatest acceptable deviation from the law, 
 constexpr std::size_t kMinFreedom = 2; // Surplus captures needed to confirm a law.
 // Surplus captures needed to confirm a law after some were left out.
 constexpr std::size_t kFreedomAfterSlips = 3;
-// With more captures, trying all pairs would take too long.
+// Greatest number of captures for which all pairs are tried; more would take too long.
 constexpr std::size_t kMaxForPairs = 20;
 
 // Returns the variance of a capture about the line or string, whichever fits better.
@@ -50,8 +50,8 @@ struct LeftOut {
     double variance_mm2 = std::numeric_limits<double>::infinity();
 };
 
-// Tries all pairs, and returns the one without which the rest fits best: two swapped captures hide
-// each other.
+// Returns the pair of captures without which the rest fits best, found by trying all pairs. Swapped
+// captures must be left out together, since each hides the other.
 LeftOut best_pair(Captures captures)
 {
     LeftOut best;
@@ -120,8 +120,8 @@ bool is_apart(HeightFit const& fit, Captures captures, HeightFitOptions const& o
         * error_beside_bend_mm(captures, options.ruler_error_mm, options.linearity_percent);
 }
 
-// Returns the least of the usual data sheets' linearities with which all captures agree, if it is
-// more than the given one.
+// Returns the least linearity on usual data sheets that makes all captures agree, if it is more
+// than the given one.
 std::optional<double> linearity_that_explains_percent(Captures captures,
                                                       HeightFitOptions const& options)
 {

@@ -13,8 +13,8 @@ namespace tractus::calib {
 
 // Reason why a rig made from a fit should not be kept.
 struct HeightFitDoubt {
-    // One sentence: what is wrong with the captures and, if one of the usual data sheet values
-    // does, which linearity of the potentiometer would explain all of them.
+    // One sentence that says what is wrong with the captures. If another linearity of the
+    // potentiometer, as in usual data sheets, would explain all captures, the sentence names it.
     std::string reason;
 
     // Captures that disagree with the others and should be measured again, in rising order. Empty

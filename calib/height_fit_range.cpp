@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRangeSteps = 100;
 constexpr double kMinKnown_mm = 3;   // Greatest acceptable standard error of a height.
-constexpr double kKnownInRulers = 5; // Greatest acceptable error in ruler errors, if that is more.
+constexpr double kKnownInRulers = 5; // Greatest acceptable standard error in ruler errors, if more.
 
 // The first reading in a range at which a model has no height, or reverses its direction.
 struct BrokenAt {
@@ -37,7 +37,7 @@ std::optional<BrokenAt> find_break(HeightModel const& model, ReadingRange const&
     return std::nullopt;
 }
 
-// Fails if the bend is close to the limit of rig files: then the captures are wrong, not the track.
+// Fails if the bend is close to the limit of rig files. Then the captures are wrong, not the track.
 Result<void> check_bend(TrackBend const& bend)
 {
     constexpr double kSteepest = 0.25;

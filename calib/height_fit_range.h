@@ -17,7 +17,7 @@ Result<void> check_range(HeightFit const& fit, std::span<HeightCapture const> ca
                          HeightFitOptions const& options);
 
 // Checks that a rig's model gives heights that rise or fall throughout its calibrated readings.
-// Fails with a user error and says where they do not.
+// Fails with a user error that names the reading where they do not.
 Result<void> check_calibrated_range(Rig const& rig);
 
 } // namespace tractus::calib

@@ -8,14 +8,14 @@ namespace tractus::calib {
 
 namespace {
 
-// Smaller deviations from the line are noise, which the fit smooths.
+// Deviations from the expected height up to this are noise, which the track's fit smooths.
 constexpr double kMinDoubted_mm = 0.5;
 constexpr double kNoiseCounts = 4; // Height steps of up to this many counts are noise.
-// Deviations up to this multiple of the usual second difference are noise.
+// Deviations up to this multiple of the median second difference are noise.
 constexpr double kNoises = 4;
 constexpr std::size_t kRemembered = 64;
 constexpr std::size_t kFewRemembered = 15; // With fewer readings, neither rate nor noise is known.
-// Longer intervals between readings are pauses, and do not count for the rate.
+// Longer intervals between readings are pauses, which do not count towards the sensor's rate.
 constexpr double kPause_s = 0.1;
 constexpr double kTrack_s = 0.02; // Time over which the speed is measured; see kTrackReadings.
 // The speed is measured over this number of readings if they take longer.
@@ -33,9 +33,9 @@ template<typename Values> void keep_last(Values& values, std::size_t count)
 
 } // namespace
 
-// Learns the rate, and the noise from second differences, which are zero in a steady movement. Each
-// wrong reading spoils three second differences, so the median of the others is estimated from the
-// lower quartile.
+// Learns the rate of the readings, and their noise. The noise comes from second differences, which
+// are zero in a steady movement. Each wrong reading spoils three second differences, so the median
+// of the others is estimated from the lower quartile.
 void HeightJudge::learn(Reading const& reading)
 {
     bool const is_first = last_arrival_ == Timestamp::min();
@@ -62,8 +62,8 @@ void HeightJudge::learn(Reading const& reading)
     keep_last(heights_mm_, 2);
 }
 
-// Fits a line by least squares. If the readings are too few or too close together, the last one is
-// used instead.
+// Fits a line to the last readings by least squares. If they are too few or too close together, the
+// result has only the height of the last reading.
 HeightJudge::Line HeightJudge::line_through(Readings const& track) const
 {
     Line line { .height_mm = track.back().height_mm };
@@ -101,8 +101,9 @@ bool HeightJudge::is_new() const
     return bends_mm_.size() < kFewRemembered;
 }
 
-// Returns the length of time between two readings in which the surface may have changed its
-// movement unobserved. Bundled deliveries do not show when readings were taken.
+// Returns the length of time in which the surface may have changed its movement unobserved. It is
+// at least the longest interval between readings, because bundled deliveries do not show when
+// readings were taken.
 double HeightJudge::unseen_s() const
 {
     return std::max({ interval_s_, longest_interval_s_, is_new() ? kUnseenOfNew_s : 0 });
@@ -125,9 +126,9 @@ double HeightJudge::jitter_mm(double mm_per_s) const
     return mm;
 }
 
-// True if the reading continues the line. The prediction becomes less certain only with time
-// without readings, not with doubted readings. An acceleration since the middle of the line's
-// readings does not show in its speed.
+// True if the reading continues the movement of the last believed readings. The tolerance grows
+// only with time without readings, not with doubted readings. It includes an acceleration since the
+// middle of the fitted line, which the line's speed does not show.
 bool HeightJudge::goes_on(Reading const& reading) const
 {
     auto const line = line_through(track_);
@@ -157,8 +158,9 @@ bool HeightJudge::continues_run(Reading const& reading) const
         + kMaxAcceleration_mm_per_ss * unseen_s * unseen_s;
 }
 
-// True if the doubted run leads back to the track. Under a steady acceleration in between, the
-// lines through both meet halfway; an abrupt turn may lie anywhere between two readings.
+// True if the run of doubted readings joins on to the last believed ones. Under a steady
+// acceleration in between, the lines through both meet halfway; an abrupt turn may lie anywhere
+// between two readings.
 bool HeightJudge::run_leads_back() const
 {
     constexpr double kUnsteady_mm_per_ss = 1000;
@@ -195,7 +197,7 @@ void HeightJudge::accept_run(std::vector<Reading>& believed)
 HeightJudge::Verdict HeightJudge::judge(Reading const& reading, double count_mm,
                                         std::vector<Reading>& believed)
 {
-    // A late reading cannot be judged, since its neighbours have been dealt with.
+    // A late reading cannot be judged, since its neighbours have already been judged.
     if (reading.arrival < last_arrival_) {
         believed.push_back(reading);
         return Verdict::Believed;

@@ -58,12 +58,12 @@ public:
     // is as unknown as in a pause.
     void miss();
 
-    // Number of readings since the last believed one.
+    // Number of readings that have been doubted since the last believed one.
     std::size_t doubted_in_a_row() const { return doubted_in_a_row_; }
 
 private:
     using Readings = std::deque<Reading>;
-    // Second difference of heights that is assumed until enough readings have come.
+    // Second difference of heights, assumed until enough readings have come to measure it.
     static constexpr double kInitialBend_mm = 0.5;
 
     // A line through the last readings of a track, evaluated at the last one.

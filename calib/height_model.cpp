@@ -82,8 +82,8 @@ bool bend_is_valid(TrackBend const& bend)
     return true;
 }
 
-// Returns the reading of a bent track: the inverse of straightened(), by iteration, since the bend
-// is gentle.
+// Returns the reading of a bent track where a straight one would read `straight`. Inverts
+// straightened() by iteration, which converges because the bend is gentle.
 double bent(TrackBend const& bend, double straight)
 {
     constexpr int kMaxSteps = 60;
@@ -152,7 +152,7 @@ std::optional<double> to_counts(StringHeight const& model, double height_mm)
     return if_finite(bent(model.bend, (length_mm - model.zero_length_mm) / model.mm_per_count));
 }
 
-// Solves by bisection, since the curve is monotone.
+// Finds the reading between knots i and i + 1 by bisection, since the curve is monotone.
 double solve_between(std::vector<Knot> const& knots, std::size_t i, double height_mm)
 {
     bool const rises = knots[i].height_mm < knots[i + 1].height_mm;
@@ -245,7 +245,7 @@ void shift(MonotoneHeight& model, double shift_counts)
         knot.counts += shift_counts;
 }
 
-// Returns the members that a fit may change, in order.
+// Returns the members that a fit may change, in the order of parameters_of().
 std::vector<double*> members(LinearHeight& model)
 {
     return { &model.mm_per_count, &model.zero_counts };

@@ -117,14 +117,14 @@ HeightModel raised(HeightModel model, double rise_mm);
 // `shift_counts` more.
 HeightModel shifted(HeightModel model, double shift_counts);
 
-// Parameters that a fit changes, in the order of the model's members (for a monotone model, the
-// heights of its knots), and a model of the same kind with other parameters. The track's bend is
-// not included and stays unchanged.
+// parameters_of() returns the parameters that a fit changes, in the order of the model's members
+// (for a monotone model, the heights of its knots). with_parameters() returns the model with other
+// values for them. The track's bend is not included and stays unchanged.
 Eigen::VectorXd parameters_of(HeightModel const& model);
 HeightModel with_parameters(HeightModel model, Eigen::VectorXd const& parameters);
 
-// The bend of a model's track, empty if it has none, and the model with another bend. A monotone
-// model has no bend.
+// bend_of() returns the bend of a model's track, empty if it has none; with_bend() returns the
+// model with another bend. A monotone model has no bend.
 TrackBend const& bend_of(HeightModel const& model);
 HeightModel with_bend(HeightModel model, TrackBend bend);
 

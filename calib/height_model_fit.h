@@ -34,14 +34,15 @@ struct ModelFit {
     Eigen::MatrixXd unit_covariance {};
 };
 
-// Knots of a monotone model: `count` of them, chosen from the captures' readings so that each piece
-// has its share of captures.
+// Number of knots of a monotone model. A fit places them at readings of the captures, with about as
+// many captures between each two.
 struct MonotoneKnots {
     std::size_t count = 5;
 };
 
-// Each of these fits one kind of model. There must be at least as many captures as parameters. No
-// value if nothing fits, such as a monotone model for captures that do not rise.
+// fit_linear(), fit_string() and fit_monotone() each fit one kind of model. There must be at least
+// as many captures as parameters. No value if nothing fits, such as a monotone model for captures
+// that do not rise.
 std::optional<ModelFit> fit_linear(std::span<HeightCapture const> captures);
 std::optional<ModelFit> fit_string(std::span<HeightCapture const> captures);
 std::optional<ModelFit> fit_monotone(std::span<HeightCapture const> captures,
@@ -54,14 +55,14 @@ struct HeightSpan {
     double high_mm = 0;
 };
 
-// Returns the span for at least one capture.
+// Returns the heights over which a law has to hold; there must be at least one capture.
 HeightSpan span_to_hold(std::span<HeightCapture const> captures);
 
 // Returns how implausible it is, in standard deviations, that a string's law ends so close to
-// `span`, since spools stand clear of the carriage's path. At one end of the span the string is
-// closest to a right angle with the path. The result is 0 if its end is then at least 6 % of the
-// span from the spool's level, 1 at 3 %, and so on. No value if the law ends within the span; 0 for
-// other laws.
+// `span`, since spools stand clear of the carriage's path. The end of the string on the carriage is
+// nearest to the spool's level at one end of the span. The result is 0 if it is still at least 6 %
+// of the span away from that level, 1 at 3 %, and so on. No value if the law ends within the span;
+// 0 for other laws.
 std::optional<double> doubt_at_ends(HeightModel const& model, HeightSpan const& span);
 
 // Returns the derivative of a model's height at a reading with respect to its parameters, then to

@@ -14,8 +14,8 @@ constexpr Duration kJumpLasts = std::chrono::milliseconds(500);
 // Time for which a moved stop is reported, long enough for the message to be read.
 constexpr Duration kStopIsTold = std::chrono::seconds(10);
 
-// A change and the opposite change within this time are noise; a sensor with this many of them is
-// noisy.
+// If a reading changes and changes back within this time, that is noise. A sensor with at least
+// kNoisyFlickers such changes has noise.
 constexpr Duration kFlicker = std::chrono::milliseconds(100);
 constexpr std::size_t kNoisyFlickers = 5;
 
@@ -66,7 +66,7 @@ void HeightMonitor::advance(Timestamp now)
         see({ .kind = HeightFaultKind::Silence, .begin = *alive_, .end = now });
 }
 
-// Begins a fault or extends a present one.
+// Begins a fault of this kind, or extends it if it is already present.
 void HeightMonitor::see(HeightFault const& fault)
 {
     auto& open = watch(fault.kind).open;
@@ -168,11 +168,12 @@ void HeightMonitor::watch_jump(drivers::HeightSample const& sample)
     doubts_ = 0;
 }
 
-// Records a doubted reading. Readings on the way to a rail and back belong to the rail's fault.
+// Records a doubted reading. Doubted readings on the way to an end of the converter's range and
+// back belong to the fault of that kind, not to a jump.
 void HeightMonitor::doubt(drivers::HeightSample const& sample, double height_mm)
 {
-    // Shorter intervals between arrivals do not show when readings were taken, because USB delivers
-    // in bursts.
+    // Intervals between arrivals shorter than this do not show when readings were taken, because
+    // USB delivers in bursts.
     constexpr Duration kShortest = std::chrono::microseconds(2500);
     ++doubts_;
     auto const before = last_ ? height_of(*last_) : std::nullopt;

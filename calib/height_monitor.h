@@ -21,8 +21,8 @@ enum class HeightFaultKind {
     Silence, // No readings arrive.
     // Readings are at an end of the converter's range: an open wiper or cable, a short circuit.
     Rail,
-    // The height changed faster than a surface can move (height_judge.h), or stepped aside during a
-    // movement: a slipping string, a loose contact.
+    // The height changed faster than a surface can move (height_judge.h), or was displaced within
+    // about 30 ms during a movement: a slipping string, a loose contact.
     Jump,
     Stuck, // Readings no longer show any noise: a torn or jammed string.
     // The surface comes to rest on another lowest height than before: a string that slipped slowly,
@@ -68,15 +68,15 @@ struct HeightMonitorLimits {
     // Silence: time without any reading.
     Duration silence_after = std::chrono::milliseconds(250);
 
-    // Stuck: time with exactly the same reading, for a sensor with noise at rest, and for one that
-    // never showed noise, as with 10 bits.
+    // Stuck: time with exactly the same reading. The longer time is for a sensor that has never
+    // shown noise at rest, such as one with 10 bits.
     Duration stuck_after = std::chrono::seconds(5);
     Duration stuck_without_noise_after = std::chrono::seconds(60);
 };
 
 // Monitors the height sensor's readings for faults. Samples come in time order. Only the data's
 // times are used, so a log shows the same faults as the live sensor. A fault is reported when it
-// has lasted for its limit; its begin is the real one.
+// has lasted for its limit; its `begin` is the time at which it actually began.
 class HeightMonitor {
 public:
     // The rig's model converts counts to millimetres; outside the model no jumps are reported.
@@ -94,8 +94,8 @@ public:
     // True if the last reading is implausible so far.
     bool doubts_last() const { return doubts_last_; }
 
-    // Advances the time to `now`, known from other data; without it, silence after the last reading
-    // goes unnoticed. The first call, or the first reading, starts the monitoring.
+    // Advances the time to `now`, which other data has reached; without these calls, silence after
+    // the last reading goes unnoticed. The first call, or the first reading, starts the monitoring.
     void advance(Timestamp now);
 
     // Returns the present fault; if there are several, the first in the order of HeightFaultKind. A
@@ -105,7 +105,7 @@ public:
     // Returns the total of all faults of a kind so far, including a present one.
     HeightFaultTotal total(HeightFaultKind kind) const;
 
-    // Mean number of readings per second over the last second of readings; 0 until there are two.
+    // Mean number of readings per second over the last second; 0 until there are two readings.
     double rate_hz() const;
 
 private:
@@ -142,11 +142,11 @@ private:
     std::vector<HeightJudge::Reading> believed_ {};
     bool doubts_last_ = false;
     std::size_t doubts_ = 0; // Number of readings since the last believed one.
-    std::optional<HeightFault>
-        doubted_ {}; // Fault to report if the doubted readings turn out to be wrong.
+    // Fault to report if the doubted readings turn out to be wrong.
+    std::optional<HeightFault> doubted_ {};
 
-    std::optional<Timestamp>
-        alive_ {}; // Time of the last reading, or of the start of the monitoring.
+    // Time of the last reading, or of the start of the monitoring.
+    std::optional<Timestamp> alive_ {};
     std::optional<drivers::HeightSample> last_ {}; // The last reading.
     std::optional<Timestamp> rail_since_ {};       // Time since which readings are at a rail.
     Timestamp same_since_ {}; // Time since which all readings equal the last one.

@@ -29,12 +29,12 @@ struct HeightScenario {
     double constant_mm = 0; // Height of the Constant kind.
 };
 
-// Parses a scenario's name (see above), or a number of millimetres. Fails with a user error.
+// Parses a scenario's name, such as "arch", or a number of millimetres. Fails with a user error.
 Result<HeightScenario> parse_height_scenario(std::string_view text);
 
 // Returns the height at `since_first` after a log's first pen sample. Times before the first and
-// after the last sample give the height at that sample. `length` is the time from first to last; if
-// it is zero, p is 0.
+// after the last sample give the height at that sample. `length` is the time from the first to the
+// last sample; if it is zero, the height is that of the first.
 double height_mm(HeightScenario const& scenario, Duration since_first, Duration length);
 
 } // namespace tractus::calib

@@ -46,7 +46,7 @@ void HeightTrack::end_bridge()
         unknown_.pop_back();
 }
 
-// True if the sensor gave readings throughout, although their values are not known.
+// True if the sensor gave readings throughout the gap, although their values are not known.
 bool HeightTrack::is_bridged(Timestamp from, Timestamp to, Duration max_age) const
 {
     if (to - from <= max_age || to - from > kMaxBridged)
@@ -107,8 +107,8 @@ double HeightTrack::between_mm(Place const& after, Timestamp time) const
     return from_mm + part * (without_spike_mm(after) - from_mm);
 }
 
-// Returns the line at one side of a gap. If the gap consists of readings with unknown values, it
-// may be long, so the fit may be widened.
+// Returns the line at one side of a gap. If unknown readings fill the gap, it may be long, so the
+// fit may use a wider window.
 std::optional<HeightTrack::LineAt> HeightTrack::slope_at(Timestamp side, Timestamp gap_begin,
                                                          Timestamp gap_end) const
 {

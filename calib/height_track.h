@@ -41,13 +41,13 @@ public:
     // memory, or repeats the previous reading, is dropped.
     void add(Timestamp time, double height_mm);
 
-    // Adds an instant with a reading that is not believable or has no height. If only such readings
-    // separate two others no farther apart than kMaxBridged, the height between these is
-    // interpolated as if no reading were missing.
+    // Adds an instant with a reading that is not believable or has no height. Two known readings
+    // with only such readings between them may be up to kMaxBridged apart: the height between them
+    // is then interpolated as if no reading were missing.
     void add_unknown(Timestamp time);
     static constexpr Duration kMaxBridged = std::chrono::milliseconds(600);
 
-    // Ends the bridging of unknown readings since the newest height, because they last too long.
+    // Ends the bridging of unknown readings since the newest height, because there are too many.
     void end_bridge();
 
     bool empty() const { return readings_.empty(); }

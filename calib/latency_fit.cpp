@@ -21,9 +21,9 @@ constexpr int kMinTurns = 2;
 constexpr double kMinCorrelation = 0.9;
 constexpr int kFarthest_ms = 150;
 constexpr int kStep_ms = 2;
-// Speeds are measured over this time on either side.
+// Speeds are measured from this long before an instant to this long after it.
 constexpr Duration kSpeedOver = std::chrono::milliseconds(10);
-// At lower speeds, drag and slack have not adapted to a change of direction yet.
+// Below this speed, drag and slack have not yet adapted to a change of direction.
 constexpr double kSlow_mm_per_s = 30;
 
 // Heights at whole milliseconds, because each is needed hundreds of times. Linear interpolation
@@ -62,8 +62,8 @@ struct Data {
     HeightTable heights;
 };
 
-// Collects the touches for which every delay has a height, so that all delays are compared with the
-// same touches.
+// Collects the touches that have a height for every delay that is tried, so that all delays are
+// compared with the same touches.
 Data data_of(std::span<drivers::PenSample const> pens,
              std::span<drivers::HeightSample const> heights, Rig rig)
 {
@@ -84,7 +84,7 @@ Data data_of(std::span<drivers::PenSample const> pens,
 }
 
 // Returns the heights that belong to the touches if the pen lags the height by `delay_ms`. No value
-// if one is missing.
+// if the height for a touch is missing.
 std::optional<Eigen::VectorXd> heights_at(Data const& data, double delay_ms)
 {
     Eigen::VectorXd heights(static_cast<Eigen::Index>(data.touches.size()));

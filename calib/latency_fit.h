@@ -25,7 +25,7 @@ struct LatencyFit {
     double direction_mm = 0;
     double direction_error_mm = 0;
 
-    // Correlation of position and height at that delay: 1 for a perfect edge and hand.
+    // Correlation of position and height at `delay_ms`: 1 for a perfect edge and hand.
     double correlation = 0;
     double rms_mm = 0; // Root mean square distance of the pen from the edge.
     double run_mm = 0; // Distance that the pen covered along the tablet.
@@ -46,9 +46,9 @@ struct LatencyFit {
 Result<LatencyFit> fit_latency(std::span<drivers::PenSample const> pens,
                                std::span<drivers::HeightSample const> heights, Rig const& rig);
 
-// Returns the rig with evened times and with latencies that differ by the delay. The height
-// sensor's latency stays and the tablet's is changed; if that would be negative, it becomes zero
-// and the height sensor's is changed.
+// Returns the rig with evened times and with latencies that differ by the fitted delay. The height
+// sensor's latency stays and the tablet's is changed. If the tablet's would be negative, it becomes
+// zero and the height sensor's is changed instead.
 Rig with_delay(Rig rig, LatencyFit const& fit);
 
 } // namespace tractus::calib

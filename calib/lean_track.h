@@ -13,16 +13,16 @@ namespace tractus::calib {
 // Returns a pen's lean: the horizontal displacement of a point 1 mm up the pen, towards +x and +y.
 // Its length is the sine of the angle from upright.
 //
-// A tilt is two angles (HID Usage Tables, page 0x0D, "X Tilt" and "Y Tilt"): X's is between the YZ
-// plane and the plane through Y and the pen, and Y's correspondingly. The pen therefore has the
-// direction (tan x, tan y, 1). The tables count Y's towards the user; PenSample counts it away from
-// the user.
+// A tilt is two angles (HID Usage Tables, page 0x0D, "X Tilt" and "Y Tilt"): X Tilt is between the
+// YZ plane and the plane through the Y axis and the pen, and Y Tilt correspondingly. The pen
+// therefore has the direction (tan x, tan y, 1). The HID tables count Y Tilt towards the user;
+// PenSample counts it away from the user.
 Vec2 lean_of(Vec2 const& tilt_rad);
 
 // Recent leans of a pen, smoothed. Tablets report tilts in whole degrees and with noise; ten
 // millimetres up the pen, a degree is 0.17 mm. The lean at an instant is therefore the value of a
-// line through those around it, fitted as in HeightTrack, over twice the time: a hand turns a pen
-// more slowly than it moves a carriage.
+// line through the leans around it, fitted as in HeightTrack. The window is about twice as long as
+// in HeightTrack, because a hand turns a pen more slowly than it moves a carriage.
 class LeanTrack {
 public:
     // Half the width of the time window of a fit.

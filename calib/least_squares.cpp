@@ -68,8 +68,8 @@ struct SolverPoint {
     Eigen::VectorXd residuals;
 };
 
-// Returns the next better point, increasing the damping after each failure; no value if there is
-// none.
+// Returns the next point with a smaller sum of squares, increasing the damping after each failure;
+// no value if there is none.
 std::optional<SolverPoint> better_point(ResidualFunction const& residuals, SolverPoint const& here,
                                         Eigen::MatrixXd const& jacobian, double& damping)
 {

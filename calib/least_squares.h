@@ -9,11 +9,11 @@ namespace tractus::calib {
 
 // Least squares for calibration: few parameters, small problems, reliable standard errors.
 
-// Multiplies matrices of about ten columns. Eigen's own product is optimised for large ones, and
-// takes ten seconds to compile wherever it is used.
+// Multiplies matrices of about ten columns. Eigen's own product is optimised for large matrices,
+// and takes ten seconds to compile wherever it is used.
 Eigen::MatrixXd small_product(Eigen::MatrixXd const& a, Eigen::MatrixXd const& b);
 
-// Returns the residuals for some parameters. No value outside the model.
+// Returns the residuals for given parameters; no value where the model is not defined.
 using ResidualFunction
     = std::function<std::optional<Eigen::VectorXd>(Eigen::VectorXd const& parameters)>;
 

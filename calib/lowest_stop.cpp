@@ -10,10 +10,10 @@ namespace {
 
 constexpr Duration kRests = std::chrono::milliseconds(300);
 constexpr double kRestTolerance_mm = 0.5;
-// The surface must come from at least this height above the rest.
+// A surface counts as let down only if it comes from at least this far above its resting height.
 constexpr double kComesFrom_mm = 10;
 constexpr double kSamePositionTolerance_mm = 0.3;
-constexpr double kBelow_mm = 1;   // A reading lower than a place by this much was below it.
+constexpr double kBelow_mm = 1;   // A height this far below a resting place counts as below it.
 constexpr double kMinMove_mm = 2; // Least movement of the stop that is reported.
 // Greatest rise of the stop that is reported; a surface resting higher was held, not let down.
 constexpr double kMaxMove_mm = 30;

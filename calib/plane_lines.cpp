@@ -17,7 +17,7 @@ constexpr int kRounds = 10;
 
 using Sightings = std::span<PlaneSighting const>;
 
-// Fits x (axis 0) or y (axis 1) by weighted least squares.
+// Fits the x coordinate (axis 0) or y coordinate (axis 1) by weighted least squares.
 LeastSquares fit_axis(Sightings sightings, std::vector<double> const& weights, int axis,
                       Vec2 const& mean)
 {

@@ -11,7 +11,7 @@ namespace tractus::calib {
 // (travel_fit.h), or the pen's lean (tilt_fit.h).
 struct PlaneSighting {
     Vec2 position_mm = Vec2::Zero();
-    Vec2 against = Vec2::Zero(); // Quantities that x and y vary with.
+    Vec2 against = Vec2::Zero(); // Quantities that the x and the y of the position vary with.
     int stretch = 0; // Number of the stretch of time; see block_covariance() in least_squares.h.
 };
 

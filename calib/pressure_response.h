@@ -9,7 +9,7 @@ struct PressureResponse {
     // that a light hand makes one stroke and not fragments. 0: the pen draws whenever the device
     // reports a touch.
     double threshold = 0; // Less than `full`.
-    double full = 1;      // Pressure that counts as 1.
+    double full = 1;      // Pressure from which the pen draws at full strength.
     // Exponent of the curve from the threshold to full pressure: 1 is proportional; above 1 the ink
     // stays thin for longer, below 1 for less long.
     double exponent = 1; // Greater than 0.

@@ -17,7 +17,7 @@ static constexpr std::int64_t kVersion = 2;
 static constexpr std::string_view kSampleTimes = "sample_times";
 static constexpr std::size_t kMaxBytes = std::size_t { 1 } << 20;
 
-// Converts from the milliseconds of files, rounded to the nanosecond.
+// Converts milliseconds, the unit of rig files, rounded to the nanosecond.
 static Duration from_milliseconds(double milliseconds)
 {
     return Duration(std::llround(milliseconds * 1e6));

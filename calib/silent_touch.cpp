@@ -11,9 +11,9 @@ namespace {
 // Number of remembered intervals, enough to include the longest one of irregular deliveries.
 constexpr std::size_t kIntervals = 64;
 constexpr std::size_t kFewIntervals = 4;
-// Longer intervals are ignored, since no tablet that reports continuously has them.
+// Longer intervals between reports are ignored: no tablet that reports continuously has them.
 constexpr Duration kLongestInterval = std::chrono::milliseconds(100);
-// Reports closer than this arrived in one bundle.
+// Reports that arrive at most this far apart belong to one bundle.
 constexpr Duration kBundled = std::chrono::milliseconds(1);
 constexpr Duration kShortestSilence = std::chrono::milliseconds(10);
 
@@ -32,7 +32,7 @@ void SilentTouch::learn_interval(Duration interval)
         return;
     auto sorted = std::vector(intervals_.begin(), intervals_.end());
     std::sort(sorted.begin(), sorted.end());
-    // Uses the second value from either end, because the first may be due to a delay.
+    // Uses the second value from either end, because the outermost may be due to a delayed report.
     if (sorted[1] < kBundled) {
         silent_after_ = sorted[sorted.size() - 2] * 3 / 2;
     } else {
@@ -62,7 +62,7 @@ void SilentTouch::read(Timestamp instant)
     auto const step = instant - last_instant_;
     if (!pen_ || step < kMinSpacing)
         return;
-    // If readings are rare, tips are placed between them, too.
+    // If readings are rare, tips are also placed between two readings.
     auto const parts = std::min<std::int64_t>((step + kMaxSpacing - Duration(1)) / kMaxSpacing,
                                               kLookBack / kMaxSpacing);
     auto const from = std::max(last_instant_, instant - kLookBack);

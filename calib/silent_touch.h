@@ -50,8 +50,8 @@ public:
     {
     }
 
-    // Adds the pen's next sample and its arrival; the sample's own time may be evened. Samples that
-    // do not touch end the touch.
+    // Adds the pen's next sample and its arrival; the sample's own time may be evened. A sample
+    // that does not touch ends the touch.
     Silence hear(drivers::PenSample const& pen, Timestamp arrival);
 
     // Ends the touch as of the beginning of the silence.
@@ -85,8 +85,8 @@ private:
     Duration period_ = Duration::max(); // The shortest usual interval so far.
     Duration silent_after_ = kSilenceOfNewPen;
 
-    std::deque<Timestamp>
-        to_come_; // Instants since the last sample that have not been examined yet.
+    // Instants since the last sample that have not been examined yet.
+    std::deque<Timestamp> to_come_;
     std::deque<Timestamp> passed_over_;    // Instants examined while the surface stood still.
     Timestamp last_instant_ {};            // Instant of the last sample, or of a later reading.
     std::optional<double> last_height_mm_; // Height of the surface at the last tip.

@@ -19,7 +19,7 @@ constexpr double kMinSpan_deg = 40;
 constexpr double kMaxMoved_mm = 1;
 // Standard deviation of the nib's position if it shifts up to 0.1 mm to either side.
 constexpr double kPlay_mm = 0.06;
-constexpr std::size_t kFewInStretch = 5; // Least number of touches for a mean.
+constexpr std::size_t kFewInStretch = 5; // Least number of touches in half a second for a mean.
 
 struct Leant {
     std::vector<PlaneSighting> sightings {};
@@ -85,8 +85,8 @@ Result<void> check_span(Leant const& leant)
                             is_x ? "to the left and right" : "towards you and away", kMinSpan_deg));
 }
 
-// Returns the greatest distance of the nib's mean position within half a second from its overall
-// position.
+// Returns how far the nib strayed from its overall position: the greatest distance of its mean
+// position over half a second.
 double moved_mm(PlaneLines const& lines, std::vector<PlaneSighting> const& sightings)
 {
     struct Sum {
@@ -106,7 +106,7 @@ double moved_mm(PlaneLines const& lines, std::vector<PlaneSighting> const& sight
     return most_mm;
 }
 
-// Combines a standard error with the play of the nib in its dent.
+// Combines a standard error with that caused by the play of the nib in its dent.
 Vec2 with_play(Vec2 const& error_mm)
 {
     return (error_mm.array().square() + kPlay_mm * kPlay_mm).sqrt();

@@ -35,8 +35,8 @@ struct TiltFit {
 //
 // A coil's height cannot be distinguished from a nib that shifts in its dent as the pen is leaned.
 // The standard errors include 0.06 mm for this: a shift of up to 0.1 mm times the lean, in any
-// direction. Noise of the tilt reduces the heights by its variance over that of the leans, 1 % at
-// worst.
+// direction. Noise of the tilt makes the fitted heights too small, by the ratio of its variance to
+// that of the leans: 1 % at worst.
 //
 // Fails with a user error that says what to do: a tablet without tilt, fewer than 200 touches,
 // tilts that span less than 40 degrees along an axis, a nib that moved (by more than 1 mm on

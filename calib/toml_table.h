@@ -60,8 +60,8 @@ public:
 
     Result<TomlTable> table(std::string_view key);
 
-    // Returns the tables [[key]] in their order; at least one. Their errors count from 1:
-    // gesture[1].
+    // Returns the tables [[key]] in their order; at least one. Error messages number them from 1,
+    // as in gesture[1].
     Result<std::vector<TomlTable>> tables(std::string_view key);
 
     // Fails for the first key that was never read.
@@ -70,7 +70,7 @@ public:
     // Returns the error for a value that the caller rejects: "FILE:LINE: KEY " and `problem`.
     tl::unexpected<Error> wrong(std::string_view key, std::string_view problem) const;
 
-    // Returns "FILE:LINE: TABLE", for errors found later.
+    // Returns "FILE:LINE: TABLE", for errors that are found after parsing.
     std::string place() const;
 
 private:

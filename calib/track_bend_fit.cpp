@@ -21,7 +21,7 @@ constexpr Eigen::Index kBendKnots = 9;
 constexpr double kBendMargin = 0.1;
 // Correlation length of the bend, as a share of the captures' range.
 constexpr double kBendLength = 0.3;
-// Share of the bend that varies too quickly for captures to follow.
+// Share of the bend whose changes along the track are too quick for captures to follow.
 constexpr double kShortPart = 0.3;
 constexpr double kStraightBefore = 0.2; // Prior probability of a straight track.
 constexpr double kSpoolNear_mm = 500;   // Prior scale of a spool's distance from the table.
@@ -29,9 +29,8 @@ constexpr double kSpoolBelow_mm = 1250;
 // Candidate standard deviations of the bend, as multiples of the data sheet's linearity.
 constexpr std::array kDeviations { 0.0, 0.25, 0.5, 1.0, 2.0 };
 constexpr double kNoPlayBefore = 0.5; // Prior probability that up and down agree.
-constexpr std::array kPlays_mm {
-    0.0, 0.3, 1.0
-}; // Candidate standard deviations of the difference between up and down.
+// Candidate standard deviations of the difference between up and down.
+constexpr std::array kPlays_mm { 0.0, 0.3, 1.0 };
 
 // Candidate error of reading the ruler, as a multiple of the stated one, and its prior probability.
 struct RulerError {
@@ -122,8 +121,9 @@ bool have_both_sides(Captures captures)
     return from(1) >= kEnough && from(-1) >= kEnough;
 }
 
-// Returns the misfits in ruler errors, followed by prior terms: the `numbers` of the additional
-// effects, and the distance of a string's spool from the table and from the carriage's path.
+// Returns the misfits of the captures in ruler errors, followed by the prior terms: `numbers`, then
+// for a string its spool's distance from the carriage's path and from the table, and
+// doubt_at_ends().
 std::optional<Eigen::VectorXd> misfits(HeightModel const& model, Eigen::VectorXd const& numbers,
                                        double play_mm, Captures captures, double ruler_error_mm)
 {

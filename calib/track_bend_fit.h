@@ -33,11 +33,11 @@ struct BentFit {
 
 // Refits a line or a string with a track that may be bent. The bend is a Gaussian process over the
 // readings (C. Rasmussen, C. Williams, "Gaussian Processes for Machine Learning", 2006, chapters 2
-// and 5) that hardly changes over a third of the captures' range. Its standard deviation is a
-// quarter of to twice `linearity_percent` of that range, weighted by the evidence of the captures
-// (Laplace's approximation); the prior probability of a straight track is one in five. The ruler's
-// error must be above 0 and is the stated accuracy of reading it; 70 % to 200 % of it are
-// considered, weighted by the evidence, and 200 % has a low prior probability.
+// and 5) that hardly changes over a third of the captures' range. Its standard deviation is 0.25 to
+// 2 times `linearity_percent` of that range, weighted by the evidence of the captures (Laplace's
+// approximation); the prior probability of a straight track is one in five. The ruler's error must
+// be above 0 and is the stated accuracy of reading it; 70 % to 200 % of it are considered, weighted
+// by the evidence, and 200 % has a low prior probability.
 //
 // Captures from below and from above, if there are two of each, may differ by slack in the string;
 // the model lies midway. The difference is part of the fit, with a standard deviation of 0 to 1 mm,
@@ -48,9 +48,9 @@ std::optional<BentFit> fit_track_bend(HeightModel const& law,
                                       std::span<HeightCapture const> captures,
                                       double ruler_error_mm, double linearity_percent);
 
-// Returns the standard deviation of a capture apart from the track's bend: the ruler's, and three
-// tenths of `linearity_percent` of the captures' range for variations too short for a few captures
-// to follow.
+// Returns the standard deviation of a capture without the smooth bend of the track. It combines the
+// ruler's error with three tenths of `linearity_percent` of the captures' range, for bends too
+// short for a few captures to follow.
 double error_beside_bend_mm(std::span<HeightCapture const> captures, double ruler_error_mm,
                             double linearity_percent);
 

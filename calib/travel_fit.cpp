@@ -34,8 +34,8 @@ std::vector<Touch> touches_with_height(std::span<drivers::PenSample const> pens,
     return touches;
 }
 
-// Returns the touches with negated heights: a pen that seems to drift over the tablet stands still,
-// and the tablet drifts under it.
+// Returns the touches with negated heights, because a pen that seems to drift over the tablet
+// stands still while the tablet drifts under it.
 std::vector<PlaneSighting> sightings_of(std::vector<Touch> const& touches)
 {
     std::vector<PlaneSighting> sightings;

@@ -28,8 +28,8 @@ struct TravelFit {
 };
 
 // Fits the shear to the samples of pen and height sensor, with the rig's height model and
-// latencies. An inclined edge cannot be distinguished from an inclined carriage: 1 mm in 500 is
-// 0.002.
+// latencies. An inclined edge cannot be distinguished from an inclined carriage: an inclination of
+// 1 mm in 500 mm changes the shear by 0.002.
 //
 // A pen that slips off for a moment has little effect, and the standard errors allow for the time
 // correlation of a hand's tremor (fit_plane_lines()).

@@ -16,7 +16,7 @@ using Captures = std::span<HeightCapture const>;
 constexpr std::array<std::string_view, 2> kCauseNames { "slipped", "moved" };
 constexpr double kSignificance = 4; // A difference beyond this many ruler errors is significant.
 
-// The rig corrected for one cause, and how well the captures fit then.
+// The rig corrected for one cause, and how well the captures fit the corrected rig.
 struct Trial {
     Rig rig {};
     double sum_of_squares_mm2 = 0;
@@ -53,8 +53,8 @@ Result<Trial> after_move(Rig rig, Captures captures)
     return Trial { std::move(rig), sum };
 }
 
-// Returns the shift of the readings in counts. Captures are weighted by the squared height of a
-// count: where it is greater, they determine the shift better.
+// Returns the shift of the readings in counts. A capture's weight is the squared height of one
+// count there: the greater that height, the better the capture determines the shift.
 Result<double> shift_of(Rig const& rig, Captures captures)
 {
     double sum = 0;
@@ -73,7 +73,8 @@ Result<double> shift_of(Rig const& rig, Captures captures)
     return weights > 0 ? in_thousandths(sum / weights) : 0;
 }
 
-// Corrects for a slip. The surface's range is unchanged, and now corresponds to other readings.
+// Corrects the rig for a slipped string. The surface's range of heights stays, but now corresponds
+// to other readings.
 Result<Trial> after_slip(Rig rig, Captures captures)
 {
     double const shift_counts = TRY(shift_of(rig, captures));

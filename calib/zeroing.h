@@ -34,8 +34,8 @@ struct Zeroing {
     // give; 0 if both have the same effect.
     double difference_if_other_cause_mm = 0;
 
-    // True if the cause was requested or determined from the captures; otherwise it is the usual
-    // one.
+    // True if the cause was requested or determined from the captures; false if the usual cause, a
+    // slip, was assumed.
     bool is_told = false;
 };
 

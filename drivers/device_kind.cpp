@@ -32,8 +32,8 @@ static std::string describe_pen(PenTraits const& traits)
     return text;
 }
 
-// Describes a serial port or analogue input that was not named as a height sensor, or a pen that
-// may not be read. Empty for other devices.
+// Explains the state of a serial port or analogue input that the user has not named as a height
+// sensor, or of a pen for which read permission is missing. Empty for other devices.
 static std::string describe_unnamed(DeviceInfo const& info)
 {
     if (has_event_pen_reports(info) && info.report_descriptor.empty())

@@ -16,7 +16,7 @@ enum class DeviceKind {
 struct DeviceDescription {
     DeviceKind kind = DeviceKind::Other;
     // For a pen or height sensor a summary, such as "pen tablet, 152.0 x 95.0 mm" or "height
-    // sensor, 0 to 4095"; for other devices a sentence that says why they are neither.
+    // sensor, 0 to 4095". For any other device, a sentence that says why it is neither.
     std::string text {};
 };
 

@@ -25,7 +25,8 @@ namespace tractus::drivers {
 
 namespace {
 
-// hidapi stores its last error globally, so calls must be serialised.
+// Guards hidapi's calls, which must not run at the same time because hidapi stores its last error
+// globally.
 std::mutex& library_mutex()
 {
     static std::mutex mutex;

@@ -10,10 +10,10 @@
 
 namespace tractus::drivers {
 
-// Lists every device that can be discovered: HID devices by their hidraw nodes, pens without one by
-// their event nodes, then USB height sensors, USB serial ports, and channels of industrial I/O.
-// Devices on GPIO lines cannot be discovered and must be named by their address. Needs no
-// permissions. Thread-safe.
+// Lists every device that can be discovered: HID devices by their hidraw nodes, pens without a
+// hidraw node by their event nodes, then USB height sensors, USB serial ports, and channels of
+// industrial I/O. Devices on GPIO lines cannot be discovered and must be named by their address.
+// Listing needs no permissions. Thread-safe.
 std::vector<DeviceInfo> list_devices();
 
 // Lists devices under every address by which they can be opened. A USB tablet appears under its
@@ -36,7 +36,7 @@ Result<DeviceInfo> find_device(std::string_view address);
 
 // Opens a device with the driver for its location and ids. Thread-safe: devices are opened one at a
 // time, because the underlying libraries cannot open several at once. Fails with a user error for a
-// malformed location or for settings of a device that has none, and as the driver does.
+// malformed location, and for settings of a device that has none; also fails if the driver does.
 Result<std::unique_ptr<ReportSource>> open_device(DeviceInfo info);
 
 } // namespace tractus::drivers

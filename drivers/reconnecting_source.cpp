@@ -44,8 +44,8 @@ Reconnection system_reconnection()
     };
 }
 
-// True if both addresses use the kernel's driver, or both bypass it; a returning device is opened
-// the same way.
+// True if both addresses use the kernel's driver, or both bypass it. A device that returns must be
+// opened in the same way as before.
 static bool are_reached_alike(DeviceInfo const& a, DeviceInfo const& b)
 {
     auto const first = parse_device_address(a.location);

@@ -53,20 +53,21 @@ struct Reconnection {
     std::shared_ptr<OpenLocations> open_locations = std::make_shared<OpenLocations>();
 };
 
-// Uses list_device_addresses(), open_device() and listen_to_udev().
+// Returns the functions of the real system: list_device_addresses(), open_device() and
+// listen_to_udev().
 Reconnection system_reconnection();
 
 // Returns the index in `found` of the device that was lost. It must have the same kind of address,
-// ids, interface, serial number and report descriptor; of several candidates, the one at the same
-// port is taken. A single candidate without a serial number may be at another port, because people
-// change sockets.
+// ids, interface, serial number and report descriptor; of several such devices, the one at the same
+// port is taken. If there is only one and it has no serial number, it may be at another port,
+// because people change sockets.
 std::optional<std::size_t> find_again(DeviceInfo const& lost, std::vector<DeviceInfo> const& found);
 
-// A source for a device that can disappear and return. When the device is lost, by unplugging or
-// because the machine was suspended (many tablets forget their mode then), read() returns one empty
-// report with the time. From then on the device is searched for, after device events or every
-// Reconnection::retry_every, and its reports continue once it is back, under any node. read() never
-// fails.
+// A source for a device that can disappear and return. A device is lost when it is unplugged, or
+// when the machine was suspended, because many tablets then forget their mode. read() then returns
+// one empty report with the present time. From then on the device is searched for, after device
+// events or every Reconnection::retry_every. Its reports continue once it is back, under any node.
+// read() never fails.
 //
 // Used from one thread, except is_connected(), which any thread may call.
 class ReconnectingSource final : public ReportSource {
@@ -77,12 +78,13 @@ public:
     ~ReconnectingSource() override;
 
     // Returns the description from the first opening, even if the device returns under another
-    // name.
+    // address.
     DeviceInfo const& info() const override { return info_; }
 
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
-    // Includes reports dropped before the device was lost.
+    // Number of oversized reports since the source was opened, including those before the device
+    // was lost.
     std::uint64_t oversized_count() const override;
 
     bool is_connected() const { return is_connected_.load(std::memory_order_relaxed); }

@@ -7,7 +7,7 @@ namespace tractus::sim {
 
 namespace {
 
-// Report ids (AN495, section 4).
+// Ids of the CP2112's reports for its I²C bus (AN495, section 4).
 constexpr int kReadRequest = 0x10; // Contains address, length.
 // Contains address, length, number of bytes to write, and these bytes.
 constexpr int kWriteReadRequest = 0x11;
@@ -21,7 +21,7 @@ constexpr int kCancel = 0x17;
 constexpr std::size_t kReportBytes = 64;
 constexpr std::size_t kDataBytes = 61; // Maximum number of data bytes in one report.
 
-// Values of the status byte.
+// Values of the status byte in a kStatusResponse report.
 constexpr int kIdle = 0;
 constexpr int kComplete = 2;
 constexpr int kFailed = 3;

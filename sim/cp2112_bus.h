@@ -17,17 +17,17 @@ struct I2cChip {
 };
 
 // The I²C half of a CP2112 (application note AN495, section 4): output reports start transfers and
-// ask for their results. Each transfer is complete at once; one to an address without a chip ends
-// with "not acknowledged". One chip; no clock and no randomness.
+// ask for their results. Each transfer is complete at once; a transfer to an address without a chip
+// ends with "not acknowledged". The bus has one chip. No clock and no randomness are used.
 class Cp2112Bus {
 public:
     explicit Cp2112Bus(I2cChip chip);
 
     // Processes an output report, which begins with its id, and returns the input report that
-    // replies; empty if none does. Unknown and incomplete reports are ignored.
+    // replies to it; empty if there is no reply. Unknown and incomplete reports are ignored.
     std::vector<std::byte> output(std::span<std::byte const> report);
 
-    // Appends the reports to a report descriptor whose vendor-defined collection is open.
+    // Appends the bus's reports to a report descriptor whose vendor-defined collection is open.
     static void append_reports(std::vector<std::byte>& descriptor);
 
 private:

@@ -10,8 +10,8 @@ namespace tractus::sim {
 
 namespace {
 
-// Report ids, contents of the reports, and their lengths including the id (AN495, section 5).
-// Report 2 has the outputs, push-pull outputs, special functions and clock.
+// Ids of the CP2112's feature reports, their contents, and their lengths including the id (AN495,
+// section 5). Report 2 has the outputs, push-pull outputs, special functions and clock.
 constexpr std::uint8_t kGpioConfiguration = 2;
 constexpr std::uint8_t kGetLines = 3; // Report with the levels of the lines.
 constexpr std::uint8_t kSetLines = 4; // Report with levels and a mask.
@@ -41,7 +41,7 @@ void append_feature(std::vector<std::byte>& descriptor, int id, std::size_t repo
 Cp2112Model::Cp2112Model(Wiring wiring)
     : wiring_(std::move(wiring))
     , configuration_(report<5>({ kGpioConfiguration }))
-    // The bus runs at 100 kHz, most significant byte first; other bytes are as after power-up.
+    // Bus clock of 100 kHz, most significant byte first; the other bytes are as after power-up.
     , bus_(report<14>({ kBusConfiguration, 0, 1, 0x86, 0xa0, 2 }))
 {
 }

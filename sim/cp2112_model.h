@@ -14,8 +14,8 @@ namespace tractus::sim {
 
 // A Silicon Labs CP2112, a bridge from USB to I²C with eight GPIO lines, as seen through its HID
 // interface (application note AN495). It has the feature reports that the kernel's hid-cp2112 uses
-// to make a gpiochip with the label "cp2112_gpio". The reports of its I²C bus are described, and
-// processed by cp2112_bus.h. No clock and no randomness.
+// to make a gpiochip with the label "cp2112_gpio". The reports of its I²C bus are in its report
+// descriptor, but cp2112_bus.h processes them. No clock and no randomness are used.
 class Cp2112Model {
 public:
     static constexpr unsigned kLines = 8;

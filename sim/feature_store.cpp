@@ -8,7 +8,7 @@ namespace tractus::sim {
 UhidAnswers remember_features()
 {
     using Store = std::map<std::uint8_t, std::vector<std::byte>>;
-    // The getting and the setting function share the store.
+    // Both functions share one store.
     auto const store = std::make_shared<Store>();
     return {
         .get_feature = [store](std::uint8_t id) -> std::optional<std::vector<std::byte>> {

@@ -36,8 +36,8 @@ private:
     int number_ = -1;
 };
 
-// Opens a file provided by the kernel with the `flags` of open(2), and O_CLOEXEC. Fails with a
-// user error with a message that ends with `remedy`, a sentence that says what to do.
+// Opens a file provided by the kernel with the `flags` of open(2), and O_CLOEXEC. Fails with a user
+// error whose message ends with `remedy`, a sentence that says what to do.
 Result<FileDescriptor> open_kernel_file(std::filesystem::path const& path, int flags,
                                         std::string_view remedy);
 

@@ -47,14 +47,14 @@ void append_u32(std::vector<std::byte>& bytes, std::size_t value)
         bytes.push_back(static_cast<std::byte>(value >> shift & 0xff));
 }
 
-// Writes the size of a complete block into its second number.
+// Writes the size of a complete block into the second 32-bit number of its header.
 void set_length(std::vector<std::byte>& block)
 {
     for (unsigned i = 0; i < 4; ++i)
         block[4 + i] = static_cast<std::byte>(block.size() >> (8 * i) & 0xff);
 }
 
-// Counts descriptors, each of which begins with its length.
+// Counts the descriptors in `bytes`, each of which begins with its length.
 std::size_t count_descriptors(std::vector<std::byte> const& bytes)
 {
     std::size_t count = 0;
@@ -109,9 +109,9 @@ UsbSetup request_of(usb_ctrlrequest const& setup)
     return {
         .request_type = setup.bRequestType,
         .request = setup.bRequest,
-        // Little-endian in the kernel's structure, as PCs and Raspberry Pis are.
+        // The kernel's structure is little-endian, as PCs and Raspberry Pis are.
         .value = setup.wValue,
-        // Little-endian in the kernel's structure, as PCs and Raspberry Pis are.
+        // The kernel's structure is little-endian, as PCs and Raspberry Pis are.
         .index = setup.wIndex,
         .length = setup.wLength,
     };
@@ -201,7 +201,8 @@ Result<void> FunctionFsDevice::send(std::span<std::byte const> report)
 
 void FunctionFsDevice::finish_transfers()
 {
-    // The number of ended transfers is not needed; their events contain it.
+    // Reading resets the eventfd. The number read is not needed, because io_getevents() counts the
+    // ended transfers.
     std::uint64_t ignored = 0;
     static_cast<void>(!::read(finished_.number(), &ignored, sizeof ignored));
     std::array<io_event, kMaxWaiting> events {};
@@ -242,8 +243,8 @@ bool FunctionFsDevice::serve_control()
     return true;
 }
 
-// Answers a control request. To refuse it, its data stage is begun in the wrong direction. Errors
-// are ignored: the host has then gone, or has already made another request.
+// Answers a control request. To refuse it, the data stage is begun in the wrong direction. Errors
+// are ignored: they mean that the host has gone, or has already made another request.
 void FunctionFsDevice::answer(UsbSetup const& request)
 {
     std::array<std::byte, 4096> data;

@@ -44,8 +44,8 @@ struct UsbControlAnswers {
 // is one transfer.
 class FunctionFsDevice final : public KernelDevice {
 public:
-    // Limit of transfers that wait for the host, as in a microcontroller's memory. Reports beyond
-    // it are lost.
+    // Greatest number of transfers that wait for the host, as in a microcontroller's memory.
+    // Further reports are lost.
     static constexpr std::size_t kMaxWaiting = 8;
     static constexpr std::size_t kMaxReportBytes = 512;
 

@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Returns the endpoint's packet size, greater than any report: a transfer of exactly the packet
-// size would have to be ended by an empty packet, which some readers see as a report without bytes.
-// Below high speed the maximum is 64.
+// Returns the endpoint's packet size, which must exceed the size of every report. A transfer of
+// exactly the packet size would have to be ended by an empty packet, which some readers see as a
+// report without bytes. Below high speed, the greatest packet size is 64.
 std::size_t packet_bytes(drivers::HidReportDescriptor const& descriptor)
 {
     std::size_t bytes = 64;
@@ -107,7 +107,7 @@ Result<void> GadgetHid::serve()
     discard_output();
     if (in_flight_ && is_taken()) {
         in_flight_ = false;
-        // The first report taken may have been discarded by the host's configuration of the device.
+        // The first report that is taken may be discarded while the host configures the device.
         is_read_ = ++taken_count_ > 1;
         was_read_ |= is_read_;
     }
@@ -168,7 +168,7 @@ void GadgetHid::lose(std::size_t count)
         lost_count_ += count;
 }
 
-// Handles the absence of a host.
+// Discards the waiting reports and resets the state, because the host has gone.
 void GadgetHid::leave()
 {
     lose(waiting_count());

@@ -21,7 +21,7 @@ namespace tractus::sim {
 // requests a report each millisecond. Data sent to the device is read and discarded.
 class GadgetHid final : public KernelDevice {
 public:
-    // Limit of reports that wait for the host, as in a tablet's own memory.
+    // Greatest number of reports that wait for the host, as in a tablet's own memory.
     static constexpr std::size_t kMaxWaiting = 64;
 
     // Adds a HID interface with the report descriptor of `info` to `gadget`, which must not be
@@ -59,7 +59,8 @@ private:
     bool in_flight_ = false;
     std::uint64_t taken_count_ = 0; // Number of reports taken since the gadget was plugged in.
     bool is_read_ = false;
-    bool was_read_ = false; // True once a report has been read; earlier ones do not count as lost.
+    // True once a report has been read; earlier reports do not count as lost.
+    bool was_read_ = false;
     std::uint64_t lost_count_ = 0;
 };
 

@@ -94,9 +94,9 @@ struct Gesture {
 
 struct GestureScript {
     std::uint64_t seed = 1;
-    // Meaning of the tools' words. Older: they are written to the recording unchanged, with the
-    // meaning that they have in old logs. Newest: the words that select the current tools are
-    // added.
+    // Meaning of the tools' words in the script. Older: the words are written to the recording
+    // unchanged, with the meaning that they have in old logs. Newest: words that select the current
+    // tools are added.
     enum class Tools { Newest, Older } tools = Tools::Newest;
     double coil_height_mm = 0;
     std::optional<Vec2> lean_deg {};
@@ -108,7 +108,7 @@ struct GestureScript {
 // Parses a script. Fails with a user error naming `file`, the line and the key.
 Result<GestureScript> parse_gesture_script(std::string_view text, std::string const& file);
 
-// Returns the branch that the user sees at a rank, as points in the tablet frame, in millimetres.
+// Returns the branch at a rank, as the user sees it: points in the tablet frame, in millimetres.
 using AxisTracer = std::function<Result<std::vector<Vec2>>(std::size_t rank)>;
 
 // Converts a script into strokes for a Hand and simulate_rig(): one for each gesture with a path,

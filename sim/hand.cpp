@@ -31,7 +31,7 @@ SpeedProfile::SpeedProfile(double length_mm, double cruise_mm_s)
     double const ramps_mm = cruise_mm_s * kRamp_s;
     if (cruises())
         duration_s_ = 2 * kRamp_s + (length_mm - ramps_mm) / cruise_mm_s;
-    // The quintic's peak is 15/8 of its mean speed; with equal jerk, the time grows as the cube
+    // The quintic's peak is 15/8 of its mean speed. With equal jerk, the time grows with the cube
     // root of the distance.
     else
         duration_s_ = 15.0 / 8 * kRamp_s * std::cbrt(length_mm / ramps_mm);
@@ -99,7 +99,8 @@ void Hand::go(HandPhase doing, Path path, double cruise_mm_s, std::size_t stroke
     end_ += from_seconds(profile.duration_s());
 }
 
-// Adds the parts of a stroke: moves from the end of the previous stroke, hovers, draws, hovers.
+// Adds the parts of a stroke: the hand moves from the end of the previous stroke, hovers, draws and
+// hovers.
 void Hand::draw(std::size_t stroke)
 {
     auto const& path = strokes_[stroke].path;
@@ -121,7 +122,8 @@ void Hand::draw(std::size_t stroke)
     stroke_times_.push_back(times);
 }
 
-// Returns the greatest speed, up to `speed_mm_s`, at which no segment of the path exceeds a limit.
+// Returns the greatest speed, up to `speed_mm_s`, at which the hand exceeds no speed limit of its
+// options on any segment of the path.
 double Hand::cruise_mm_s(Path const& path, double speed_mm_s) const
 {
     double limit = speed_mm_s;
@@ -164,7 +166,7 @@ void Hand::add_tremor(HandState& state, double seconds) const
     }
 }
 
-// Varies the pressure slowly, and lets it rise and fall smoothly at both ends.
+// Varies the pressure slowly, and lets it rise and fall smoothly at the ends of a stroke.
 void Hand::press(HandState& state, Part const& part, double seconds) const
 {
     double const to_end_s = std::min(seconds, part.duration_s - seconds);

@@ -55,8 +55,8 @@ struct HandOptions {
     double max_plane_speed_mm_s = 300;
     double max_height_speed_mm_s = 200;
 
-    // Standard deviations of the tremor along x and y, and of the heavy carriage, and the band of
-    // its frequencies.
+    // Standard deviation of the tremor along x and along y, standard deviation of the carriage's
+    // tremor, and the range of the tremor's frequencies. The carriage is heavy and trembles less.
     double plane_tremor_mm = 0.15;
     double height_tremor_mm = 0.05;
     double min_tremor_hz = 4;
@@ -92,7 +92,7 @@ public:
     // Requires at least one stroke.
     Hand(std::vector<HandStroke> strokes, HandOptions const& options);
 
-    // Returns the time at which everything is finished.
+    // Returns the time at which the hand has finished the last stroke and left.
     Timestamp end() const { return end_; }
 
     // Returns the state at `time`, clamped to the start and the end.

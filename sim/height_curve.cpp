@@ -24,7 +24,7 @@ Result<HeightCurve> HeightCurve::read(drivers::Log const& log)
         std::vector<drivers::HeightSample> samples;
         drivers::LogCursor cursor(log);
         while (auto const* const report = TRY(cursor.next()))
-            // Parts of a report that could not be decoded are not in the curve.
+            // If a part of a report cannot be decoded, it is missing from the curve.
             if (report->device == device)
                 static_cast<void>((*decoder)->decode(report->time, report->bytes, samples));
         std::vector<Point> points;

@@ -23,8 +23,8 @@ std::optional<std::int32_t> HeightFaults::apply(Timestamp now, std::int32_t coun
             counts = fault->counts;
             break;
         case calib::HeightFaultKind::Jump:
-        // A slip of the string has the same effect, whether it is reported as a jump or as a moved
-        // stop.
+        // A slip of the string shifts all later readings, whether it is later reported as a jump or
+        // as a moved stop.
         case calib::HeightFaultKind::Stop:
             counts = std::clamp(counts + fault->counts, 0, full_scale);
             break;

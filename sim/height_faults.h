@@ -9,7 +9,7 @@
 
 namespace tractus::sim {
 
-// A fault of the height sensor while a hand draws; the truth stays unaffected.
+// A fault of the height sensor while a hand draws. The true heights are not affected.
 struct SimulatedHeightFault {
     calib::HeightFaultKind kind = calib::HeightFaultKind::Silence;
     Timestamp begin {};

@@ -14,7 +14,7 @@ namespace {
 using Bytes = std::vector<std::byte>;
 
 constexpr std::uint16_t kVendorId = 0x1209;
-// Product id of pid.codes for tests; see the protocol.
+// Product id of pid.codes for tests; see firmware-notes/height-sensor-protocol.md.
 constexpr std::uint16_t kProductId = 0x0002;
 constexpr std::uint8_t kInterfaceString = 4;
 constexpr std::uint8_t kMicrosoftRequest = 0x20;
@@ -41,7 +41,7 @@ void put_u32(Bytes& bytes, std::uint32_t value)
     put_u16(bytes, value >> 16);
 }
 
-// Appends ASCII as UTF-16, followed by zeros.
+// Appends an ASCII text as UTF-16, followed by `zeros` zero characters.
 void put_wide(Bytes& bytes, std::string_view text, std::size_t zeros)
 {
     for (char const letter : text)
@@ -50,7 +50,8 @@ void put_wide(Bytes& bytes, std::string_view text, std::size_t zeros)
         put_u16(bytes, 0);
 }
 
-// Appends the version number of Windows 8.1, the first version that reads these descriptors.
+// Appends the version number of Windows 8.1, the first version that reads the Microsoft
+// descriptors.
 void put_windows_version(Bytes& bytes)
 {
     put_u32(bytes, 0x0603'0000);

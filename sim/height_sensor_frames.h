@@ -17,7 +17,7 @@ namespace tractus::sim {
 // descriptors, its answers to control requests and its frames. It contains neither a clock nor USB
 // transport; a gadget provides both.
 
-// Encodes a frame as bytes with its CRC. It must have 1 to kMaxHeightFrameSamples readings.
+// Encodes a frame with 1 to kMaxHeightFrameSamples readings as bytes, and appends its CRC.
 std::vector<std::byte> encode_height_frame(drivers::HeightFrame const& frame);
 
 enum class UsbSpeed { Full, High };
@@ -41,8 +41,8 @@ public:
     std::vector<std::byte> microsoft_os_descriptors() const;
     std::vector<std::string> strings() const; // Strings, beginning with index 1.
 
-    // Returns the descriptors after the configuration's header, which FunctionFS needs: the
-    // interface and its endpoint. `string` is the index of the interface's string.
+    // Returns the descriptors that follow the configuration's header: the interface and its
+    // endpoint. FunctionFS needs them. `string` is the index of the interface's string.
     std::vector<std::byte> interface_descriptors(UsbSpeed, std::uint8_t string) const;
     std::string interface_string() const;
 
@@ -53,16 +53,16 @@ public:
     // `now_us` is the sensor's clock.
     std::optional<std::vector<std::byte>> answer(UsbSetup const& setup, std::uint32_t now_us) const;
 
-    // Handles a request to the sensor, with or without data. Returns false if it stalls, without
-    // any change.
+    // Handles a request to the sensor, with or without data. Returns false, and changes nothing, if
+    // the request stalls.
     bool accept(UsbSetup const& setup, std::span<std::byte const> data);
 
     bool is_streaming() const { return is_streaming_; }
     std::uint16_t period_us() const { return period_us_; }
     drivers::HeightReference reference() const { return reference_; }
 
-    // Adds a reading taken at `device_us` of the sensor's clock, once every period_us(). Returns
-    // the frame that it completes, if streaming is on.
+    // Adds a reading taken at `device_us` of the sensor's clock. Readings are added every
+    // period_us(). Returns the frame that the reading completes, if streaming is on.
     std::optional<std::vector<std::byte>> push(std::uint32_t device_us, std::uint16_t counts);
 
     // Simulates frames lost in the sensor because the host did not fetch them in time.

@@ -10,9 +10,9 @@
 
 namespace tractus::sim {
 
-// A device that this program emulates to the kernel, through uhid or as a function of a USB gadget.
-// It has no thread and no clock: the caller waits for its files with poll(2) and calls serve(). No
-// function blocks.
+// A device that this program emulates for the kernel, through uhid or as a function of a USB
+// gadget. It has no thread and no clock: the caller waits for its files with poll(2) and calls
+// serve(). No function blocks.
 class KernelDevice {
 public:
     virtual ~KernelDevice() = default;

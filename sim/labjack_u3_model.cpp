@@ -70,7 +70,7 @@ std::vector<std::byte> LabJackU3Model::answer(std::span<std::byte const> command
     return { std::byte { 0xB8 }, std::byte { 0xB8 } };
 }
 
-// Returns the reply: error code, position of the error, echo, reading.
+// Returns the reply to a Feedback command: error code, position of the error, echo, reading.
 std::vector<std::byte> LabJackU3Model::answer_feedback(std::span<std::byte const> data) const
 {
     Bytes reply(6);

@@ -9,7 +9,7 @@ namespace tractus::sim {
 
 namespace {
 
-// Commands (datasheet, table 3-1): the first byte, which the reply repeats.
+// Commands (MCP2221A datasheet, table 3-1): the first byte, which the reply repeats.
 constexpr std::byte kStatus { 0x10 };
 constexpr std::byte kGetGpio { 0x51 };
 constexpr std::byte kSetSettings { 0x60 };
@@ -83,7 +83,7 @@ Mcp2221aModel::Packet Mcp2221aModel::answer_status() const
 Mcp2221aModel::Packet Mcp2221aModel::answer_settings() const
 {
     Packet reply {};
-    // Length of the settings in bytes; reply[3] is that of the password.
+    // Byte 2 is the length of the settings in bytes, byte 3 that of the password.
     reply[2] = std::byte { 18 };
     reply[3] = std::byte { 4 };
     // Bits 4 and 3 select the internal voltage; bit 2 selects it instead of the supply.
@@ -106,8 +106,8 @@ void Mcp2221aModel::change_settings(std::span<std::byte const, kPacketBytes> com
     if (changes_pins) {
         for (std::size_t pin = 0; pin < pins_.size(); ++pin)
             pins_[pin] = at(8 + pin) & 0x1F;
-        // Section 1.8.1.1: the reference is reset to the supply, although the settings still show
-        // the old one.
+        // The reference is reset to the supply, although the settings still show the old one
+        // (MCP2221A datasheet, section 1.8.1.1).
         reference_ = 0;
     }
     if (changes_reference)

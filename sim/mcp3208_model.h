@@ -9,8 +9,8 @@
 namespace tractus::sim {
 
 // The converters MCP3008 (10 bits) and MCP3208 (12 bits) as seen at their pins (Microchip DS21295
-// and DS21298, sections 5 and 6). Input is every change of a pin with its time; output is DOUT.
-// Code that bit-bangs the real chip can therefore use this model at any speed.
+// and DS21298, sections 5 and 6). The model's input is every change of a pin with its time; its
+// output is DOUT. Code that bit-bangs the real chip can therefore use this model at any speed.
 //
 // A conversion, in edges of CLK while CS is low:
 //
@@ -23,8 +23,8 @@ namespace tractus::sim {
 //
 // CS high ends the conversion at any point and leaves DOUT at high impedance. The hold capacitor
 // leaks from falling edge 6 on, and each bit is decided at its falling edge: too slow a clock
-// (below about 10 kHz; the data sheets allow 1.2 ms) makes the reading droop. No clock, no
-// randomness.
+// (below about 10 kHz; the data sheets allow 1.2 ms) makes the reading droop. No clock and no
+// randomness are used.
 class Mcp3208Model {
 public:
     // Returns a channel's voltage as a fraction of the reference, clamped to 0 to 1. Sensor faults
@@ -78,7 +78,7 @@ private:
     Pins pins_ {};        // Levels as the chip sees them.
     Timestamp now_ {};
 
-    unsigned clock_ = 0;   // Rising edges since the start bit, including it; 0 before it.
+    unsigned clock_ = 0;   // The channel's neighbour is the pair's second input.
     unsigned command_ = 0; // The four bits after the start bit.
     double held_ = 0;      // Voltage of the hold capacitor when sampling ended.
     Timestamp held_since_ {};

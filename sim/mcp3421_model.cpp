@@ -11,8 +11,8 @@ Mcp3421Model::Mcp3421Model(std::function<double()> input)
 {
 }
 
-// Stores the last byte as the configuration. Its bit 7, "ready", starts a conversion and is not
-// kept.
+// Stores the last byte as the configuration. Its bit 7, "ready", would start a conversion and is
+// not stored.
 void Mcp3421Model::write(std::span<std::byte const> bytes)
 {
     if (!bytes.empty())

@@ -11,7 +11,7 @@ namespace tractus::sim {
 // A Microchip MCP3421, a converter of 12 to 18 bits with a sign on an I²C bus (data sheet DS22003):
 // one byte configures it, and each reading is two or three bytes, most significant first, followed
 // by the configuration. It converts whenever it is read; its gain is ignored. No clock and no
-// randomness.
+// randomness are used.
 class Mcp3421Model {
 public:
     static constexpr std::uint8_t kAddress = 0x68;

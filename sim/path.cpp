@@ -42,8 +42,8 @@ Vec3 Path::direction(double arc_mm) const
     return (points_mm_[i + 1] - points_mm_[i]).normalized();
 }
 
-// Samples a curve over u from 0 to 1 in small steps. `bound_mm` is an upper bound of its length;
-// returns no points if it is too long to be drawn, or not a number.
+// Samples a curve over u from 0 to 1 in small steps. `bound_mm` is an upper bound of its length.
+// Returns no points if the bound is too great for a path that can be drawn, or not a number.
 template<typename Curve> static std::vector<Vec3> sample(double bound_mm, Curve const& curve)
 {
     if (!(bound_mm <= 2 * kLongest_mm))

@@ -49,8 +49,8 @@ struct HelixShape {
     double rise_mm = 0;
 };
 
-// A curve from one point to another that swings to the left of the straight line and then equally
-// far to its right; for a vertical line, towards +x and then -x.
+// A curve from one point to another that swings first to the left of the straight line between
+// them, and then equally far to its right. For a vertical line, it swings towards +x and then -x.
 struct SCurveShape {
     Vec3 from_mm = Vec3::Zero();
     Vec3 to_mm = Vec3::Zero();

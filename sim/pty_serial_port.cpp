@@ -27,8 +27,8 @@ tl::unexpected<Error> no_terminal()
                             std::strerror(errno)));
 }
 
-// Opens the node once and closes it: only from then on does the kernel report whether anybody has
-// it open. Raw mode keeps the kernel from echoing what is sent.
+// Opens the node once and closes it, because only from then on does the kernel report whether
+// anybody has it open. Raw mode keeps the kernel from echoing what is sent.
 Result<void> make_raw(std::string const& node)
 {
     FileDescriptor const file(::open(node.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
@@ -48,7 +48,7 @@ bool is_link_to_terminal(fs::path const& link)
     return !error && target.string().starts_with(kTerminals);
 }
 
-// Replaces the link in one step, so that it is never missing.
+// Replaces the link atomically, so that it is never missing.
 Result<void> make_link(std::string const& node, fs::path const& link)
 {
     std::error_code error;

@@ -39,7 +39,7 @@ public:
     // Notices readers, and discards what they write.
     Result<void> serve() override;
 
-    // Sends bytes. They are dropped if nobody reads, and if the kernel's buffer is full.
+    // Sends bytes. They are dropped if nobody reads the port, or if the kernel's buffer is full.
     Result<void> send(std::span<std::byte const> bytes) override;
 
     bool is_read() const override { return is_read_; }

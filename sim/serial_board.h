@@ -12,7 +12,7 @@ namespace tractus::sim {
 
 // A board on a serial line that prints the heights of a recording, as the sketch of
 // firmware-notes/serial.md does: a line for each reading, whether or not anybody listens. It reads
-// no clock; times are the caller's.
+// no clock; the caller gives all times.
 class SerialBoard {
 public:
     struct Options {
@@ -33,8 +33,8 @@ public:
     // Time of the next line.
     Timestamp due() const { return next_line_; }
 
-    // Prints all lines until `now`; after a pause of more than a second, those of the pause are
-    // skipped. Fails like the port.
+    // Prints all lines that are due until `now`. After a pause of more than a second, the lines of
+    // the pause are skipped. Fails like the port.
     Result<void> play(Timestamp now);
 
     // True if the recording has been played to its end.
@@ -48,7 +48,7 @@ private:
     Duration period_;
     std::int32_t full_scale_;
     std::optional<Timestamp> begin_ {};
-    // Time of the next line; the minimum before the first line.
+    // Time of the next line; Timestamp::min() before the first line.
     Timestamp next_line_ = Timestamp::min();
 };
 

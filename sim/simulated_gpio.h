@@ -9,9 +9,9 @@
 
 namespace tractus::sim {
 
-// The four lines of an MCP3008 or MCP3208 connected to the converter model, with simulated time:
-// each request takes a while, and pauses by the scheduler can be inserted. The lines have the order
-// of mcp3208_lines: CLK, DIN, DOUT, CS.
+// The four lines of an MCP3008 or MCP3208, connected to the converter model, with simulated time.
+// Each request takes some time, and pauses can be inserted as if the scheduler had interrupted the
+// program. The lines have the order of mcp3208_lines(): CLK, DIN, DOUT, CS.
 //
 // No clock and no threads: time advances only by requests and waiting.
 class SimulatedGpio final : public drivers::GpioLines {

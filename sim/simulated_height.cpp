@@ -90,8 +90,8 @@ public:
     virtual ~Encoder() = default;
     virtual drivers::DeviceInfo info() const = 0;
 
-    // Adds a reading and returns the report that it completes, if any. Without `counts`, the sensor
-    // fails at this time.
+    // Adds a reading and returns the report that it completes, if any. No value of `counts` means
+    // that the sensor fails at this time.
     virtual std::optional<std::vector<std::byte>> encode(Timestamp instant,
                                                          std::optional<std::int32_t> counts)
         = 0;
@@ -148,7 +148,7 @@ public:
         if (counts)
             return model_.push(kFirstUs + static_cast<std::uint32_t>(since_us),
                                static_cast<std::uint16_t>(*counts));
-        model_.lose_frames(0); // The unfinished frame has a gap, so it is dropped.
+        model_.lose_frames(0); // The unfinished frame would have a gap, so it is dropped.
         return std::nullopt;
     }
 
@@ -164,8 +164,8 @@ std::unique_ptr<Encoder> make_encoder(std::int32_t full_scale_counts, HeightOpti
     return std::make_unique<SliderEncoder>(full_scale_counts);
 }
 
-// Returns the mean latency. For frames it is determined by the decoder's clock map, which follows
-// the least latency instead of the mean.
+// Returns the mean latency of the decoded samples. For frames it depends on the decoder's clock
+// map, which follows the least latency instead of the mean.
 Duration mean_latency(SimulatedDevice const& device, std::vector<Timestamp> const& instants)
 {
     auto const decoder = drivers::make_height_decoder(device.info);

@@ -44,7 +44,7 @@ struct SimulatedHeight {
 SimulatedHeight simulate_height(Hand const& hand, RigGeometry const& geometry,
                                 HeightOptions const& options);
 
-// The HID slider's description, and its report for a reading, for uses without a Hand.
+// Description of the HID slider, and its report for a reading, for uses without a Hand.
 drivers::DeviceInfo simulated_slider_info(std::int32_t full_scale_counts);
 drivers::RawReport simulated_slider_report(std::int32_t counts, Timestamp received);
 

@@ -10,7 +10,7 @@
 
 namespace tractus::sim {
 
-// A mistake of a person who calibrates: a height that is stated wrongly.
+// A mistake in a calibration: the person states a wrong height for one capture.
 struct Slip {
     std::size_t capture = 0;
     double wrong_by_mm = 20; // Error of the stated height, upwards.
@@ -22,7 +22,7 @@ struct PersonOptions {
     std::uint64_t seed = 1;
     double ruler_error_mm = 0.3; // Standard deviation of a set height from the stated one.
     std::optional<Slip> slip {};
-    double noise_counts = 1;    // Noise of the sensor in counts, before rounding.
+    double noise_counts = 1;    // Standard deviation of the sensor's noise, before rounding.
     std::size_t readings = 500; // Number of readings per capture.
 };
 
@@ -35,8 +35,8 @@ struct SetHeight {
 // Returns the heights set by a person who aims at `aimed_mm`.
 std::vector<SetHeight> set_heights(std::span<double const> aimed_mm, PersonOptions const& options);
 
-// Returns the captures at these heights from the sensor of a rig, including noise and rounding,
-// without simulating reports.
+// Returns the captures of the sensor's readings at these heights, including noise and rounding.
+// Reports are not simulated.
 std::vector<calib::HeightCapture> simulate_captures(RigGeometry const& geometry,
                                                     std::span<double const> aimed_mm,
                                                     PersonOptions const& options);

@@ -19,7 +19,7 @@ struct SimulatedRigOptions {
     std::uint64_t seed = 1;
 };
 
-// Result of a hand drawing on a rig: the reports and the truth.
+// Result of a simulated hand that draws on a rig: the devices' reports and the true positions.
 struct SimulatedRun {
     SimulatedDevice tablet {};
     SimulatedDevice height {};
@@ -30,7 +30,7 @@ struct SimulatedRun {
     std::vector<ArrivedReport> in_order_of_arrival() const;
 };
 
-// Simulates a rig. Equal hands and options give equal bytes.
+// Simulates a hand that draws on a rig. Equal hands and options give equal reports, byte by byte.
 SimulatedRun simulate_rig(Hand const& hand, SimulatedRigOptions const& options);
 
 } // namespace tractus::sim

@@ -48,8 +48,9 @@ struct SimulatedTablet {
 };
 
 // Simulates the tablet of a rig while a hand draws on it. The reported position is that below the
-// pen's coil. When the pen goes out of range, one report says so, and then there are none. A pen
-// off the active area is out of range. No side of the tablet may be longer than 655 mm.
+// pen's coil. When the pen goes out of range, one report says so, and no report follows until it
+// returns. A pen off the active area is out of range. No side of the tablet may be longer than 655
+// mm.
 SimulatedTablet simulate_tablet(Hand const& hand, RigGeometry const& geometry,
                                 TabletOptions const& options);
 

@@ -40,7 +40,7 @@ drivers::DeviceInfo mcp2221a_info()
 std::vector<std::byte> answer(Mcp2221aModel& model, InputNow const& input,
                               std::span<std::byte const> command)
 {
-    // Programs prefix the packet with a 0 as report id.
+    // Programs put a 0 in front of the packet, as report id.
     if (command.size() > Mcp2221aModel::kPacketBytes)
         command = command.subspan(1);
     if (model.converts())
@@ -83,7 +83,7 @@ Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input)
 Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
                                                     std::function<void()> on_move_command)
 {
-    // The model is shared by both functions below.
+    // get_feature and set_feature share the model.
     auto const desk = std::make_shared<LinakDeskModel>();
     UhidAnswers answers;
     answers.get_feature = [desk, input = std::move(input)](std::uint8_t id) {
@@ -109,9 +109,9 @@ Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
                               std::move(answers));
 }
 
-// Droop is disabled: through this bridge a conversion takes milliseconds, in which the real
-// converter's capacitor would lose a few counts, but only its lines are tested here. Without droop
-// the converter does not depend on time.
+// Droop is disabled. Through this bridge a conversion takes milliseconds, in which the real
+// converter's capacitor would lose a few counts, but only the lines are tested with this device.
+// Without droop the converter does not depend on time.
 Cp2112WithMcp3208::Cp2112WithMcp3208(Wiring const& wiring,
                                      std::function<double(unsigned channel)> input)
     : wiring_(wiring)

@@ -17,17 +17,17 @@
 
 namespace tractus::sim {
 
-// Emulated converters, which the kernel and all programs take for real ones, through uhid.
+// Converters emulated through uhid. The kernel and all programs treat them as real devices.
 
 // Returns the present input of a converter as a fraction of full scale, 0 to 1.
 using InputNow = std::function<double()>;
 
-// Emulates an MCP2221A whose inputs GP1 to GP3 all are `input`, read anew for each command. Fails
-// like UhidDevice::create().
+// Emulates an MCP2221A. Each of its inputs GP1 to GP3 has the value `input()`, read anew for each
+// command. Fails like UhidDevice::create().
 Result<std::unique_ptr<UhidDevice>> play_mcp2221a(InputNow input);
 
-// Emulates a standing desk whose height is `input` as the decoder's fraction of full scale
-// (drivers/sensors/linak_desk.h), read anew for each request; `on_move_command` is called for each
+// Emulates a standing desk. Its height is `input()` as a fraction of the decoder's full scale
+// (drivers/sensors/linak_desk.h), read anew for each request. `on_move_command` is called for each
 // command to move. Fails like UhidDevice::create().
 Result<std::unique_ptr<UhidDevice>> play_linak_desk(InputNow input,
                                                     std::function<void()> on_move_command);
@@ -64,8 +64,8 @@ private:
     Cp2112Model bridge_;
 };
 
-// An emulated MCP3421 on the I²C bus of a CP2112. The kernel's hid-cp2112 provides the bus. When
-// told of the chip, its driver mcp3422 makes it an industrial I/O device.
+// An emulated MCP3421 on the I²C bus of a CP2112. The kernel's hid-cp2112 provides the bus. If the
+// kernel is told of the chip, its driver mcp3422 makes it an industrial I/O device.
 class Cp2112WithMcp3421 {
 public:
     // `input` is read anew for each reading.
@@ -85,9 +85,9 @@ private:
 
 // A quadrature encoder connected to two lines of a CP2112. The kernel polls the lines every ten
 // ticks of its clock, 40 ms in Debian's kernel, and reports the edges that it finds; the encoder
-// therefore moves by at most one count between polls. It begins where both lines are low, the state
-// that the kernel assumes before its first poll: otherwise the kernel would report edges that did
-// not occur.
+// therefore moves by at most one count between polls. The encoder begins where both lines are low,
+// the state that the kernel assumes before its first poll. Otherwise the kernel would report edges
+// that did not occur.
 class Cp2112WithEncoder {
 public:
     struct Wiring {
@@ -95,7 +95,7 @@ public:
         unsigned b = 1;
     };
 
-    // `target` returns the present target of the encoder, in counts.
+    // `target` returns the count to which the encoder moves.
     Cp2112WithEncoder(Wiring const& wiring, std::function<std::int64_t()> target);
 
     Cp2112WithEncoder(Cp2112WithEncoder const&) = delete;

@@ -17,15 +17,17 @@ struct uhid_event; // Declared in linux/uhid.h.
 
 namespace tractus::sim {
 
-// Replies of an emulated device. Reports begin with their id if the device uses ids. Without a
-// function for them, feature requests are input/output errors, and output reports are ignored.
+// Replies of an emulated device. Reports begin with their id if the device uses ids. If a function
+// is missing, feature requests fail with an input/output error, and output reports are ignored.
 struct UhidAnswers {
     // Handles an output report; a non-empty result is sent as an input report. If the device uses
     // no ids, reports from programs begin with a 0, those from drivers do not.
     std::function<std::vector<std::byte>(std::span<std::byte const> report)> output {};
-    // Returns the feature report with this id; no value is an input/output error.
+    // Returns the feature report with this id; without a value, the request fails with an
+    // input/output error.
     std::function<std::optional<std::vector<std::byte>>(std::uint8_t id)> get_feature {};
-    // Handles a feature or output report set by a control request. False is an input/output error.
+    // Handles a feature or output report set by a control request. If it returns false, the request
+    // fails with an input/output error.
     std::function<bool(std::span<std::byte const> report)> set_feature {};
 };
 

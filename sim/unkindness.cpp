@@ -45,7 +45,7 @@ void skip_some(Reports& reports, double share, Random& random)
     reports = std::move(sent);
 }
 
-// Returns the end of the period that contains `time`.
+// Returns the end of the period that contains `time`; periods of this length start at time 0.
 Timestamp end_of_period(Timestamp time, Duration length)
 {
     auto const since = time.time_since_epoch();
@@ -101,7 +101,8 @@ void stall(Reports& reports, Unkindness const& unkindness)
     reports = std::move(read);
 }
 
-// Returns a half circle to the side, horizontal, that continues the stroke's direction.
+// Returns a horizontal half circle that continues the stroke. `side` is 1 for a hook to the left,
+// -1 for a hook to the right.
 std::vector<Vec3> hook(Path const& path, double length_mm, double side)
 {
     constexpr int kPieces = 6;

@@ -9,8 +9,8 @@
 
 namespace tractus::sim {
 
-// Faults of hands, devices and computers, which a simulation omits by default. Each fault has its
-// own fields. Equal input and options give equal results.
+// Faults of hands, devices and computers, which simulations have only on request. Each fault has
+// its own fields. Equal input and options give equal results.
 struct Unkindness {
     std::uint64_t seed = 1;
 
@@ -63,8 +63,8 @@ struct Unkindness {
     }
 };
 
-// Returns all faults at once, as severe as real stations have shown;
-// tests/app/station/unkind_hand_test.cpp states the remaining accuracy.
+// Returns all faults at once, as severe as at real stations; tests/app/station/unkind_hand_test.cpp
+// states the remaining accuracy.
 Unkindness all_unkindness(std::uint64_t seed);
 
 // Ends each stroke in a horizontal hook to the side. A hook that would leave the rig's reach is
@@ -79,8 +79,8 @@ void add_dabs(std::vector<HandStroke>& strokes, RigGeometry const& geometry,
 
 void set_tremor(HandOptions& options, Unkindness const& unkindness);
 
-// Changes the reports as they arrive. The truth stays, so it no longer has one entry for each
-// report.
+// Adds the faults of devices and computer to the reports of a run. `truth` is unchanged, so it no
+// longer has one entry for each report.
 void make_unkind(SimulatedRun& run, Unkindness const& unkindness);
 
 } // namespace tractus::sim

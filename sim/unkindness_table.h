@@ -8,7 +8,7 @@
 
 namespace tractus::sim {
 
-// Reads the table [unkind] of a hand file. A fault whose keys are omitted does not occur:
+// Reads the table [unkind] of a gesture script. A fault whose keys are omitted does not occur:
 //
 //     hooks_mm = [0.5, 2]   # Least and greatest length of the hook that ends each stroke.
 //     dab_share = 0.35      # Share of the strokes that follow a touch by mistake.

@@ -48,8 +48,8 @@ fs::path mount_of(UsbGadgetPlace const& place, fs::path const& gadget)
     return place.mounts / fmt::format("{}-gadget", gadget.filename().string());
 }
 
-// Removes a gadget, from its innermost parts outwards. Attributes disappear with their folders;
-// errors are ignored, since parts may be missing.
+// Removes a gadget, from its innermost parts outwards. Attributes disappear with their folders.
+// Errors are ignored, since parts may be missing.
 void remove_gadget(UsbGadgetPlace const& place, fs::path const& gadget)
 {
     static_cast<void>(write_attribute(gadget / "UDC", "\n"));
@@ -82,8 +82,8 @@ Result<void> check_kernel(UsbGadgetPlace const& place)
                             place.configfs.string()));
 }
 
-// Locks the gadget's folder; the system releases the lock when the process ends. Empty if another
-// program holds it.
+// Locks the gadget's folder; the system releases the lock when the process ends. Returns an empty
+// descriptor if another program holds the lock.
 FileDescriptor lock_folder(fs::path const& folder)
 {
     FileDescriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -174,7 +174,7 @@ Result<fs::path> UsbGadget::add_function(std::string const& function,
 {
     auto const folder = folder_ / "functions" / function;
     TRY(make_config_folder(folder));
-    // Attributes are fixed once the function is in a configuration.
+    // Attributes must be written first: they are fixed once the function is in a configuration.
     for (auto const& attribute : attributes)
         TRY(write_attribute(folder / attribute.name, attribute.value));
     std::error_code error;

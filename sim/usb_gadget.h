@@ -24,7 +24,7 @@ struct UsbGadgetIdentity {
     std::string serial_number {};
 };
 
-// Folders of the kernel's gadget interface; only tests change them.
+// Folders of the kernel's gadget interface. Only tests use other folders.
 struct UsbGadgetPlace {
     std::filesystem::path configfs = "/sys/kernel/config";
     std::filesystem::path ports = "/sys/class/udc"; // USB device controllers.

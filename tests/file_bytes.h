@@ -8,8 +8,8 @@
 
 namespace tractus {
 
-// Returns a file's bytes; empty if there is no such file. It is read in one call, since reading
-// large files character by character is slow without optimisation.
+// Returns the bytes of a file; empty if there is no such file. The file is read in one call, since
+// reading character by character is slow in builds without optimisation.
 inline std::string file_bytes(std::filesystem::path const& path)
 {
     std::ifstream file(path, std::ios::binary | std::ios::ate);

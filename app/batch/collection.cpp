@@ -23,16 +23,18 @@ namespace tractus::batch {
 
 namespace {
 
-constexpr std::size_t kCompared = 64; // Number of plants whose diversity the report states.
-constexpr std::size_t kMeasured = 8;  // Number of plants measured to find the spacing of all.
-// Spacing as a multiple of the plants' width, as leaves protrude and some plants are wider.
+// Maximum number of plants compared for the report's diversity.
+constexpr std::size_t kCompared = 64;
+constexpr std::size_t kMeasured = 8; // Maximum number of plants measured to find the spacing.
+// Spacing as a multiple of the measured plants' greatest width. Exceeds 1, as leaves protrude and
+// other plants may be wider.
 constexpr double kSpacing = 1.15;
-// Greatest displacement of a plant to each side, as a share of the spacing.
+// Maximum random displacement of a plant along each axis of the grid, as a share of the spacing.
 constexpr double kScatter = 0.35;
-constexpr std::uint32_t kPlaces = 0x706C; // Random stream of ages and places.
+constexpr std::uint32_t kPlaces = 0x706C; // Random stream of plant ages and places.
 
-// First plant of a shard; a shard ends where the next one begins. Avoids a product that could
-// overflow.
+// Returns the index of a shard's first plant; the shard ends where the next one begins. The
+// computation avoids a product that could overflow.
 std::size_t first_plant(CollectionOptions const& options, std::size_t shard)
 {
     auto const parts = options.shard.parts;
@@ -53,7 +55,7 @@ Result<void> check_count(CollectionOptions const& options)
                             count, kMaxPlantsInShard, parts));
 }
 
-// A collection in progress; each member function is a stage.
+// A collection in progress; each member function carries out one stage.
 class Collection {
 public:
     Collection(CollectionOptions const& options, terminal::Progress& progress)
@@ -81,7 +83,7 @@ private:
     Result<exports::GlbSummary> write_plants(std::ostream& out,
                                              std::span<exports::PlacedMesh const> plants);
 
-    // Returns the plant at its age, valid until the next call. `place` belongs to a plant of this
+    // Returns the plant at its age, valid until the next call. `place` must belong to this
     // collection.
     Plant const& grow(CollectionGrower& grower, PlantPlace const& place);
 
@@ -101,15 +103,15 @@ private:
     CollectionReport report_;
     std::set<std::uint32_t> underground_; // Indices of plants with segments below the ground.
     Plant young_;
-    Plant turned_; // The plant in its orientation, for the contact sheet.
-    // Thread that renders pictures; set if pictures are wanted.
+    Plant turned_; // The plant last drawn on the contact sheet, rotated as in the collection.
+    // Thread that renders pictures; no value if no pictures are requested.
     std::optional<PictureThread> pictures_;
     std::optional<Error> picture_error_;
 };
 
 Result<CollectionReport> Collection::run()
 {
-    // All checks come before the work begins.
+    // Checks everything that can fail early before the work begins.
     TRY(check_count(options_));
     TRY(check_writable(manifest_path(options_)));
     if (!options_.sheet.empty())
@@ -124,7 +126,7 @@ Result<CollectionReport> Collection::run()
     grower.make_individuals(options_.individuality);
     TRY(compare(grower));
     auto how = options_.individuality;
-    how.turn = 0; // Plants are turned where they stand.
+    how.turn = 0; // Individuals are not turned, as plants are turned when placed.
     grower.make_individuals(how);
     auto const places = place_plants(options_, spacing_mm(grower));
     bool const one_file = options_.output.extension() == ".glb";
@@ -166,7 +168,7 @@ Result<scene::Scene> Collection::load()
     return std::move(drawing.scene);
 }
 
-// Compares plants node by node, with their size, orientation and missing branches. Plants with
+// Compares plants node by node, including their size, orientation and missing branches. Plants with
 // different sketched parts cannot be compared.
 Result<void> Collection::compare(CollectionGrower& grower)
 {
@@ -188,7 +190,7 @@ Result<void> Collection::compare(CollectionGrower& grower)
     return {};
 }
 
-// Distance between neighbouring plants, the same in all shards.
+// Returns the distance between neighbouring plants, which is the same in all shards.
 double Collection::spacing_mm(CollectionGrower& grower)
 {
     double width_mm = 1;
@@ -218,8 +220,8 @@ exports::PlacedMesh Collection::placed(PlantPlace const& place) const
     return mesh;
 }
 
-// Adds levels of detail. Each is to be used at a screen coverage at which its triangles have about
-// the same number of pixels as those of the other levels.
+// Adds levels of detail to a mesh. Each level is meant for the screen coverage at which its
+// triangles cover about as many pixels as those of the finest level at full coverage.
 void Collection::add_details(exports::PlacedMesh& mesh, std::function<Plant()> const& plant)
 {
     constexpr double kFullCoverage = 0.2;
@@ -244,7 +246,7 @@ void Collection::add_details(exports::PlacedMesh& mesh, std::function<Plant()> c
 // Draws a billboard. The first error is stored, as it cannot be returned to the caller.
 exports::Billboard Collection::billboard(Plant const& plant)
 {
-    // Share of the triangles to keep; more would not be visible in so few pixels.
+    // Share of the triangles to keep for a billboard; its few pixels could not show more.
     constexpr double kShare = 0.25;
     auto const coarse = mesh::coarser_plant(plant, options_.mesh, kShare);
     auto const mesh = mesh::make_mesh(coarse, mesh::coarser_options(options_.mesh, kShare));
@@ -279,7 +281,7 @@ Result<std::vector<ManifestPlant>> Collection::write_one_file(CollectionGrower& 
         meshes.back().position_mm = place.position_mm;
         meshes.back().rotation_rad = place.rotation_rad;
         auto const make = [this, &grower, &begun, &place, number = plants.size()]() -> Plant {
-            // Counts progress once, although some plants are made several times.
+            // Counts each plant once, although plants are made anew for each level of detail.
             if (number > begun) {
                 begun = number;
                 progress_.step();
@@ -358,7 +360,7 @@ Result<void> Collection::write_sheet(CollectionGrower& grower,
 
 std::vector<PlantPlace> place_plants(CollectionOptions const& options, double spacing_mm)
 {
-    // The field is slightly wider than deep.
+    // The grid of plants is slightly wider than deep.
     auto const row
         = static_cast<std::size_t>(std::ceil(std::sqrt(1.2 * static_cast<double>(options.count))));
     std::vector<PlantPlace> places;

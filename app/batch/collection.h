@@ -17,8 +17,8 @@
 
 namespace tractus::batch {
 
-// A part of a collection that one of several machines makes: number `number`, counted from 1, of
-// `parts`. Its plants are the same as in the whole collection.
+// One of `parts` parts of a collection, so that several machines can make the collection together.
+// `number` counts from 1. A plant is the same whether or not its collection is divided.
 struct Shard {
     std::size_t number = 1;
     std::size_t parts = 1;
@@ -26,12 +26,13 @@ struct Shard {
 
 // Arrangement of a collection's plants.
 enum class Stand {
-    Grid,    // Plants stand in a regular grid.
-    Scatter, // Randomly displaced from the grid, as if grown naturally, without overlapping places.
+    Grid, // Plants stand in a regular grid.
+    // Plants are displaced randomly from the grid, without overlapping their neighbours' places.
+    Scatter,
 };
 
-// Range of ages, above 0 and at most 1; each plant's age is uniformly distributed in it. See
-// Grower::grow().
+// Range of plant ages, above 0 and at most 1 (fully grown; see Grower::grow()). Each plant's age is
+// drawn uniformly from this range.
 struct AgeRange {
     double youngest = 1;
     double oldest = 1;
@@ -39,18 +40,20 @@ struct AgeRange {
 
 constexpr std::size_t kMaxDetails = 6;
 
-// Limit for one shard, as places and manifest entries are kept in memory.
+// Maximum number of plants in a shard. Their places and manifest entries are kept in memory.
 constexpr std::size_t kMaxPlantsInShard = 1'000'000;
 
 struct CollectionOptions {
     std::filesystem::path model {};
-    scene::EditKinds kinds {};                // Kinds of edits that a session may contain.
-    std::optional<DrawingOptions> drawing {}; // Without a drawing plants vary by chance alone.
+    scene::EditKinds kinds {}; // Kinds of edits accepted if `model` is a session.
+    // Recorded drawing on the plant. No value: plants vary only by chance.
+    std::optional<DrawingOptions> drawing {};
     GrowthOptions growth {};
-    // How far each plant's construction deviates from what was drawn, before growth: arrangement of
-    // an outlined tree's branches, angles of a rule, construction lines (SourceVariation::spread).
+    // How far each plant's construction deviates from what was drawn (SourceVariation::spread): the
+    // arrangement of an outlined tree's branches, the angles of a rule, or construction lines. This
+    // is applied before growth.
     double construction = 0;
-    // How much plants of one bed differ in addition to their growth.
+    // Individual differences between the plants, in addition to differences in growth.
     variation::Individuality individuality = variation::kPlantsOfOneBed;
     AgeRange ages {};
     std::uint64_t seed = 1;
@@ -58,22 +61,23 @@ struct CollectionOptions {
     Shard shard {};
     Stand stand = Stand::Grid;
 
-    // A .glb file for all plants, each in its place, or a folder for one .glb per plant, each at
-    // its own origin.
+    // Either a .glb file for all plants, each in its place, or a folder for one .glb file per
+    // plant, each plant at its own origin.
     std::filesystem::path output {};
     // Image file of a contact sheet (collection_sheet.h); empty: none.
     std::filesystem::path sheet {};
     mesh::MeshOptions mesh {};
     exports::GlbOptions glb {};
-    bool has_wind = false; // True if files contain data for animation by wind; glb.wind says where.
+    // True: files contain data for animation by wind, stored as glb.wind says.
+    bool has_wind = false;
 
     // Number of coarser levels of detail of each plant, 0 to kMaxDetails. Each has half the
     // triangles of the one before (engine/mesh/level_of_detail.h); the last is a billboard.
     std::size_t details = 0;
 };
 
-// One plant of a collection; a pure function of the collection's seed and size and of the plant's
-// number.
+// Place and age of one plant of a collection. They depend only on the plant's index, the spacing
+// and the collection's options.
 struct PlantPlace {
     std::uint32_t index = 0; // Index of the plant; together with the seed it makes the PlantKey.
     double age = 1;
@@ -81,19 +85,19 @@ struct PlantPlace {
     double rotation_rad = 0;         // Rotation about +z.
 };
 
-// Places of a shard's plants. `spacing_mm` is the distance between neighbours; `count` and `shard`
-// are taken from the options.
+// Returns the places of the plants of `options.shard`. `spacing_mm` is the distance between
+// neighbouring plants.
 std::vector<PlantPlace> place_plants(CollectionOptions const& options, double spacing_mm);
 
 struct CollectionReport {
     DrawingReport drawing;
-    std::size_t plants = 0;      // Plants written in this shard.
-    std::size_t segments = 0;    // Segments of one fully grown plant.
-    std::uint64_t triangles = 0; // Triangles of all plants.
+    std::size_t plants = 0;      // Number of plants written in this shard.
+    std::size_t segments = 0;    // Number of segments of one fully grown plant.
+    std::uint64_t triangles = 0; // Number of triangles of all plants written in this shard.
     std::uint64_t bytes = 0;     // Total size of all .glb files.
 
-    // Distances between at most 64 plants of the whole collection, and from them to the drawn
-    // plant.
+    // Distances (variation::Diversity) between pairs of plants, for at most 64 plants of the whole
+    // collection, and between these plants and the plant as drawn.
     variation::DistanceSpread between_plants;
     variation::DistanceSpread from_drawn;
     double height_mm = 0; // Height of the plant as drawn.
@@ -107,10 +111,10 @@ struct CollectionReport {
 // file. The manifest is manifest.json in the folder, or FILE.json beside FILE.glb; with several
 // shards the name contains the shard's number. The output depends only on the options, not on the
 // number of threads. Memory use does not grow with the number of plants. Every file appears
-// complete or not at all; if the run is stopped or the disk is full, files written before stay.
-// Fails like reading the plant and its drawing, if a file cannot be written, if pictures are wanted
-// and the system has no OpenGL, and with a user error if a shard has more than kMaxPlantsInShard
-// plants.
+// complete or not at all; if the run is stopped or the disk is full, files that were completed
+// before remain. Fails like load_growing_plant() and read_drawing(), if a file cannot be written,
+// if pictures are requested and the system has no OpenGL, and with a user error if a shard has more
+// than kMaxPlantsInShard plants.
 Result<CollectionReport> make_collection(CollectionOptions const& options,
                                          terminal::Progress& progress);
 

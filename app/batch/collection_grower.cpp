@@ -60,8 +60,8 @@ CollectionGrower::planned_for(variation::PlantKey const& key) const
     return planned(std::move(scene));
 }
 
-// Returns the scene and growth plan for a key. A plant needed at several ages or levels of detail
-// is built only once.
+// Returns the scene and growth plan for a key. They are kept until another key is requested, as a
+// plant may be needed at several ages or levels of detail.
 CollectionGrower::Planned& CollectionGrower::planned_of(variation::PlantKey const& key)
 {
     if (!is_varied(key))

@@ -13,23 +13,24 @@
 
 namespace tractus::batch {
 
-// Grows the plants of a collection one after the other, all from one plant or each from a varied
-// one (varied_scene.h).
+// Grows the plants of a collection one after another: all from the same source plant, or each from
+// its own variation of the source plant (varied_scene.h).
 class CollectionGrower {
 public:
-    // `construction` is SourceVariation::spread. If it is 0, or nothing in the scene can vary in
-    // this way, all plants have the drawn plant's segments. Fails like plan_growth().
+    // `construction` is SourceVariation::spread. If it is 0, or if nothing in the scene has a
+    // construction that can vary, all plants have the drawn plant's segments. Fails like
+    // plan_growth().
     static Result<CollectionGrower> create(scene::Scene scene, double construction);
 
-    // Derives models with stochastic rules by a seed of their own for a share of the plants
-    // (Individuality::seeds).
+    // Gives a share of the plants (Individuality::seeds) their own seed for deriving models with
+    // stochastic rules. The other plants share the scene's seed.
     void reseed(double share) { own_seeds_ = { shared_->scene, share }; }
 
-    // Enables bending growth along the ground instead of into it (bend_along_ground()).
+    // From now on, plants bend along the ground instead of growing into it (bend_along_ground()).
     void keep_above_ground() { is_above_ground_ = true; }
 
-    // Enables individual differences (variation/individual.h); drawn branches stay. The individual
-    // turn is left out, as plants are turned when placed.
+    // From now on, plants have individual differences (variation/individual.h). Drawn branches are
+    // never removed. Individuals are not turned here, as plants are turned when placed.
     void make_individuals(variation::Individuality const& how) { individuality_ = how; }
 
     // Number of segments of the last returned plant that are below the ground, except roots.
@@ -38,19 +39,20 @@ public:
     // True if all plants have the same sketched parts, so that their nodes can be compared.
     bool has_one_topology() const { return construction_ == 0; }
 
-    // The plant as drawn; and the plant of a key, valid until the next call.
+    // drawn() returns the plant as drawn. grow() returns the plant of a key, valid until the next
+    // call.
     Result<Plant> drawn() const;
     Plant const& grow(variation::PlantKey const& key, double age = 1);
 
     // The plant of a key in a form that can be compared node by node (comparable_individual()).
     Plant comparable(variation::PlantKey const& key, double age);
 
-    // Number of plants whose construction could not be varied; they are as drawn except for their
-    // growth.
+    // Number of plants whose construction could not be varied. These differ from the drawn plant
+    // only in their growth.
     std::size_t failed_count() const { return failed_count_; }
 
 private:
-    // A scene and its growth. Not movable, as members refer to earlier ones.
+    // A scene and its growth plan. Not movable, as later members refer to earlier ones.
     struct Planned {
         explicit Planned(scene::Scene grown)
             : scene(std::move(grown))
@@ -60,7 +62,7 @@ private:
         scene::Scene scene;
         std::unique_ptr<variation::GrowthPlan const> plan {};
         std::unique_ptr<variation::Grower> grower {};
-        std::vector<bool> kept {}; // True for axes that were drawn and the axes that carry them.
+        std::vector<bool> kept {}; // For each axis: true if it was drawn or carries a drawn axis.
     };
     static Result<std::unique_ptr<Planned>> planned(scene::Scene scene);
     Planned& planned_of(variation::PlantKey const& key);

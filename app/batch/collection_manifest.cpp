@@ -6,8 +6,8 @@
 
 namespace tractus::batch {
 
-// One line of JSON. File names may contain any bytes; invalid UTF-8 becomes a replacement
-// character.
+// Formats a value as one line of JSON. File names may contain any bytes; invalid UTF-8 becomes a
+// replacement character.
 static std::string line(nlohmann::ordered_json const& value)
 {
     return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -53,7 +53,8 @@ Result<void> write_manifest(std::ostream& out, CollectionOptions const& options,
     if (auto const& season = options.growth.season)
         head["season"] = { { "month", season->month }, { "fallen", season->fallen } };
     auto text = line(head);
-    text.pop_back(); // Removes the closing brace.
+    // Removes the closing brace, as the list of plants follows inside the same object.
+    text.pop_back();
     out << text << ",\n\"plants\": [";
     char const* separator = "\n";
     for (auto const& [place, file] : plants) {

@@ -9,7 +9,7 @@
 
 namespace tractus::batch {
 
-// A plant that was written, and its file.
+// A plant that was written, and the file that contains it.
 struct ManifestPlant {
     PlantPlace place;
     std::string file; // Path of the file, relative to the manifest.
@@ -18,7 +18,7 @@ struct ManifestPlant {
 // Path of a collection's manifest.
 std::filesystem::path manifest_path(CollectionOptions const& options);
 
-// Writes everything needed to recreate each plant, as JSON with a line per plant:
+// Writes everything needed to recreate each plant, as JSON with one line per plant:
 //
 //   { "tractus": "0.1.0", "model": …, "drawing": … or null, "seed": 1, "count": 12,
 //     "shard": [1, 1], "growth": "usual", "liking": 1,

@@ -11,7 +11,8 @@ namespace tractus::batch {
 
 static constexpr PictureSize kSheetTile { 240, 240 };
 
-// Mesh options good enough for a tile, in which the thickest trunk is a few pixels wide.
+// Coarse mesh options for the sheet's tiles, in which even the thickest trunk is only a few pixels
+// wide.
 static constexpr mesh::MeshOptions kSheetMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
 
 static std::size_t sheet_plant_count(std::size_t count)
@@ -30,7 +31,8 @@ render::Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants
 {
     auto const tile_count = sheet_plant_count(plants.count);
     progress.begin("drawing the plants", 2 * tile_count);
-    render::Framing framing({}, kSheetTile.aspect()); // Fits all plants at the same scale.
+    // Fits the largest plant, as all plants are shown at the same scale.
+    render::Framing framing({}, kSheetTile.aspect());
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
         framing.add(mesh::make_mesh(plants.plant(sheet_plant(tile, plants.count)), kSheetMesh));
         progress.step();
@@ -46,7 +48,7 @@ render::Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants
     render::SheetStyle style;
     style.caption_size_px = 15;
     style.gap_px = 12;
-    // The sheet is slightly wider than high.
+    // Number of columns for a sheet slightly wider than high.
     style.columns = static_cast<int>(std::ceil(std::sqrt(1.2 * static_cast<double>(tile_count))));
     return render::contact_sheet(tiles, style);
 }

@@ -10,23 +10,23 @@
 
 namespace tractus::batch {
 
-// The plants of a collection that a contact sheet can show. The functions accept indices below
-// `count`.
+// The plants of a collection that a contact sheet can show. The functions accept indices from 0 to
+// `count` - 1.
 struct SheetPlants {
     std::size_t count = 0;
     std::function<Plant const&(std::size_t)> plant; // The result is valid until the next call.
     std::function<std::string(std::size_t)> caption;
 };
 
-// Most plants on a sheet, as many as a screen can show.
+// Maximum number of plants on a sheet; a screen cannot show more.
 constexpr std::size_t kMaxSheetPlants = 48;
 
-// Index of the plant in the `tile`-th picture of a sheet. If there are more than kMaxSheetPlants,
-// they are chosen at even intervals from the first to the last.
+// Returns the index of the plant in the sheet's picture number `tile`, counted from 0. If there are
+// more than kMaxSheetPlants plants, the sheet shows evenly spaced ones, from the first to the last.
 std::size_t sheet_plant(std::size_t tile, std::size_t count);
 
-// Contact sheet with a small picture of each of these plants, all at the same scale. Keeps one
-// plant at a time in memory. Without plants the image is empty.
+// Renders a contact sheet with a small picture of each of the plants, all at the same scale. Keeps
+// one plant at a time in memory. Without plants the image is empty.
 render::Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants,
                                terminal::Progress& progress);
 

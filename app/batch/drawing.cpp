@@ -22,7 +22,7 @@ namespace {
 
 constexpr char const* kUsual = "usual";
 
-// Notes why pen samples were lost or are doubtful.
+// Adds notes that say why pen samples were lost or are doubtful.
 void note_heights(calib::FuserCounts const& counts, std::vector<std::string>& notes)
 {
     if (counts.heights_refused > 0)
@@ -40,7 +40,7 @@ void note_heights(calib::FuserCounts const& counts, std::vector<std::string>& no
                                     counts.pens_without_height, counts.pens));
 }
 
-// Identifies a stroke by its time. An action without a stroke is identified by its line in the log.
+// Names a stroke in messages by its time, or an action without a stroke by its line in the log.
 std::string name_of(document::DrawnStroke const& drawn)
 {
     if (!drawn.stroke.tips.empty())
@@ -84,7 +84,8 @@ Result<Drawing> DrawingReader::read()
     return Drawing { document_.newest()->scene, std::move(strokes_), nib_ };
 }
 
-// A file of strokes does not say which branches they shape, so they are assigned in drawing order.
+// Reads a file of strokes. The file does not say which branches the strokes shape, so the n-th
+// stroke is assigned to the n-th branch.
 Result<void> DrawingReader::read_strokes()
 {
     progress_.begin("reading the strokes");
@@ -113,7 +114,7 @@ Result<void> DrawingReader::take_finished_strokes()
     return {};
 }
 
-// Plays the whole log, at a multiple of real time or as fast as possible.
+// Plays the whole log, at the requested multiple of real time or as fast as possible.
 Result<void> DrawingReader::play(station::LogReplay& replay)
 {
     constexpr Duration kStep = std::chrono::milliseconds(10);
@@ -202,7 +203,7 @@ std::string growth_name(std::filesystem::path const& model, GrowthOptions const&
 Result<std::vector<scene::Edit>>
 growing_plant_edits(PlantChoice const& plant, GrowthOptions const& growth, std::uint64_t seed)
 {
-    // Without a model the drawing makes plants, which bring their own growth.
+    // Without a model, the drawing makes plants, whose growth it defines itself.
     if (plant.model.empty())
         return std::vector<scene::Edit> { session::BeginEmpty {} };
     std::vector<scene::Edit> edits;
@@ -278,7 +279,7 @@ Result<std::vector<Stroke>> drawn_strokes(DrawingOptions const& options)
     progress.finish();
     std::vector<Stroke> strokes;
     for (auto const& drawn : drawing.strokes)
-        if (!drawn.stroke.tips.empty()) // Skips actions without a stroke, which have no tips.
+        if (!drawn.stroke.tips.empty()) // Actions without a stroke have no tips and are skipped.
             strokes.push_back(drawn.stroke);
     return strokes;
 }

@@ -28,11 +28,12 @@ namespace {
 constexpr PictureSize kPicture { 1280, 960 };
 constexpr PictureSize kTile { 420, 420 };
 
-// Mesh options good enough for a tile, in which the thickest trunk is a few pixels wide.
+// Coarse mesh options for the sheet's tiles, in which even the thickest trunk is only a few pixels
+// wide.
 constexpr mesh::MeshOptions kTileMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
 
-// Number of columns for a sheet or field of `count` plants: slightly wider than high, but one fewer
-// if that fills all rows.
+// Returns the number of columns for a sheet or field of `count` plants. It is slightly wider than
+// high, or has one column fewer if all rows are then full.
 int columns(std::size_t count)
 {
     auto const wide = static_cast<std::size_t>(std::ceil(std::sqrt(1.2 * double(count))));
@@ -40,7 +41,7 @@ int columns(std::size_t count)
     return static_cast<int>(is_fuller ? wide - 1 : wide);
 }
 
-// The plants of a job: the variations of what was drawn and, if wanted, the unvaried drawing in
+// The plants of a job: the variations of the drawing and, if requested, the unvaried drawing in
 // each season.
 class Sequence {
 public:
@@ -60,7 +61,7 @@ public:
 
     std::size_t size() const { return options_->variations + seasons_.size(); }
 
-    // Number of a variation, or name of a season.
+    // Returns the number of a variation, counted from 1, or the name of a season.
     std::string name(std::size_t index) const
     {
         return index < options_->variations ? fmt::format("{}", index + 1) : season(index).name;
@@ -128,10 +129,10 @@ private:
     std::vector<InSeason> seasons_;
 };
 
-// First words of the report's line with the log's name.
+// Beginning of the report's line that names the log.
 constexpr std::string_view kReportBegins = "log                   ";
 
-// A job in progress; each member function is a stage.
+// A job in progress; each member function carries out one stage.
 class Job {
 public:
     Job(JobOptions const& options, terminal::Progress& progress)
@@ -164,7 +165,8 @@ Result<JobReport> Job::run()
     auto pictures = TRY(PictureMaker::create());
     pictures_ = &pictures;
     auto const path = options_.folder / "report.txt";
-    // Lets check_job_folder() recognise the files of a run that was killed.
+    // Writes a preliminary report, by which check_job_folder() recognises the folder after a run
+    // that was killed.
     TRY(write_file(path, fmt::format("{}{}\nnot finished\n", kReportBegins, report_.log)));
     TRY(draw_base(drawing));
     TRY(make_collection(drawing.scene));
@@ -228,18 +230,19 @@ Result<void> Job::draw_base(Drawing const& drawing)
 Result<void> Job::make_collection(scene::Scene const& scene)
 {
     auto plants = TRY(Sequence::create(scene, options_));
-    // Regrows a plant whenever it is needed, which saves the memory for all of them.
+    // Grows each plant anew whenever it is needed, as all plants together would need much memory.
     auto const plant = [&](std::size_t index) -> Plant const& { return plants.grow(index); };
     auto const count = plants.size();
     report_.plants = count;
 
     progress_.begin("growing the collection", options_.variations);
-    render::Framing framing({}, kTile.aspect()); // Fits all plants at the same scale.
+    // Fits the largest plant, as all plants are shown at the same scale.
+    render::Framing framing({}, kTile.aspect());
     Bounds frame;
     std::size_t underground = 0;
-    // Seasons are left out: fallen leaves would enlarge the frame.
+    // Pictures in seasons do not count for the framing, as fallen leaves would enlarge it.
     for (std::size_t i = 0; i < options_.variations; ++i) {
-        // The bounds come from the mesh, as leaves and petals protrude.
+        // Uses the mesh for framing, as leaves and petals protrude from the branches.
         auto const mesh = mesh::make_mesh(plant(i));
         underground += plants.has_underground() ? 1 : 0;
         framing.add(mesh);
@@ -273,7 +276,8 @@ Result<void> Job::make_collection(scene::Scene const& scene)
 
 Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
 {
-    // Distance as a multiple of a plant's width, so that neighbours do not touch.
+    // Distance between neighbours as a multiple of a plant's width; exceeds 1 so that they do not
+    // touch.
     constexpr double kPlantSpacing = 1.15;
     progress_.begin("writing the collection");
     double const width_mm = frame.empty() ? 0 : (frame.max_mm - frame.min_mm).head<2>().maxCoeff();

@@ -15,8 +15,8 @@
 
 namespace tractus::batch {
 
-// The main job: turns a recorded drawing on a model into a set of varied plants. If several plants
-// were drawn, each member of the set contains all of them.
+// Options of the main job, which turns a recorded drawing on a model into a set of varied plants.
+// If several plants were drawn, each member of the set contains all of them.
 struct JobOptions {
     DrawingOptions drawing {};
     std::filesystem::path model {};
@@ -24,25 +24,26 @@ struct JobOptions {
     std::size_t variations = 12;        // Plants in the collection; at least 1.
     std::filesystem::path folder = "."; // Output folder, created if missing.
     GrowthOptions growth {};
-    // How much plants of one bed differ in addition to their growth.
+    // Individual differences between the plants, in addition to differences in growth.
     variation::Individuality individuality = variation::kPlantsOfOneBed;
-    double age = 1;             // Age of the oldest plants; see Grower::grow().
-    bool all_seasons = false;   // True: adds the unvaried drawing in four seasons.
-    exports::GlbOptions glb {}; // Options of the collection's file; `mesh` contains further ones.
+    double age = 1; // Age of the oldest plants, 1 for fully grown; see Grower::grow().
+    // True: the collection also contains the unvaried drawing in each of four seasons.
+    bool all_seasons = false;
+    exports::GlbOptions glb {}; // Options of collection.glb; those of its meshes are in `mesh`.
     mesh::MeshOptions mesh {};
     std::filesystem::path session {}; // New session file that saves the drawing; empty: none.
 };
 
-// Statistics of the drawing, and what the job made of it.
+// Statistics of the drawing, and of the files that the job wrote.
 struct JobReport : DrawingReport {
     std::string model;
     std::uint64_t seed = 1;
     GrowthOptions growth;
     double age = 1;
     std::size_t plants = 0;
-    std::size_t segments = 0;  // Segments of one plant.
-    std::size_t organs = 0;    // Organs of one plant.
-    std::size_t triangles = 0; // Triangles of one plant.
+    std::size_t segments = 0;  // Number of segments of one plant.
+    std::size_t organs = 0;    // Number of organs of one plant.
+    std::size_t triangles = 0; // Number of triangles of one plant.
     std::uint64_t collection_triangles = 0;
     std::vector<std::filesystem::path> files;
     std::vector<terminal::Progress::StageTime> times;
@@ -55,11 +56,11 @@ struct JobReport : DrawingReport {
 // system has no OpenGL.
 Result<JobReport> run_job(JobOptions const& options, terminal::Progress& progress);
 
-// Fails with a user error if the folder has files with the names that a job writes but no report of
-// an earlier job, which suggests that they are the user's own.
+// Fails with a user error if the folder contains files named like a job's files, but no report.txt
+// of an earlier job: such files may be the user's own.
 Result<void> check_job_folder(std::filesystem::path const& folder);
 
-// Formats the report for the user, as in report.txt.
+// Formats the report for the user; report.txt has the same text.
 std::string print_report(JobReport const& report);
 
 } // namespace tractus::batch

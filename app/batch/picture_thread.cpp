@@ -10,14 +10,15 @@
 
 namespace tractus::batch {
 
-// All members but the thread are guarded by the mutex.
+// State shared by the thread and its callers. All members but `thread` are guarded by the mutex.
 struct PictureThread::Shared {
     ~Shared();
     void run();
 
     std::mutex mutex;
     std::condition_variable changed;
-    std::optional<Result<void>> begun; // Set once the thread is ready to draw or has failed.
+    // Set once the thread is ready to draw or its start has failed.
+    std::optional<Result<void>> begun;
     // Request in progress; null if there is none.
     std::function<void(PictureMaker&)> const* wanted = nullptr;
     bool stop = false;
@@ -87,7 +88,8 @@ void PictureThread::draw(std::function<void(PictureMaker&)> const& draw)
     shared_->changed.wait(lock, [&] { return !shared_->wanted; });
     shared_->wanted = &draw;
     shared_->changed.notify_all();
-    // Another request may already be there when this one is done.
+    // Waits until this request is no longer the current one; another caller's may already have
+    // replaced it.
     shared_->changed.wait(lock, [&] { return shared_->wanted != &draw; });
 }
 

@@ -8,9 +8,10 @@
 
 namespace tractus::batch {
 
-// Makes pictures on a thread of its own, on behalf of any thread. OpenGL keeps data for every
-// thread that has used it. Worker threads of parallel loops end during program exit, when the
-// OpenGL library may already be unloaded; this thread ends earlier.
+// Renders pictures on a thread of its own, on behalf of any thread. OpenGL keeps data for every
+// thread that has used it, and releases them when that thread ends. Worker threads of parallel
+// loops end during program exit, when the OpenGL library may already be unloaded; this thread ends
+// earlier.
 class PictureThread {
 public:
     // Fails like PictureMaker::create(), and if no thread can be started.
@@ -20,8 +21,8 @@ public:
     PictureThread& operator=(PictureThread&&) = delete;
     ~PictureThread();
 
-    // Calls `draw` on that thread and waits until it returns. Concurrent callers wait for their
-    // turn.
+    // Calls `draw` on the picture thread and waits until it returns. Concurrent callers wait for
+    // their turn.
     void draw(std::function<void(PictureMaker&)> const& draw);
 
 private:

@@ -17,8 +17,8 @@ namespace {
 
 constexpr float kStrokeWidth_mm = 4;
 
-// Computes a cut-out plant with alpha from renderings on black and on white: the background shows
-// where they differ. `ground` is the white background alone, which is darker towards the corners.
+// Cuts out a plant from renderings on black and on white: a pixel is transparent as far as the two
+// renderings differ. `ground` is the white background alone, which is darker towards the corners.
 render::Image without_ground(render::Image const& on_black, render::Image const& on_white,
                              render::Image const& ground)
 {
@@ -34,7 +34,7 @@ render::Image without_ground(render::Image const& on_black, render::Image const&
                                      share(white.green, black.green, clear.green),
                                      share(white.blue, black.blue, clear.blue) });
         int const seen = std::max(0, 255 - shown);
-        // The darker rendering has no contribution from the background.
+        // Undoes the mixture with black: divides a colour of the rendering on black by the opacity.
         auto const full = [&](int part) {
             return static_cast<std::uint8_t>(seen > 0 ? std::min(255, part * 255 / seen) : 0);
         };
@@ -94,7 +94,7 @@ std::vector<render::Image> PictureMaker::cutouts(mesh::Mesh const& mesh,
     auto empty = stage;
     empty.meshes.clear();
     std::vector<render::Image> pictures;
-    render::Image ground; // Background for all views of the same size.
+    render::Image ground; // White background without a plant, shared by all views of the same size.
     for (auto const& view : views) {
         auto const before = [&](float grey, render::Stage& seen) {
             seen.backdrop.top = seen.backdrop.bottom = Vec3f::Constant(grey);

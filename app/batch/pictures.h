@@ -30,19 +30,20 @@ public:
     // Fails if the system has no OpenGL; the message says what to install.
     static Result<PictureMaker> create();
 
-    // Renders a lit plant on the ground, as seen by `camera`, by default fitted into the picture. A
-    // shared camera shows all plants of a collection at the same scale.
+    // Renders a lit plant on the ground, as seen by `camera`. Without a camera, the plant is fitted
+    // into the picture. A shared camera shows all plants of a collection at the same scale.
     render::Image plant(mesh::Mesh const& mesh, PictureSize const& size,
                         std::optional<render::Camera> const& camera = {});
 
-    // Renders the strokes and the base plant's skeleton in the drawing volume. The ink follows the
-    // nib, and a branch has the colour of the stroke that shapes it.
+    // Renders the strokes and the base plant's skeleton in the drawing volume. The line width of
+    // strokes follows the nib. A branch has the colour of the stroke that shapes it.
     render::Image strokes(scene::Scene const& scene, std::span<document::DrawnStroke const> strokes,
                           Nib nib, PictureSize const& size);
 
-    // View of a plant with its own colours (Stage::Lighting::Colours), in orthographic projection
-    // from a horizontal direction: a square of `side_mm` around `center_mm`, rendered at `side_px`
-    // pixels with a transparent background.
+    // Region of a view of a plant for a picture with a transparent background. The plant has its
+    // own colours (Stage::Lighting::Colours) and is seen in orthographic projection from a
+    // horizontal direction. The region is a square of `side_mm` around `center_mm`, rendered at
+    // `side_px` pixels.
     struct Cutout {
         Vec3 center_mm = Vec3::Zero();
         double side_mm = 1000;

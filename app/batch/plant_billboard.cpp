@@ -12,7 +12,8 @@ namespace tractus::batch {
 
 static constexpr int kViewSide_px = 256;
 
-// Gives transparent pixels the mean colour of the others, so that mipmaps have no dark fringes.
+// Gives transparent pixels the mean colour of the opaque ones, so that mipmaps have no dark
+// fringes.
 static void fill_transparent(render::Image& picture)
 {
     std::array<std::uint64_t, 3> sum {};
@@ -32,8 +33,8 @@ static void fill_transparent(render::Image& picture)
             pixel = { mean(0), mean(1), mean(2), 0 };
 }
 
-// Radius of the mesh around the vertical axis through `center_mm`, so that the view fits from every
-// side.
+// Returns the mesh's greatest distance from the vertical axis through `center_mm`. A view of this
+// half width shows the whole mesh from every side.
 static double radius_around(Vec3 const& center_mm, mesh::Mesh const& mesh)
 {
     Vec2f const center = center_mm.head<2>().cast<float>();

@@ -6,7 +6,7 @@
 
 namespace tractus::batch {
 
-// Draws a plant from eight sides, at 256 by 256 pixels each.
+// Renders a plant from eight horizontal directions, as pictures of 256 by 256 pixels.
 Result<exports::Billboard> draw_billboard(PictureMaker& pictures, mesh::Mesh const& mesh);
 
 } // namespace tractus::batch

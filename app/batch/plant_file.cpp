@@ -24,7 +24,7 @@ static Result<std::uint64_t> write_glb_file(exports::PlacedMesh const& placed,
     return triangles;
 }
 
-// The .obj file is written last, when the files it refers to exist.
+// Writes an .obj file last, after the .mtl file and images that it refers to.
 static Result<void> write_plant_obj(exports::PlacedMesh const& placed,
                                     std::filesystem::path const& path)
 {
@@ -44,7 +44,8 @@ Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& na
                                        std::filesystem::path const& path,
                                        PlantFileOptions const& options)
 {
-    // The mesh is made while it is written, as plants may be large.
+    // The plant is converted to a mesh while the file is written, as large plants have large
+    // meshes.
     if (path.extension() == ".glb")
         return write_glb_file({ .name = name, .mesh = exports::PlantToMesh { .plant = &plant } },
                               path, options.glb);

@@ -19,16 +19,16 @@ struct PlantFileOptions {
     exports::GlbOptions glb {};
 };
 
-// Writes a plant in the format of `path`'s extension: glTF (.glb), Wavefront OBJ (.obj, with a .mtl
-// and images beside it whose names begin with the same stem), a multiscale tree graph (.mtg,
-// branches and organs without triangles), or a picture (.png) of PictureSize's default size. `name`
-// is the plant's name inside the file. Returns the number of triangles. Fails like write_file(),
-// and for a picture if the system has no OpenGL.
+// Writes a plant in the format of `path`'s extension: glTF (.glb), Wavefront OBJ (.obj, together
+// with a .mtl file and images whose names begin with the same stem), a multiscale tree graph (.mtg,
+// with branches and organs but no triangles), or a picture (.png) of PictureSize's default size.
+// `name` is the plant's name inside the file. Returns the number of triangles. Fails like
+// write_file(), and for a picture if the system has no OpenGL.
 Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& name,
                                        std::filesystem::path const& path,
                                        PlantFileOptions const& options = {});
 
-// Writes a plant that is already a mesh, in any of these formats but .mtg. Fails like
+// Writes a plant's mesh in the format of `path`'s extension: .glb, .obj or .png. Fails like
 // write_plant_file().
 Result<std::uint64_t> write_mesh_file(mesh::Mesh const& mesh, std::string const& name,
                                       std::filesystem::path const& path,

@@ -8,8 +8,8 @@
 
 namespace tractus::batch {
 
-// The visible plants. A scene may hold a modified active plant, or a single plant that belongs to
-// no document.
+// Returns the visible plants of a scene. The scene itself stands for the active plant, which may be
+// modified; a scene outside a document is a single plant.
 static std::vector<scene::BuiltPlant const*> shown_in(scene::Scene const& scene)
 {
     if (scene.plants.empty())
@@ -49,7 +49,7 @@ static Plant const& at_age(Plant const& grown, double age, Plant& young)
     return young;
 }
 
-// The whole plant of a member; `bent` provides storage for it.
+// Returns the whole plant of a member. `bent` provides storage for the result.
 Plant const& PlantGroup::grown(Member& member, variation::PlantKey const& key, double age,
                                Plant& bent)
 {
@@ -63,8 +63,8 @@ Plant const& PlantGroup::grown(Member& member, variation::PlantKey const& key, d
     return *plant;
 }
 
-// The plant of a member in a collection; `plant` provides storage for it. All members share the key
-// of growth; for individual differences each has its own.
+// Returns the plant of a member for a collection. `plant` provides storage for the result. All
+// members share the key of growth; for individual differences each member has a key of its own.
 Plant const& PlantGroup::of_collection(std::size_t number, variation::PlantKey key, double age,
                                        Plant& plant)
 {

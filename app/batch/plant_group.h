@@ -12,8 +12,8 @@
 
 namespace tractus::batch {
 
-// All visible plants of a document, merged into one plant in the frame of the first of them. All
-// have the same variation and age.
+// All visible plants of a document, merged into one plant in the frame of the first of them. The
+// plants of the group vary together: they share the growth key and the age.
 class PlantGroup {
 public:
     // Fails like plan_growth(), and with a user error if all plants are hidden.
@@ -22,18 +22,19 @@ public:
     // The plants as the window shows them: as drawn, with their own growth and age.
     Plant plant_as_displayed();
 
-    // Enables bending growth along the ground instead of into it (bend_along_ground()).
+    // From now on, plants bend along the ground instead of growing into it (bend_along_ground()).
     void keep_above_ground() { is_above_ground_ = true; }
 
-    // Enables individual differences in a collection (variation/individual.h). Each plant turns
-    // about its own base; drawn branches stay.
+    // From now on, the plants have individual differences, as in a collection
+    // (variation/individual.h). Each plant turns about its own base. Drawn branches are never
+    // removed.
     void make_individuals(variation::Individuality const& how) { individuality_ = how; }
 
     // Number of segments of the last returned plant that are below the ground, except roots.
     std::size_t underground() const { return underground_; }
 
-    // The plants for one key of a collection, without parts that have not grown at that age. Owned
-    // by the group and valid until the next call.
+    // Returns the group's plants, merged, for one key of a collection, without the parts that have
+    // not grown at that age. The result is owned by the group and valid until the next call.
     Plant const& grow(variation::PlantKey const& key, double age);
 
 private:
@@ -42,8 +43,9 @@ private:
         std::unique_ptr<variation::GrowthPlan const> plan;
         variation::Grower grower;
         scene::SetGrowth growth;
-        Vec3 moved_mm = Vec3::Zero(); // Translation from its own frame to that of the first plant.
-        std::vector<bool> kept {};    // True for axes that were drawn and the axes that carry them.
+        // Position of the plant's base in the frame of the group's first plant.
+        Vec3 moved_mm = Vec3::Zero();
+        std::vector<bool> kept {}; // For each axis: true if it was drawn or carries a drawn axis.
     };
 
     Plant const& grown(Member& member, variation::PlantKey const& key, double age, Plant& bent);
@@ -57,8 +59,8 @@ private:
     variation::Individuality individuality_ {};
 };
 
-// PlantGroup::plant_as_displayed() of a document, with `along_ground` bent along the ground. Fails
-// like PlantGroup::create().
+// Returns PlantGroup::plant_as_displayed() of a document. With `along_ground`, the plants bend
+// along the ground. Fails like PlantGroup::create().
 Result<Plant> shown_plants(scene::Scene const& scene, bool along_ground = false);
 
 } // namespace tractus::batch

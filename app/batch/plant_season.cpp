@@ -43,7 +43,7 @@ std::vector<scene::Edit> following_edits(scene::Scene const& scene,
     auto const after = scene::apply_edits(scene, all);
     if (!after || !after->state.season)
         return following.edits;
-    // If leaves cannot be grown for the season, only their colour changes.
+    // If leaves cannot be grown for the season, existing leaves only change their colour.
     if (auto const grown = season_edits(*after, after->state.season))
         for (auto const& edit : *grown)
             if (edit.get<scene::KeepLeaves>())

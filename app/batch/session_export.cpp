@@ -33,7 +33,7 @@ public:
     {
     }
 
-    // Sets the subfolder for the files that follow.
+    // Sets the subfolder for files written after this call.
     void enter(fs::path const& inner) { inner_ = folder_ / inner; }
 
     Result<void> write(fs::path const& name, std::string const& text)
@@ -56,7 +56,7 @@ private:
     fs::path inner_;
 };
 
-// Last component of a name that may be a path, with another extension.
+// Returns the last component of a name that may be a path, with its extension replaced.
 fs::path file_name(std::string const& path, char const* ending)
 {
     auto const stem = fs::path(path).stem();
@@ -75,7 +75,8 @@ Result<void> write_plant(FolderWriter& out, lsystem::ModelSource const& source,
     return {};
 }
 
-// Writes a skeleton for parse_obj_lines(): y up, and in metres if it is small.
+// Writes a skeleton in the form that parse_obj_lines() reads: y points up; small plants are in
+// metres.
 Result<void> write_plant(FolderWriter& out, scene::LoadSkeleton const& edit)
 {
     constexpr double kSmall = 100;
@@ -96,11 +97,11 @@ Result<void> write_plant(FolderWriter& out, scene::LoadSkeleton const& edit)
     return out.write(file_name(edit.name, ".obj"), text);
 }
 
-// Writes the plant with its own extension if that fits its format. The name "strokes.txt" is
-// reserved for the strokes.
+// Writes a measured plant. It keeps its own extension if that is .txt and the format allows it. The
+// name "strokes.txt" is reserved for the strokes.
 Result<void> write_plant(FolderWriter& out, scene::LoadMeasured const& edit)
 {
-    // File extensions in the order of the formats.
+    // Default file extensions in the order of LoadMeasured::Format.
     constexpr std::array kEndings { ".mtg", ".csv", ".ply" };
     auto const usual = kEndings[static_cast<std::size_t>(edit.format)];
     auto const own = file_name(edit.name, ".txt");
@@ -109,7 +110,7 @@ Result<void> write_plant(FolderWriter& out, scene::LoadMeasured const& edit)
     return out.write(is_text ? own : file_name(edit.name, usual), edit.text);
 }
 
-// Writes a plant that comes from neither a file nor a model as a graph.
+// Writes a plant that comes from neither a file nor a model, as a graph of its base plant.
 Result<void> write_graph(FolderWriter& out, std::string const& name,
                          scene::PlantSource const& source)
 {
@@ -133,13 +134,13 @@ Result<void> write_source(FolderWriter& out, std::string const& name,
     return source.empty() ? Result<void>() : write_graph(out, name, source);
 }
 
-// Folder for the files of a part, or of a plant other than the document's first.
+// Returns the subfolder for the files of a grafted part, or of a plant other than the first.
 fs::path inner_folder(std::string const& name, scene::ItemId id)
 {
     return fmt::format("{}-{}", file_name(name, "").string(), scene::name_of(id));
 }
 
-// Describes where a plant stands, or to which plant a part is attached, for the user.
+// Describes to the user where a plant is placed, or to which plant a part is attached.
 std::string describe_place(scene::PlantState const& plant, scene::DocumentState const& state)
 {
     auto const& at_mm = plant.stands_at_mm;
@@ -155,8 +156,8 @@ std::string describe_place(scene::Graft const& graft, scene::PlantState const& p
                        fs::path(graft.name).filename().string(), scene::name_of(parent.id));
 }
 
-// Writes each plant and each grafted part: the first plant into the folder itself, all others into
-// folders of their own, as their file names may collide.
+// Writes each plant and each grafted part. The first plant is written into the folder itself. Each
+// other plant or part has a subfolder, as its file names may equal those of the first plant.
 Result<void> write_plants(FolderWriter& out, scene::DocumentState const& state)
 {
     std::string places;
@@ -166,7 +167,7 @@ Result<void> write_plants(FolderWriter& out, scene::DocumentState const& state)
         TRY(write_source(out, plant->name, plant->source));
         places += describe_place(*plant, state);
         for (auto const& graft : plant->grafts) {
-            if (graft.limb) { // Drawn, so it has no file of its own.
+            if (graft.limb) { // A drawn limb has no file of its own.
                 places += fmt::format("{} on plant {}\n", graft.name, scene::name_of(plant->id));
                 continue;
             }

@@ -9,7 +9,7 @@ namespace tractus::batch {
 
 namespace {
 
-// Width at the lightest pressure, as a share of the full width.
+// Line width at the lightest pressure, as a share of the width at full pressure.
 constexpr float kThinnestPart = 0.35f;
 
 Vec3f const kSkeletonColor(0.62f, 0.60f, 0.57f);
@@ -30,8 +30,8 @@ Vec3 world_position(scene::Scene const& scene, NodeId node)
     return scene.placement.world_of_plant(scene.base->node_position_mm[node]);
 }
 
-// The path that an association shapes. Each segment is drawn from its own base, so that a path that
-// continues from an axis into a lateral has no gap.
+// Returns a curve along the path of branches that an association shapes. Each segment is drawn from
+// its own base, so that a path that continues from an axis into a lateral has no gap.
 render::Curve path_curve(scene::Scene const& scene, std::vector<SegmentId> const& path,
                          Vec3f const& color)
 {
@@ -83,7 +83,8 @@ render::Curve stroke_curve(std::vector<TipSample> const& tips, Vec3f const& colo
 
 std::vector<render::Curve> skeleton_curves(scene::Scene const& scene)
 {
-    // Branches that a stroke shapes are left out here and drawn once, in the stroke's colour.
+    // Segments that a stroke shapes are left out of the axes' curves; they are drawn once, in the
+    // stroke's colour.
     std::vector<bool> is_shaped(scene.base->segment_count(), false);
     for (auto const& association : scene.associations)
         for (auto const segment : association.what.path)

@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 6> kNames { "height", "travel", "latency"
 constexpr Duration kPenRest = std::chrono::milliseconds(500);
 constexpr double kPenStill_mm = 4;
 constexpr double kFarthest_mm = 10'000;
-// If there were no readings for longer than this at the end of a capture, the sensor has failed.
+// If the last reading of a capture is older than this at its end, the sensor has failed.
 constexpr Duration kSilence = std::chrono::milliseconds(250);
 
 Result<double> parse_height(std::string_view text)
@@ -100,7 +100,7 @@ void CalibrationController::push(std::size_t device, Timestamp received,
             push_pen(sample);
     } else if (height_decoder_ && device == height_device_) {
         new_heights_.clear();
-        // Ignores decoding errors, as the samples decoded before an error are kept.
+        // Errors are ignored, as the samples decoded before an error are usable.
         (void)height_decoder_->decode(received, report, new_heights_);
         for (auto const& sample : new_heights_)
             push_height(sample);
@@ -146,7 +146,7 @@ void CalibrationController::refuse_capture(std::string_view reason)
     pending_.reset();
 }
 
-// Ends a capture. `now` is the time of the first reading after it.
+// Ends a capture. `now` is the time of the first reading after the capture.
 void CalibrationController::close_capture(Timestamp now)
 {
     auto const last = pending_->samples.empty() ? pending_->begin : pending_->samples.back().time;
@@ -186,7 +186,8 @@ Result<void> CalibrationController::capture(Timestamp time, std::string_view hei
     return {};
 }
 
-// Undoes the last capture. Cancelling a capture in progress keeps an earlier refusal in force.
+// Undoes the last capture. If a capture is in progress, only cancels it; an earlier refusal
+// remains.
 void CalibrationController::undo()
 {
     if (pending_) {
@@ -263,7 +264,7 @@ Result<void> CalibrationController::command(Timestamp time, std::string_view wor
                     takes_captures(procedure()) ? "capture MM, undo or drop N" : "begin or end"));
 }
 
-// Discards everything received before the movement.
+// Begins a movement: discards everything received before it.
 void CalibrationController::begin_movement()
 {
     pens_.clear();
@@ -331,7 +332,7 @@ Result<CalibrationOutcome> CalibrationController::finish_height(std::string cons
     CalibrationOutcome outcome { .rig = calib::with_height(options_.rig, calibration, date),
                                  .height_fit = calibration.fit };
     if (pen_decoder_ && !pen_decoder_->traits().is_size_assumed)
-        // Rounds to micrometres.
+        // Rounded to micrometres.
         outcome.rig.tablet_size_mm = (pen_decoder_->traits().size_mm.array() * 1000).round() / 1000;
     outcome.report = describe(calibration, outcome.rig);
     if (doubt)

@@ -22,17 +22,20 @@ namespace tractus::calibration {
 
 // Calibration procedures.
 enum class CalibrationProcedure {
-    Height,  // Conversion of the sensor's readings to heights.
-    Travel,  // Sideways movement of the surface while it rises.
-    Latency, // Delay of the pen relative to the height.
-    Tilt,    // Offset between the nib and the place where the tablet sees a tilted pen.
-    Zero,    // Position of height zero; the scale stays.
-    Check,   // Determines nothing, but reports the rig's accuracy.
+    Height,  // Determines how the sensor's readings convert to heights.
+    Travel,  // Determines how the surface moves sideways while it rises.
+    Latency, // Determines the delay of the pen's samples relative to the height's.
+    // Determines the offset between the nib and the position that the tablet reports for a tilted
+    // pen.
+    Tilt,
+    Zero,  // Determines the position of height zero again; the scale stays.
+    Check, // Determines nothing, but reports the rig's accuracy.
 };
 
-std::string_view name_of(CalibrationProcedure procedure); // "height", "travel", and so on.
+// Returns "height", "travel", and so on, as on the command line.
+std::string_view name_of(CalibrationProcedure procedure);
 
-// True if a procedure consists of captures at rest. The others consist of one movement.
+// True if a procedure consists of captures at rest. All other procedures consist of one movement.
 bool takes_captures(CalibrationProcedure procedure);
 
 // True if a procedure uses the height sensor.
@@ -44,14 +47,15 @@ inline bool needs_height(CalibrationProcedure procedure)
 // Result of a procedure.
 struct CalibrationOutcome {
     calib::Rig rig {}; // The rig with the new results and a record of the calibration.
-    std::optional<calib::HeightFit> height_fit {}; // Fit of the heights; only after Height.
+    // Fit of the heights; only after the procedure Height.
+    std::optional<calib::HeightFit> height_fit {};
     std::string report {}; // Text for the user; each line ends in a line break.
 };
 
-// A calibration in progress: its input are device reports and the user's commands, its result is a
-// rig. Live devices, simulated ones and logs are treated alike: all input carries its time, and a
-// log of the input gives the same rig. Commands are words, as they follow "calibrate" in a log's
-// tool lines:
+// A calibration in progress. It receives device reports and the user's commands, and computes a
+// rig. All input carries its time, so it makes no difference whether it comes from live devices,
+// simulated devices or a log, and a log of the input gives the same rig. Commands are texts, as
+// they follow the word "calibrate" in a log's tool lines:
 //
 //     capture 120.5    the surface rests at 120.5 mm; sensor readings of the next kCaptureTime are
 //                      the capture
@@ -66,61 +70,61 @@ class CalibrationController {
 public:
     struct Options {
         CalibrationProcedure procedure = CalibrationProcedure::Height;
-        calib::Rig rig {}; // The rig to start from.
+        calib::Rig rig {}; // The rig from which the calibration starts.
         calib::HeightFitOptions height {};
         std::optional<calib::ZeroCause>
-            // Cause of the error of height zero; no value: inferred from the captures, or the
-            // default.
+            // Cause of the error of height zero. No value: it is inferred from the captures if
+            // possible, otherwise the string is assumed to have slipped.
             zero_cause {};
-        bool is_forced = false; // True: a height fit is accepted in spite of a doubt about it.
+        // True: a height fit is accepted in spite of a doubt (HeightFitDoubt) about it.
+        bool is_forced = false;
     };
 
-    // Uses the first pen and the first height sensor. Fails with a user error if the procedure
-    // needs one that is missing, and for Tilt if the tablet reports no tilt.
+    // Uses the first pen and the first height sensor of `devices`. Fails with a user error if one
+    // that the procedure needs is missing, and for Tilt if the tablet does not report tilt.
     static Result<CalibrationController> create(std::span<drivers::DeviceInfo const> devices,
                                                 Options options);
 
-    // Processes one report of one of the devices, in the order of time. Invalid reports are
-    // ignored. An empty report means that the device was disconnected: a capture in progress is
-    // refused if it was the height sensor.
+    // Processes one report of a device; reports must come in order of time. Invalid reports are
+    // ignored. An empty report means that the device was disconnected; if it is the height sensor,
+    // a capture in progress is refused.
     void push(std::size_t device, Timestamp received, std::span<std::byte const> report);
 
     // Processes a command. Fails with a user error for unknown words, and for times that go
     // backwards.
     Result<void> command(Timestamp time, std::string_view words);
 
-    // Sentence about the problem of the last capture and what to do about it; empty if there is
-    // none.
+    // Says what was wrong with the last capture, and what to do about it; empty if it was accepted.
     std::string const& refusal() const { return refusal_; }
 
-    // Reason not to keep the heights captured so far; no value if there is none, if there is no fit
-    // yet, and after procedures other than Height.
+    // A reason to distrust the heights captured so far. No value if there is none, if there is no
+    // fit yet, or if the procedure is not Height.
     std::optional<calib::HeightFitDoubt> doubt() const;
 
-    // The result of Zero if it depends on why heights are off and the cause is not yet known;
-    // otherwise no value.
+    // The provisional result of Zero, while it depends on a cause of the error that is not yet
+    // known; otherwise no value.
     std::optional<calib::Zeroing> open_question() const;
 
     bool is_capturing() const { return pending_.has_value(); }
-    // True between the commands begin and end of a movement.
+    // True between the commands "begin" and "end" of a movement.
     bool is_moving() const { return is_moving_; }
 
     CalibrationProcedure procedure() const { return options_.procedure; }
     calib::Rig const& rig() const { return options_.rig; }
     std::vector<calib::HeightCapture> const& captures() const { return captures_; }
     std::optional<calib::HeightReading> reading() const { return recent_.reading(); }
-    // The sensor from which reading() comes.
+    // Identity of the height sensor that gives reading().
     calib::SensorIdentity const& sensor() const { return sensor_; }
     std::optional<drivers::PenSample> const& pen() const { return pen_; } // Latest pen sample.
     std::size_t touches() const { return touches_; } // Number of touches in the movement so far.
 
-    // True, once per touch, when the pen has touched for a while without moving: the user's sign
-    // that the surface rests. Uses the time of the data.
+    // True, once per touch, when the pen has touched the tablet for a while without moving, by
+    // which the user shows that the surface rests. Measured in the time of the reports.
     bool take_pen_rest();
 
-    // Computes the result of everything so far. Fails like the procedure's fit, if a refused
-    // capture was not repeated, and if there is a doubt about the heights that is not forced. The
-    // report lists every refused capture, including repeated ones.
+    // Computes the result of all input so far. Fails like the procedure's fit, if a refused capture
+    // was not repeated, and if there is a doubt about the heights and `is_forced` is not set. The
+    // report lists every refused capture, including those that were repeated.
     Result<CalibrationOutcome> finish(std::string const& date) const;
 
 private:
@@ -160,14 +164,16 @@ private:
     calib::SensorIdentity sensor_;
 
     calib::RecentReadings recent_;
-    // Kept as a member so that its memory is reused.
+    // Height samples of the current report. A member, so that its memory is reused.
     std::vector<drivers::HeightSample> new_heights_;
-    std::vector<drivers::PenSample> new_pens_; // Kept as a member so that its memory is reused.
+    // Pen samples of the current report. A member, so that its memory is reused.
+    std::vector<drivers::PenSample> new_pens_;
     std::optional<Pending> pending_;
     std::vector<calib::HeightCapture> captures_;
-    std::optional<double> last_ruler_mm_; // Height of the last capture, even if it was dropped.
+    // Height of the last capture by time, even if that capture was dropped.
+    std::optional<double> last_ruler_mm_;
     std::string refusal_;
-    std::vector<std::string> refusals_; // All refusals, for the report.
+    std::vector<std::string> refusals_; // All refusals so far, for the final report.
     std::optional<Timestamp> last_command_;
 
     std::optional<drivers::PenSample> pen_;
@@ -175,10 +181,11 @@ private:
     bool is_rest_reported_ = false;
     bool is_pressing_ = false; // True if the current touch does not belong to the calibration.
 
-    bool is_moving_ = true; // True during a movement; always true in a log without begin and end.
+    // True during a movement. In a log without "begin" and "end", always true.
+    bool is_moving_ = true;
     std::size_t touches_ = 0;
-    std::vector<drivers::PenSample> pens_; // Pen samples of the movement.
-    std::size_t pens_before_touch_ = 0;    // Number of pens_ before the current touch.
+    std::vector<drivers::PenSample> pens_; // Pen samples received during the movement.
+    std::size_t pens_before_touch_ = 0; // Number of samples in pens_ from before the current touch.
     std::vector<drivers::HeightSample> heights_;
 };
 

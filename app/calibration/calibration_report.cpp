@@ -33,7 +33,7 @@ std::string describe_slips(calib::HeightCalibration const& calibration)
     return text;
 }
 
-// Remaining doubts about a successful fit, and what to do about them.
+// Describes doubts that remain after a successful fit, and what to do about them.
 std::string describe_doubts(calib::HeightCalibration const& calibration)
 {
     auto const& fit = calibration.fit;
@@ -182,7 +182,7 @@ std::string describe_question(calib::Zeroing const& zeroing)
 
 std::string describe_heights(double low_mm, double high_mm)
 {
-    // Adding 0.0 avoids "-0.0".
+    // Adding 0.0 turns "-0.0" into "0.0".
     auto const tenths = [](double mm) { return std::round(mm * 10) / 10 + 0.0; };
     return fmt::format("{:.1f} to {:.1f} mm", tenths(low_mm), tenths(high_mm));
 }

@@ -13,7 +13,7 @@ using From = calib::HeightCapture::From;
 using Kind = PlotSeries::Kind;
 
 constexpr int kCurvePoints = 120;
-// Half width of the bands in standard deviations; covers 95 % of a normal distribution.
+// Half width of the error bands in standard deviations; two cover 95 % of a normal distribution.
 constexpr double kBandDeviations = 2;
 
 bool is_slipped(calib::HeightFit const& fit, std::size_t capture)
@@ -33,10 +33,10 @@ constexpr Group kGroups[] { { From::Nowhere, PlotTone::FromNowhere, "first captu
 
 enum class Labels {
     Shown,
-    Hidden, // Labels are hidden, as a plot beside this one shows them.
+    Hidden, // Captures are not in the legend, as a plot beside this one already lists them.
 };
 
-// Adds the captures at the positions that `place` returns; slipped ones as crosses.
+// Adds a point for each capture at the position that `place` returns. Slipped captures are crosses.
 template<typename Place>
 void add_captures(Plot& plot, calib::HeightFit const& fit, Captures captures, Labels labels,
                   Place const& place)
@@ -78,7 +78,8 @@ Plot fit_plot(calib::HeightFit const& fit, Captures captures)
     return plot;
 }
 
-// Adds bands of ±2 standard deviations: of a capture, and of the model itself.
+// Adds two bands of ±2 standard deviations: of the error of a capture, and of the model's own
+// error.
 void add_bands(Plot& plot, calib::HeightFit const& fit)
 {
     double const capture_mm = kBandDeviations * fit.capture_error_mm;
@@ -110,7 +111,7 @@ Plot residual_plot(calib::HeightFit const& fit, Captures captures)
                 .x_label = "height, mm",
                 .y_label = "ruler less model, mm" };
     add_bands(plot, fit);
-    // Outliers are drawn at the border: a slip of 20 mm would flatten everything else.
+    // Larger residuals are drawn at this border: a slip of 20 mm would flatten everything else.
     double border_mm = kBandDeviations * fit.capture_error_mm;
     for (std::size_t i = 0; i < captures.size(); ++i)
         if (!is_slipped(fit, i))
@@ -123,8 +124,8 @@ Plot residual_plot(calib::HeightFit const& fit, Captures captures)
     return plot;
 }
 
-// Shows how far the model's height exceeds the ruler's, separately for upward and downward
-// movement, in order of height, with both means.
+// Plots by how much the model's height exceeds the ruler's, in order of height. Captures after
+// upward and after downward movement have a line each, with their mean.
 Plot hysteresis_plot(calib::HeightFit const& fit, Captures captures)
 {
     Plot plot { .title = "Up against down: too few captures to tell",

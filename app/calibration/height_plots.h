@@ -9,8 +9,9 @@
 
 namespace tractus::calibration {
 
-// Four diagrams of a height calibration: the fit with its captures, the residuals with their
-// expected bands, upward against downward captures, and the scatter of readings at rest.
+// Draws four diagrams of a height calibration: the fitted model with its captures, the residuals
+// with their expected bands, errors after upward against downward movement, and the scatter of
+// readings at rest.
 std::vector<Plot> height_plots(calib::HeightFit const& fit,
                                std::span<calib::HeightCapture const> captures,
                                std::int32_t full_scale_counts);

@@ -13,13 +13,13 @@ namespace tractus::calibration {
 namespace {
 
 constexpr Duration kShowEvery = std::chrono::milliseconds(100);
-// Timeout of a capture.
+// A capture that takes longer than this is cancelled.
 constexpr Duration kCaptureEndsAfter = calib::kCaptureTime + std::chrono::seconds(2);
 constexpr char kEndOfInput = '\4';
 constexpr char kBackspace = '\b';
 constexpr char kDelete = '\177';
 
-// Time in a log: microseconds since its start.
+// Converts a time to the time that a log contains: microseconds since the recording's start.
 Timestamp time_in_log(Timestamp time, Timestamp start)
 {
     auto const since = std::max(time - start, Duration {});
@@ -39,7 +39,7 @@ public:
             is_moving_ = false;
     }
 
-    // Runs the calibration to its end. Returns false if the user quit.
+    // Runs the calibration to its end. Returns false if the user quit or `stop` was set.
     Result<bool> run(std::atomic<bool> const& stop)
     {
         ask();
@@ -87,20 +87,22 @@ private:
         if (was_capturing_)
             return hear_while_capturing();
         if (takes_captures(controller_.procedure()) && controller_.take_pen_rest() && next_height())
-            return enter(newest_); // Captures at the time of the data, however late it is noticed.
+            // The capture begins at the time of the newest report, however late the rest is
+            // noticed.
+            return enter(newest_);
         if (auto const key = next_key())
             return press(*key);
         return {};
     }
 
-    // Handles keys during a capture: only quitting and undo act at once, others wait until it is
-    // over.
+    // Handles keys during a capture. Only quitting and undo act at once; other keys wait until the
+    // capture is over.
     Result<void> hear_while_capturing()
     {
         if (person_.is_script)
             return {};
         auto const key = person_.key();
-        // Ignores the end of input for now, as it is reported again later.
+        // The end of input is ignored here, as the next call reports it again.
         if (!key || *key == kEndOfInput)
             return {};
         if (*key == 'q') {
@@ -117,7 +119,7 @@ private:
         return {};
     }
 
-    // Cancels the capture, as the readings stopped coming.
+    // Cancels the current capture, because no more readings arrive.
     Result<void> give_up_capture()
     {
         was_capturing_ = false;
@@ -194,7 +196,7 @@ private:
         }
         auto const height = next_height();
         if (!height)
-            return {}; // Returns without a capture, as the entered line was empty.
+            return {}; // There is nothing to capture if the line is empty.
         TRY(command(time, "capture " + *height));
         entry_.clear();
         was_capturing_ = controller_.is_capturing();
@@ -202,7 +204,8 @@ private:
         return {};
     }
 
-    // The height that was typed, otherwise one to repeat, otherwise the next of the list.
+    // Returns the typed height, otherwise a height to repeat, otherwise the next height of the
+    // list.
     std::optional<std::string> next_height() const
     {
         if (!entry_.empty())
@@ -262,8 +265,9 @@ private:
         return finish();
     }
 
-    // Drops captures that disagree with the others, so that their heights are measured again. For a
-    // script, they are refused when the rig is computed.
+    // Returns true if the calibration may end. Otherwise drops captures that disagree with the
+    // others, so that their heights are measured again. For a script, such captures are refused
+    // later, when the rig is computed.
     Result<bool> may_finish()
     {
         auto const doubt = controller_.doubt();
@@ -292,8 +296,8 @@ private:
         return {};
     }
 
-    // Continues without a user: rests of the pen capture the remaining heights, and a movement
-    // lasts until the devices end.
+    // Continues after the end of keyboard input: resting the pen captures the remaining heights,
+    // and a movement lasts until the devices end.
     Result<void> go_on_alone()
     {
         if (takes_captures(controller_.procedure()))
@@ -345,7 +349,7 @@ private:
     std::vector<devices::LiveReport> reports_;
     std::string entry_;
     std::string typed_; // Keys typed during a capture.
-    // Heights to capture again, because their captures disagreed with the others.
+    // Heights to capture again, as their first captures disagreed with the others.
     std::vector<double> again_mm_;
     bool was_capturing_ = false;
     Timestamp capture_began_ {};

@@ -15,7 +15,7 @@
 
 namespace tractus::calibration {
 
-// A user at a terminal, or a script that writes to standard input instead. Characters:
+// The user at a terminal, or a script that supplies the same input. Each character is a command:
 //
 //     digits, point, minus   a height; backspace deletes a character
 //     Enter                  captures at that height, or starts and ends the movement
@@ -24,16 +24,16 @@ namespace tractus::calibration {
 //     s, m                   answers that the string slipped or the table moved, when asked
 //     q                      quits at any time without changes
 struct CalibrationPerson {
-    // Next character, or no value if none is waiting. '\4' is the end of input.
+    // Returns the next character, or no value if none is waiting. '\4' is the end of input.
     std::function<std::optional<char>()> key;
     std::function<void(std::string const&)> say;  // Prints a line; the text has no line break.
     std::function<void(std::string const&)> show; // Replaces the status line at the bottom.
-    // True for a script: nobody is there to try again, so a refusal is a failure.
+    // True for a script. Nobody is there to try again, so a refused capture ends the calibration.
     bool is_script = false;
 };
 
 struct LiveCalibrationOptions {
-    // Heights to capture in this order; empty: the user enters them.
+    // Heights to capture, in this order. Empty: the user types each height.
     std::vector<double> heights_mm {};
     bool is_forced = false; // True: captures that disagree need not be repeated.
     // Recorder of the calibration, not owned; null: no recording.
@@ -43,21 +43,22 @@ struct LiveCalibrationOptions {
     std::function<void(Duration)> rest {};
 };
 
-// Runs a calibration with live devices and a user until the end. Heights are captured when the user
-// presses Enter or rests the pen on the tablet. The controller receives times as in a log, so that
-// the recording gives the same rig. After the end of input, rests of the pen capture the remaining
-// heights, and a movement lasts until the devices end. Returns true when complete, false if the
-// user quit or `stop` was set. Fails if the devices end too early, if the recording cannot be
-// written, and, with a script, if a capture is refused or the sensor falls silent during one.
+// Runs a calibration with live devices and a user to its end. A height is captured when the user
+// presses Enter or rests the pen on the tablet. The controller receives the same times as a log
+// would contain, so that a recording gives the same rig. After the end of keyboard input, resting
+// the pen captures the remaining heights, and a movement lasts until the devices end. Returns true
+// when complete, false if the user quit or `stop` was set. Fails if the devices end too early, if
+// the recording cannot be written, and, with a script, if a capture is refused or the sensor stops
+// sending during one.
 Result<bool> calibrate_live(CalibrationController& controller, devices::LiveDevices& devices,
                             CalibrationPerson const& person, LiveCalibrationOptions const& options,
                             std::atomic<bool> const& stop);
 
-// Describes the reading in one line: "2034 counts (49.7 %), noise 1.0, at rest, 123.4 mm". For a
-// procedure without heights it describes the pen's tilt: "leans 23 degrees right, 5 away".
+// Describes the sensor's reading in one line: "2034 counts (49.7 %), noise 1.0, at rest, 123.4 mm".
+// For a procedure without heights, describes the pen's tilt: "leans 23 degrees right, 5 away".
 std::string describe_reading(CalibrationController const& controller);
 
-// What the user does before and during the movement of a procedure, as sentences without a full
+// What the user must do before and during the movement of a procedure, as sentences without a full
 // stop.
 struct MovementInstructions {
     std::string_view before;

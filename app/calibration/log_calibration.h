@@ -9,11 +9,11 @@
 
 namespace tractus::calibration {
 
-// Precedes a calibration's commands in a log's tool lines.
+// First word of a calibration's commands in a log's tool lines.
 constexpr std::string_view kCalibrateTool = "calibrate";
 
-// Repeats a recorded calibration by the commands in its log. Deterministic: the same log and
-// options give the same outcome. Fails like the controller; messages contain the log's name.
+// Repeats a recorded calibration with the commands in its log. Deterministic: the same log and
+// options give the same outcome. Fails like CalibrationController; messages contain the log's name.
 Result<CalibrationOutcome> calibrate_from_log(drivers::Log const& log,
                                               CalibrationController::Options options,
                                               std::string const& date);

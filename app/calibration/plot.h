@@ -7,17 +7,18 @@
 
 namespace tractus::calibration {
 
-// Data of diagrams, drawn as SVG beside the rig file (plot_svg.h) and in the window.
+// Data of diagrams. The diagrams are drawn as SVG beside the rig file (plot_svg.h) and in the
+// window.
 
-// Subject of a series; each renderer has its own colours for them.
+// What a series shows. Each renderer has its own colour for each tone.
 enum class PlotTone {
     Model,     // The fitted model.
-    FromBelow, // Captures after the carriage moved up.
+    FromBelow, // Captures after the surface moved up.
     FromAbove,
     FromNowhere,
-    Slipped,  // Captures that were left out.
-    Expected, // Errors expected of a good fit.
-    Measured, // Errors actually measured.
+    Slipped,  // Captures that the fit left out.
+    Expected, // Range of errors expected of a good fit.
+    Measured, // Errors that were measured.
 };
 
 struct PlotSeries {
@@ -25,13 +26,13 @@ struct PlotSeries {
         Line,
         Dots,
         Crosses,
-        Bars, // Bars from zero to y, `bar_width` wide.
-        Band, // A band between `points` and `upper`.
+        Bars, // Bars from zero to the points' y, `bar_width` wide.
+        Band, // A filled band between `points` and `upper`.
     };
 
     Kind kind = Kind::Line;
     PlotTone tone = PlotTone::Model;
-    std::string label {}; // Text in the legend; empty: not listed.
+    std::string label {}; // Text in the legend; empty: the series is not in the legend.
     std::vector<Vec2> points {};
     std::vector<Vec2> upper {};
     double bar_width = 0;
@@ -46,18 +47,18 @@ struct Plot {
     std::vector<PlotSeries> series {}; // The series in drawing order, the bottom one first.
 };
 
-// Sets low and high so that everything is visible, with a margin.
+// How fit_range() chooses the visible range: everything is visible, with a margin.
 enum class PlotRange {
     Tight,
-    SymmetricY, // The range is symmetric about zero.
+    SymmetricY, // As Tight, but symmetric about y = 0.
     FromZeroY,
 };
 void fit_range(Plot& plot, PlotRange range);
 
-// About `count` round numbers between two values.
+// Returns about `count` round numbers between two values, for the ticks of an axis.
 std::vector<double> ticks_between(double low, double high, int count);
 
-// Formats a tick's number, without rounding noise in its last digits.
+// Formats the value of a tick, without rounding noise in the last digits.
 std::string tick_text(double value);
 
 } // namespace tractus::calibration

@@ -13,7 +13,7 @@ namespace {
 constexpr double kPlotWidth = 600;
 constexpr double kPlotHeight = 430;
 constexpr double kSheetTop = 96;
-constexpr double kLeft = 76; // Margins of a plot around its frame.
+constexpr double kLeft = 76; // Margins between a plot's frame and the edges of its cell, in pixels.
 constexpr double kRight = 24;
 constexpr double kTop = 66;
 constexpr double kBottom = 58;
@@ -173,7 +173,7 @@ private:
 
     void print_legend()
     {
-        constexpr double kLetter = 6.9; // Approximate width of a letter.
+        constexpr double kLetter = 6.9; // Approximate width of a letter, in pixels.
         double x = corner_.x() + kLeft;
         double const y = corner_.y() + 48;
         for (auto const& series : plot_.series) {

@@ -12,7 +12,7 @@ struct PlotSheet {
     std::string subtitle {};
 };
 
-// Draws diagrams two to a row, as an SVG image on white. Deterministic to the byte.
+// Draws diagrams as an SVG image on white, two in a row. The same input gives the same bytes.
 std::string print_svg(PlotSheet const& sheet, std::span<Plot const> plots);
 
 } // namespace tractus::calibration

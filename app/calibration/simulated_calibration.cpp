@@ -10,7 +10,7 @@ namespace tractus::calibration {
 
 namespace {
 
-// Delay between the pen's rest and the capture.
+// Time from when the pen comes to rest until the capture.
 constexpr Duration kCaptureDelay = std::chrono::milliseconds(700);
 
 struct Command {
@@ -18,13 +18,14 @@ struct Command {
     std::string words;
 };
 
-// What the simulated user does: strokes of the hand, and commands.
+// What the simulated user does: pen strokes, and commands.
 struct Performance {
     std::vector<sim::HandStroke> strokes;
-    std::vector<std::string> words; // Commands of the user; for captures there is one per stroke.
+    std::vector<std::string> words; // The user's commands; for captures, one per stroke.
 };
 
-// A pen held still for two seconds, as a line that is too short and slow to count as a movement.
+// Returns a stroke of a pen held still for two seconds: a line too short and slow to count as a
+// movement.
 sim::HandStroke hold_still(double height_mm)
 {
     return { .path
@@ -32,7 +33,7 @@ sim::HandStroke hold_still(double height_mm)
              .speed_mm_s = 1 };
 }
 
-// A nib held in a dent: a line of a tenth of a millimetre.
+// Returns a stroke of a nib held in a dent: a line of a tenth of a millimetre.
 sim::HandStroke stay_in_dent(double height_mm, double seconds)
 {
     constexpr double kDent_mm = 0.1;
@@ -45,7 +46,7 @@ sim::HandOptions hand_of(SimulatedCalibration const& calibration)
 {
     sim::HandOptions options { .seed = calibration.person.seed, .height_tremor_mm = 0.02 };
     if (calibration.procedure == CalibrationProcedure::Tilt) {
-        options.plane_tremor_mm = 0.03; // Small tremor, as the dent holds the nib.
+        options.plane_tremor_mm = 0.03; // The tremor is small, as the dent holds the nib.
         options.tilt_rad = Vec2::Zero();
         options.leaned_around_rad = Vec2(0.7, 0.6);
     }

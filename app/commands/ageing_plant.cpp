@@ -11,7 +11,7 @@ namespace tractus::commands {
 
 namespace {
 
-// A plant whose branches lengthen as its model says.
+// A plant that varied_plant() returns: its growth is simulated by variation::Grower.
 class VariedPlant final : public AgeingPlant {
 public:
     VariedPlant(variation::GrowthPlan plan, scene::Scene const& scene, bool along_ground)
@@ -42,7 +42,7 @@ private:
     Plant bent_;
 };
 
-// A self-organising tree: its ages are the years that it has lived.
+// A self-organising tree, whose ages are the years that it has lived.
 class YearlyPlant final : public AgeingPlant {
 public:
     explicit YearlyPlant(self_organising::TreeFilm film)
@@ -57,7 +57,7 @@ public:
         return plant_;
     }
 
-    // Includes the branches that die at a later age, which grow() leaves out.
+    // Unlike grow(), includes branches that die at a later age.
     Plant parts(double age) override { return film_.plant_at(age * film_.years()); }
 
 private:

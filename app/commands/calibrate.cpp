@@ -49,8 +49,8 @@ struct CalibrateArguments {
     std::string screenshot;
 };
 
-// The rig to start from: its file, otherwise the log's rig, otherwise a new one, which only the
-// height procedure may create.
+// Loads the rig to start from: from its file if that exists, otherwise from the log. If there is
+// neither, only the height procedure starts with a new rig.
 Result<calib::Rig> load_start(CalibrateArguments const& arguments, std::string const& log_rig)
 {
     std::error_code error;
@@ -60,8 +60,8 @@ Result<calib::Rig> load_start(CalibrateArguments const& arguments, std::string c
         return calib::parse_rig(log_rig, arguments.log);
     if (arguments.procedure == calibration::CalibrationProcedure::Height)
         return calib::Rig { .sample_times = calib::SampleTimes::Evened };
-    // A rig without calibrated heights would draw with made-up ones, so only the height procedure
-    // creates a rig.
+    // Without calibrated heights, a rig would draw at wrong heights, so no other procedure may
+    // create a rig.
     bool const needs_heights = calibration::needs_height(arguments.procedure);
     return fail(
         Fault::User,
@@ -134,7 +134,7 @@ calibration::CalibrationPerson person_at(terminal::TerminalKeys& keys)
     };
 }
 
-// Returns no value if the user quit.
+// Calibrates with live devices. Returns no value if the user quit.
 Result<std::optional<calibration::CalibrationOutcome>>
 from_devices(CalibrateArguments const& arguments)
 {
@@ -181,14 +181,14 @@ Result<void> keep(CalibrateArguments const& arguments,
                                + TRY(calibration::save_calibration(outcome, arguments.rig)));
 }
 
-// Opens real devices, or a log that is played in real time.
+// Opens real devices, or a log that is played at its original pace.
 Result<devices::LiveDevices> open_for_window(CalibrateArguments const& arguments)
 {
     if (!arguments.log.empty())
         return open_devices({ arguments.log }, "to calibrate");
     if (!arguments.simulate)
         return open_devices(arguments.devices, "to calibrate");
-    // Shared by the sources of its devices.
+    // The log is shared by the sources of all its devices.
     auto const log = std::make_shared<drivers::Log const>(TRY(simulated_log(arguments)));
     auto const pace = play::pace_from_now(Timestamp {});
     std::vector<std::unique_ptr<drivers::ReportSource>> sources;
@@ -285,7 +285,7 @@ void add_window_options(CLI::App& command, CalibrateArguments& arguments)
         ->needs(window);
 }
 
-// Adds one procedure as a command of its own.
+// Adds the subcommand of one procedure.
 CLI::App* add_procedure(CLI::App& parent, calibration::CalibrationProcedure procedure,
                         std::string const& text, options::Action& action)
 {

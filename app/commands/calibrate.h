@@ -4,8 +4,8 @@
 
 namespace tractus::commands {
 
-// Command `tractus calibrate height|travel|latency|tilt|zero|check`: determines a rig's parameters,
-// or checks their accuracy, and saves them in its file.
+// Command `tractus calibrate height|travel|latency|tilt|zero|check`: determines a rig's parameters
+// and saves them in the rig's file; "check" reports how accurate they are.
 void add_calibrate_command(CLI::App& root, options::Action& action);
 
 } // namespace tractus::commands

@@ -42,7 +42,7 @@ namespace tractus::commands {
 static constexpr int kExitFailure = 1;
 static constexpr int kExitUsage = 2;
 
-// The commands named by the arguments, from the root to the innermost one.
+// Returns the commands that the arguments name, from the root to the innermost subcommand.
 static std::vector<CLI::App const*> chosen_commands(CLI::App const& root)
 {
     std::vector<CLI::App const*> chosen { &root };
@@ -75,14 +75,14 @@ static std::vector<std::string> command_names(CLI::App const& parent)
 {
     std::vector<std::string> names;
     for (auto const* const command : parent.get_subcommands({}))
-        // Skips commands without a group, which --help does not list.
+        // --help does not list commands without a group.
         if (!command->get_group().empty())
             names.push_back(command->get_name());
     return names;
 }
 
-// Message about wrong arguments. An unknown word is reported first, as it may be the cause of a
-// missing argument.
+// Returns the message about wrong arguments. Unknown words are reported first, as a misspelt word
+// may be the cause of a missing argument.
 static std::string usage_error(CLI::App const& root, CLI::ParseError const& error)
 {
     auto const extras = root.remaining(true);
@@ -109,7 +109,7 @@ static int fail_action(Error const& error)
     return kExitFailure;
 }
 
-// Runs the action and turns exceptions from the system or libraries into errors.
+// Runs the action and converts exceptions thrown by the system or by libraries to errors.
 static Result<void> carry_out(options::Action const& action)
 {
     try {
@@ -150,7 +150,7 @@ static void add_commands(CLI::App& root, options::Action& action, tools::Methods
     add_desktop_commands(root, action);
 }
 
-// Sets the groups of commands in --help, by the user's activity.
+// Sets the headings under which --help lists the commands, by the user's activity.
 static void group_commands(CLI::App& root)
 {
     static std::map<std::string, std::string, std::less<>> const groups {
@@ -167,17 +167,17 @@ static void group_commands(CLI::App& root)
         for (auto* const below : command->get_subcommands({}))
             if (!below->get_group().empty())
                 below->group("Commands");
-        // Skips commands without a group, which --help does not list.
+        // --help does not list commands without a group.
         if (command->get_group().empty())
             continue;
         auto const group = groups.find(command->get_name());
-        // Commands that are added by methods belong to "Make plants".
+        // Commands that methods add belong to "Make plants".
         command->group(group == groups.end() ? "Make plants" : group->second);
     }
 }
 
-// The arguments after the program's name in reverse order, as CLI::App::parse() expects. "help X"
-// is turned into "X --help".
+// Returns the arguments after the program's name in reverse order, as CLI::App::parse() expects
+// them. Converts "help X" to "X --help".
 static std::vector<std::string> reversed_arguments(int argc, char const* const* argv)
 {
     std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
@@ -199,7 +199,7 @@ int run_command_line(int argc, char const* const* argv, tools::Methods const& me
     options::Action action;
     add_commands(root, action, methods);
     group_commands(root);
-    root.footer( // Set after the commands are added, as they would inherit it.
+    root.footer( // Set after the commands are added, as they would inherit the footer.
 
         "\"tractus COMMAND --help\" says what each can do; \"tractus demo\" is the way to begin.\n"
         "Exit codes: 0 success, 1 a failure that the message on standard error explains,\n"

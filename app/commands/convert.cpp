@@ -35,7 +35,7 @@ constexpr char const* kTopView = "top";
 struct ConvertArguments {
     fs::path input;
     fs::path output;
-    std::string format; // Output format; empty: determined by the output's name.
+    std::string format; // Output format; empty: determined by the extension of the output's name.
     std::string ids;
     std::string rig;
     std::string height;
@@ -43,7 +43,7 @@ struct ConvertArguments {
     tools::Methods methods;
 };
 
-// Parses ids such as "256c:006e" into both numbers.
+// Parses USB ids such as "256c:006e" as vendor and product numbers.
 std::optional<std::pair<std::uint16_t, std::uint16_t>> parse_ids(std::string const& text)
 {
     auto const number = [](std::string const& digits) -> std::optional<std::uint16_t> {
@@ -73,9 +73,9 @@ CLI::Validator device_ids()
              "" };
 }
 
-// Removes the devices that hid-recorder's format cannot describe (it covers HID devices only, with
-// name, path and ids). Returns the new index of each of the log's devices, or no value for a
-// removed one.
+// Removes the devices that hid-recorder's format cannot describe (it describes HID devices only, by
+// name, path and ids). Returns for each device of the log its new index, or no value if it was
+// removed.
 std::vector<std::optional<std::size_t>> keep_what_hid_recorder_knows(drivers::LogHeader& header)
 {
     std::vector<std::optional<std::size_t>> places;
@@ -136,7 +136,7 @@ bool wants_strokes(ConvertArguments const& arguments)
     return arguments.format.empty() && io::can_write_strokes_to(arguments.output);
 }
 
-// True for tools that draw something, false for those that select, point or erase.
+// True for tools that draw a line; false for tools that select, point or erase.
 bool is_drawing(tools::ToolKind const& tool)
 {
     return tool.previewer && tool.ink.look == tools::InkStyle::Look::Line;

@@ -35,10 +35,10 @@ struct Options {
 
 using Sink = std::function<Result<void>(std::string_view)>;
 
-// Most intervals kept per device; enough for a representative median.
+// Maximum number of intervals kept per device, enough for a representative median.
 constexpr std::size_t kMaxIntervals = 50'000;
 
-// State of one device of the log, and statistics of its reports.
+// Decoder of one device of the log, and statistics of the device's reports.
 struct Device {
     std::unique_ptr<drivers::PenDecoder> pen {}; // Null if the device is not a pen.
     drivers::PenSilence silence {};
@@ -47,7 +47,7 @@ struct Device {
     std::size_t touching = 0;
     std::size_t strokes = 0;
     bool was_touching = false;
-    // Times between samples, of the first kMaxIntervals samples.
+    // Times between successive pen samples, up to kMaxIntervals of them.
     std::vector<Duration> intervals {};
     Timestamp last {};
     std::size_t bad_reports = 0;
@@ -62,7 +62,7 @@ void append_integer(std::string& text, std::int64_t value)
 }
 
 // Appends a number with fixed decimals, several times faster than printf. The absolute value must
-// be below about 1e12.
+// be below 1e12.
 void append_fixed(std::string& text, double value, int decimals)
 {
     static constexpr std::int64_t kPowers[] = { 1, 10, 100, 1'000, 10'000, 100'000, 1'000'000 };
@@ -132,8 +132,8 @@ void count(Device& device, drivers::PenSample const& sample)
     device.was_touching = sample.touching;
 }
 
-// Passes every report of a pen to its decoder, in the log's order. Returns the time from the
-// earliest to the latest report of all devices.
+// Passes every report of a pen to its decoder, in the log's order, and the decoded samples to
+// `use`. Returns the time from the earliest to the latest report of all devices.
 Result<Duration>
 decode_all(drivers::Log const& log, std::vector<Device>& devices,
            std::function<Result<void>(std::size_t, drivers::PenSample const&)> const& use)
@@ -169,8 +169,8 @@ decode_all(drivers::Log const& log, std::vector<Device>& devices,
     return latest - earliest;
 }
 
-// The log's pens. Prints the devices that are not pens on standard error, and fails if there is no
-// pen.
+// Returns the log's pens. Prints a message about each other device on standard error. Fails if
+// there is no pen.
 Result<std::vector<Device>> find_pens(drivers::Log const& log)
 {
     std::vector<Device> devices;
@@ -194,7 +194,7 @@ Result<std::vector<Device>> find_pens(drivers::Log const& log)
     return devices;
 }
 
-// Reports once per device what could not be decoded, and fails if nothing could.
+// Reports for each device what could not be decoded. Fails if nothing could be decoded.
 Result<void> report_problems(drivers::Log const& log, std::vector<Device> const& devices)
 {
     if (auto const warnings = drivers::summarize_warnings(log); !warnings.empty())
@@ -235,8 +235,8 @@ Result<void> write_csv(drivers::Log const& log, bool raw, Sink const& sink)
     return sink(text);
 }
 
-// Median rate as ", typically 200 per second", or an empty text if unknown. The median ignores
-// pauses of the pen.
+// Describes the median rate as ", typically 200 per second", or returns an empty text if it is
+// unknown. Pauses of the pen hardly affect the median.
 std::string describe_rate(std::vector<Duration> intervals)
 {
     if (intervals.empty())
@@ -312,7 +312,8 @@ void add_decode_command(CLI::App& root, options::Action& action)
         "of 1, 2 and 4 for the first, second and third barrel button. A field is empty where\n"
         "the device does not say. --raw adds the counts as the device reports them, y\n"
         "downwards.");
-    auto options = std::make_shared<Options>(); // Shared by the parser's options and the action.
+    // Shared by the parser's options and the command's action.
+    auto options = std::make_shared<Options>();
     command->add_option("LOG", options->log, fmt::format("A recording: {}", options::kRecordings))
         ->required();
     auto* const csv = command->add_flag("--csv", options->csv, "Print one row per pen sample");

@@ -50,7 +50,8 @@ void add_demo_command(CLI::App& root, options::Action& action, tools::Methods co
             bool const is_station = arguments->plant == "station";
             job.model = TRY(files::find_model(is_station ? "birch" : arguments->plant));
             job.all_seasons = is_station;
-            // Coarse meshes: the first file that a new user opens has sixteen times three plants.
+            // The first file that a new user opens contains 16 variations of three plants, so
+            // meshes are coarse.
             if (is_station) {
                 job.growth.season.emplace();
                 job.mesh = { .min_sides = 3,

@@ -53,7 +53,7 @@ Result<void> run(DeriveArguments const& arguments)
 
 void add_derive_command(CLI::App& root, options::Action& action)
 {
-    // Shared with the callback, which outlives this function.
+    // Shared with the command's action, which runs after this function has returned.
     auto const arguments = std::make_shared<DeriveArguments>();
     auto* const command = root.add_subcommand(
         "derive", "Derive an L-system and print its string or its symbols' counts");

@@ -4,7 +4,8 @@
 
 namespace tractus::commands {
 
-// Command `tractus derive MODEL.l`: derives a model's string and prints it or its symbols' counts.
+// Command `tractus derive MODEL.l`: derives a model's string and prints the string or counts of its
+// symbols.
 void add_derive_command(CLI::App& root, options::Action& action);
 
 } // namespace tractus::commands

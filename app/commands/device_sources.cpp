@@ -15,8 +15,8 @@ std::atomic<bool> const& stop_on_signals()
     auto const ask_to_stop = [](int) { stop_asked = true; };
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
-    // SIGHUP means that the terminal was closed. If nohup has made the program ignore it, that is
-    // kept.
+    // SIGHUP means that the terminal was closed. If it was already ignored, as after nohup, it
+    // stays ignored.
     if (std::signal(SIGHUP, ask_to_stop) == SIG_IGN)
         std::signal(SIGHUP, SIG_IGN);
     return stop_asked;

@@ -57,7 +57,7 @@ std::string as_json_text(std::vector<diagnosis::DeviceFacts> const& devices)
         if (device.poll_hz)
             list.back()["poll_hz"] = *device.poll_hz;
     }
-    // Invalid UTF-8 is replaced, as device names can contain any bytes.
+    // Device names can contain any bytes; invalid UTF-8 is replaced.
     return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -99,7 +99,8 @@ void add_devices_command(CLI::App& root, options::Action& action)
         "Converters on GPIO lines cannot be found: they are named by their address,\n"
         "gpio:CHIP:CLK,DIN,DOUT,CS:mcp3208:CHANNEL. Serial lines and channels of industrial\n"
         "I/O are listed, and read only where --device names them.");
-    auto as_json = std::make_shared<bool>(false); // Shared by the parser's flag and the action.
+    // Shared by the parser's flag and the command's action.
+    auto as_json = std::make_shared<bool>(false);
     command->add_flag("--json", *as_json, "Print a JSON array");
     command->callback([&action, as_json] {
         action = [as_json]() -> Result<void> {

@@ -40,7 +40,7 @@ struct DoctorArguments {
     bool as_json = false;
     bool install_rules = false;
     bool for_group = false;
-    std::string surface; // Width and height in millimetres, such as "254x159".
+    std::string surface; // Width and depth of the active area in millimetres, such as "254x159".
     std::string rig_file = files::user_rig_path().string();
     std::string rules_file = "/etc/udev/rules.d/70-tractus.rules";
 };
@@ -71,8 +71,8 @@ diagnosis::Finding all_is_well(diagnosis::DeviceReading const& reading)
     return finding;
 }
 
-// True if the device is a tablet's additional node, for keys or fingers, while another node carries
-// the pen.
+// True if the device is a tablet's additional device, for keys or fingers, while another device of
+// the same USB ids carries the pen.
 bool is_beside_a_pen(diagnosis::DeviceReading const& reading,
                      std::vector<diagnosis::DeviceReading> const& all)
 {
@@ -101,7 +101,7 @@ void judge(std::vector<diagnosis::DeviceMonitor> const& monitors, Duration liste
     append(findings, diagnosis::diagnose_together(readings));
 }
 
-// Listens to the devices while the user moves the pen.
+// Listens to the devices for `seconds` while the user moves the pen, and adds findings about them.
 Result<void> listen(devices::LiveDevices& devices, double seconds,
                     std::vector<diagnosis::Finding>& findings)
 {
@@ -128,7 +128,7 @@ Result<void> listen(devices::LiveDevices& devices, double seconds,
     return {};
 }
 
-// Examines the devices of the machine that can be opened.
+// Examines the machine, and those of its devices that can be opened.
 Result<void> examine_machine(DoctorArguments const& arguments,
                              std::vector<diagnosis::Finding>& findings)
 {
@@ -189,7 +189,7 @@ Result<void> install_rules(DoctorArguments const& arguments)
                             : ""));
 }
 
-// Parses a size such as "254x158.75".
+// Parses two sides in millimetres, such as "254x158.75".
 std::optional<Vec2> parse_sides(std::string_view text)
 {
     Vec2 sides_mm;
@@ -209,7 +209,7 @@ std::string expected_sides()
                        calib::kMinSurfaceSide_mm, calib::kMaxSurfaceSide_mm);
 }
 
-// Saves the measured size of the active area in the rig.
+// Saves the size of the active area, as the user measured it, in the rig's file.
 Result<void> write_sides(calib::Rig rig, Vec2 const& sides_mm, std::string const& rig_file)
 {
     rig.tablet_size_mm = rig.surface_mm.emplace(sides_mm);
@@ -227,8 +227,8 @@ Result<void> measure_surface(DoctorArguments const& arguments)
     return write_sides(TRY(calib::load_rig(arguments.rig_file)), *sides_mm, arguments.rig_file);
 }
 
-// Asks the user at the terminal for the size that the tablet does not report, until the answer is
-// valid or empty. Skipped if there is no rig to save it in, or if the rig has the size already.
+// Asks the user at the terminal for the size of a tablet that does not report it, until the answer
+// is valid or empty. Does nothing if there is no rig file, or if the rig has the size already.
 Result<void> ask_for_sides(std::string const& tablet, std::string const& rig_file)
 {
     std::error_code ignored;

@@ -4,7 +4,7 @@
 
 namespace tractus::commands {
 
-// Command `tractus doctor`: finds out why devices do not work, and what to do about it.
+// Command `tractus doctor`: finds out why devices do not work, and says how to mend it.
 void add_doctor_command(CLI::App& root, options::Action& action);
 
 } // namespace tractus::commands

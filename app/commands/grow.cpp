@@ -43,16 +43,18 @@ struct GrowArguments {
     options::DrawingArguments drawing;
     std::filesystem::path output;
     batch::PlantFileOptions file;
-    std::size_t ages = 0;   // Number of ages of an animation in one file; 0: no animation.
-    std::size_t frames = 0; // Number of frames of an animation in separate files; 0: no animation.
+    // Number of ages in an animation that is written as one file; 0: no such animation.
+    std::size_t ages = 0;
+    // Number of files in an animation with one file per age; 0: no such animation.
+    std::size_t frames = 0;
     double seconds = 10;
-    // Habit of a self-organising tree, which grows from a seed or, if there is a model, from the
-    // model's plant. Empty: no such tree.
+    // Habit of a self-organising tree. The tree grows from a seed or, if a model is given, from the
+    // model's plant. Empty: no self-organising tree.
     std::string habit;
     int years = 20;       // Number of years that the self-organising tree grows.
-    int stand = 1;        // Number of trees that grow beside each other.
+    int stand = 1;        // Number of self-organising trees that grow beside each other.
     double spacing_m = 4; // Distance between neighbouring trees.
-    bool fills = false;   // True: the tree fills the crown of the model, whose outline was drawn.
+    bool fills = false;   // True: the tree fills the outlined crown of the model's plant.
     bool report = false;
 
     bool is_varied() const
@@ -67,7 +69,7 @@ struct GrowArguments {
     }
 };
 
-// Path of a frame: tree.glb becomes tree-01.glb and so on.
+// Returns the path of a frame's file: tree.glb becomes tree-01.glb and so on.
 std::filesystem::path frame_path(std::filesystem::path const& output, std::size_t frame,
                                  std::size_t frames)
 {
@@ -86,7 +88,7 @@ ageing_plant(GrowArguments const& arguments, scene::Scene const& scene, std::str
         : plant_of_ages(scene, document::make_load_options(arguments.cost));
 }
 
-// Message about what was written; a graph has no triangles to count.
+// Describes what was written. An .mtg graph has no triangles to count.
 std::string describe_result(Plant const& plant, std::uint64_t triangles,
                             std::filesystem::path const& output)
 {
@@ -95,13 +97,14 @@ std::string describe_result(Plant const& plant, std::uint64_t triangles,
     return output.extension() == ".mtg" ? text : fmt::format("{}, {} triangles", text, triangles);
 }
 
-// Age of the plant in a frame: ages are evenly spaced, and the last one is fully grown.
+// Returns the age of the plant in a frame, counted from 1. Ages are evenly spaced; in the last
+// frame the plant is fully grown.
 double age_of(std::size_t frame, std::size_t frames)
 {
     return static_cast<double>(frame) / static_cast<double>(frames);
 }
 
-// Writes a file for each age, with the parts grown by then.
+// Writes a file for each age, with those parts of the plant that have grown by then.
 Result<void> write_sequence(GrowArguments const& arguments, scene::Scene const& scene,
                             std::string const& name)
 {
@@ -110,7 +113,8 @@ Result<void> write_sequence(GrowArguments const& arguments, scene::Scene const& 
     if (arguments.output.extension() == ".png") {
         render::Framing framing({}, batch::PictureSize().aspect());
         framing.add(mesh::make_mesh(ageing->parts(1)));
-        file.camera = framing.camera(); // One camera for all ages, fitted to the fully grown plant.
+        // All ages share one camera, which is fitted to the fully grown plant.
+        file.camera = framing.camera();
     }
     for (std::size_t i = 1; i <= arguments.frames; ++i) {
         double const age = age_of(i, arguments.frames);
@@ -123,7 +127,7 @@ Result<void> write_sequence(GrowArguments const& arguments, scene::Scene const& 
     return {};
 }
 
-// Writes all ages into one file, as morph targets.
+// Writes all ages into one file, as morph targets of one mesh.
 Result<void> write_animation(GrowArguments const& arguments, scene::Scene const& scene,
                              std::string const& name)
 {
@@ -178,7 +182,8 @@ Result<void> write_varied(GrowArguments const& arguments, scene::Scene const& sc
     return write_one(arguments, plant, name);
 }
 
-// Prints a list of measurements of each plant of a scene, and writes the plants if a file is named.
+// Prints a list of measurements of each plant of a scene. Also writes the plants if an output file
+// is named.
 Result<void> report_all(GrowArguments const& arguments, scene::Scene const& scene,
                         std::string const& name)
 {
@@ -197,7 +202,7 @@ Result<void> report_all(GrowArguments const& arguments, scene::Scene const& scen
     return terminal::print_out(list + "]\n");
 }
 
-// Warns if drawn indicators have no effect because growth does not follow them.
+// Warns if indicators were drawn but growth is set not to follow them.
 void warn_of_ignored_indicators(scene::Scene const& scene)
 {
     auto const& growth = scene.growth;
@@ -209,8 +214,8 @@ void warn_of_ignored_indicators(scene::Scene const& scene)
         scene.indicators.size(), scene.indicators.size() == 1 ? "" : "s"));
 }
 
-// Loads a session. The session defines how its plant is derived; a different seed gives another
-// variation of it.
+// Loads a session. Its plant is derived as saved in the session; a seed among the arguments only
+// selects another variation.
 Result<scene::Scene> load_session(GrowArguments const& arguments, std::filesystem::path const& path,
                                   scene::EditKinds kinds)
 {
@@ -225,7 +230,7 @@ Result<scene::Scene> load_session(GrowArguments const& arguments, std::filesyste
     return scene::apply_edit(std::move(scene), growth);
 }
 
-// Loads a model. Without growth options it is shown as derived, without variation.
+// Loads a model. Without growth options the plant is shown as derived, without variation.
 Result<scene::Scene> load_model_scene(GrowArguments const& arguments,
                                       std::filesystem::path const& path)
 {
@@ -252,7 +257,8 @@ Result<scene::Scene> load_model_scene(GrowArguments const& arguments,
                                                 arguments.model.seed.value_or(1) });
 }
 
-// Loads a tree that grows by itself. Without growth options it is not varied.
+// Grows a self-organising tree, or a stand of such trees. Without growth options the tree is not
+// varied.
 Result<scene::Scene> load_tree_scene(GrowArguments const& arguments)
 {
     if (arguments.is_for_a_model())
@@ -274,7 +280,8 @@ Result<scene::Scene> load_tree_scene(GrowArguments const& arguments)
                              scene::SetGrowth { TRY(variation::growth_preset("as drawn")), seed });
 }
 
-// Applies growth options to a scene. A given variability is multiplied by the session's.
+// Applies growth options to a scene. Without a preset, growth keeps the session's parameters, and
+// the given variability multiplies the session's.
 Result<scene::Scene> with_growth(batch::GrowthOptions const& options, scene::Scene scene)
 {
     auto growth = scene.growth;
@@ -302,7 +309,7 @@ Result<scene::Scene> add_drawing(batch::DrawingOptions const& options, scene::Sc
     return std::move(drawing.scene);
 }
 
-// The plant that the arguments name.
+// The plant that the command's arguments select, and its name.
 struct NamedPlant {
     scene::Scene scene;
     std::string name;
@@ -437,7 +444,7 @@ void add_grow_command(CLI::App& root, options::Action& action, tools::Methods co
     auto* const command = root.add_subcommand(
         "grow", "Grow a model and write it as glTF, OBJ, a graph or a picture");
     options::add_model_options(*command, arguments->model);
-    // Not required, as a habit may be given in place of a model.
+    // MODEL is optional here, as a habit may be given instead.
     command->get_option("MODEL")->required(false);
     add_habit_options(*command, *arguments);
     options::add_cost_options(*command, arguments->cost);

@@ -41,8 +41,8 @@ std::string features_text(lsystem::Model const& model)
     return text;
 }
 
-// Describes the drawn plant and lists all warnings. Those about skipped symbols arise only when the
-// string is drawn.
+// Describes the drawn plant and lists all warnings. The string is drawn here, as warnings about
+// skipped symbols arise only then.
 Result<std::string> drawing_text(lsystem::Model const& model, lsystem::ModuleString const& string,
                                  lsystem::DeriveOptions const& options)
 {
@@ -85,7 +85,7 @@ Result<void> check(LsystemArguments const& arguments)
     return {};
 }
 
-// Rules of the example that `tractus lsystem new` writes; comments explain each line.
+// Rules of the example model that `tractus lsystem new` writes. Its own comments explain each line.
 constexpr std::string_view kNewModel = R"(/* A young tree. Change a number, save, and look again:
      tractus grow THIS.l -o tree.png */
 #define STEPS 7     /* of growth */
@@ -105,7 +105,7 @@ A(s) --> ~l(4)
 endlsystem
 )";
 
-// View of the example that `tractus lsystem new` writes.
+// View file of the example model that `tractus lsystem new` writes.
 constexpr std::string_view kNewView
     = R"(/* How the tree looks: colours, and the organs that the rules draw by ~LETTER. */
 material: 1 bark kind=bark color=0.43,0.36,0.30
@@ -114,8 +114,7 @@ initial color: 1
 organ: l leaf kind=blade material=2 length=4 width=2.2 petiole=0.6
 )";
 
-// Fails if the name is that of a view, or if a file of the rules' or the view's name exists
-// already.
+// Fails if the model's path equals that of its view file, or if either file exists already.
 Result<void> check_new_model(std::filesystem::path const& path, std::filesystem::path const& view)
 {
     if (view == path)
@@ -148,7 +147,8 @@ struct ImportArguments {
     std::string notation;
 };
 
-// Reads a model in another notation: the one that the options name, otherwise the recognised one.
+// Reads a model in another program's or a book's notation: the notation named by the options,
+// otherwise the one that is recognised.
 Result<lsystem::ImportedModel> read_imported(ImportArguments const& arguments)
 {
     constexpr std::size_t kMaxFileSize = std::size_t { 16 } << 20;
@@ -186,7 +186,7 @@ Result<void> import_model(ImportArguments const& arguments)
 
 void add_import_command(CLI::App& command, options::Action& action)
 {
-    // Shared with the callback, which outlives this function.
+    // Shared with the command's action, which runs after this function has returned.
     auto const arguments = std::make_shared<ImportArguments>();
     auto* const import_command = command.add_subcommand(
         "import", "Make a model of one in a book's or another program's notation");
@@ -219,14 +219,14 @@ void add_lsystem_command(CLI::App& root, options::Action& action)
     add_import_command(*command, action);
     auto* const check_command = command->add_subcommand(
         "check", "List what a model uses, its warnings, and the modules after each step");
-    // Shared with the callback, which outlives this function.
+    // Shared with the commands' actions, which run after this function has returned.
     auto const arguments = std::make_shared<LsystemArguments>();
     options::add_model_options(*check_command, arguments->model);
     options::add_cost_options(*check_command, arguments->cost);
     options::add_companion_options(*check_command, arguments->companions);
     check_command->callback(
         [&action, arguments] { action = [arguments] { return check(*arguments); }; });
-    // Path of the new file; shared with the callback.
+    // Path of the new file; shared with the command's action.
     auto const new_path = std::make_shared<std::string>();
     auto* const new_command
         = command->add_subcommand("new", "Write a commented L-system and its view to begin with");

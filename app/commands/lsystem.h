@@ -4,8 +4,8 @@
 
 namespace tractus::commands {
 
-// Command `tractus lsystem check MODEL [-n STEPS] [--seed N]`: reports whether a model is
-// understood, which language features it uses, and how its string grows.
+// Command `tractus lsystem check MODEL [-n STEPS] [--seed N]`: reports whether a model can be read,
+// which language features it uses, and how its string grows.
 void add_lsystem_command(CLI::App& root, options::Action& action);
 
 } // namespace tractus::commands

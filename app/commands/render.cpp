@@ -36,7 +36,8 @@ struct Size {
     int height = 0;
 };
 
-// Parses a size such as "1200x900". No value if the text is not a size or is out of range.
+// Parses a size in pixels such as "1200x900". Returns no value if the text is not a size or out of
+// range.
 std::optional<Size> parse_size(std::string_view text)
 {
     Size size;
@@ -95,7 +96,7 @@ Result<void> run(RenderArguments const& arguments, scene::EditKinds kinds)
 
 void add_render_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
-    // Shared with the callback, which outlives this function.
+    // Shared with the command's action, which runs after this function has returned.
     auto const arguments = std::make_shared<RenderArguments>();
     auto* const command = root.add_subcommand(
         "render", "Draw the plants of a glTF file, or of a session, as a picture");

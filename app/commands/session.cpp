@@ -23,14 +23,14 @@ namespace tractus::commands {
 namespace {
 
 struct SessionArguments {
-    scene::EditKinds kinds; // Kinds of edits that this program knows.
+    scene::EditKinds kinds; // Kinds of edits that this program can apply.
     std::filesystem::path file;
     std::filesystem::path folder = ".";
     std::filesystem::path repaired {};
-    std::string plant {}; // Plant to use in place of a lost one.
+    std::string plant {}; // File of a plant that replaces a lost plant.
 };
 
-// Date in UTC, so that the output is the same everywhere.
+// Formats the date in UTC, so that the output does not depend on the time zone.
 std::string date_text(std::chrono::sys_seconds time)
 {
     constexpr std::int64_t kEndOfYear9999 = 253'402'300'799;
@@ -40,13 +40,13 @@ std::string date_text(std::chrono::sys_seconds time)
     return fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(static_cast<std::time_t>(seconds)));
 }
 
-// The readable part of a session, and the error if that is not all of it.
+// The readable part of a session, and the error if the session is damaged.
 struct ReadSession {
     session::SessionContents contents;
     Result<void> whole {};
 };
 
-// Reads a session; if the file is damaged, its intact part is used.
+// Reads a session. If the file is damaged, reads the part before the damage.
 Result<ReadSession> read_what_is_whole(SessionArguments const& arguments)
 {
     auto contents = session::read_session(arguments.file, arguments.kinds);
@@ -63,7 +63,7 @@ Result<void> print_info(SessionArguments const& arguments)
 {
     auto const [contents, whole] = TRY(read_what_is_whole(arguments));
     auto const [scene, edits, unknown, skipped_steps] = TRY(batch::fold_session(contents));
-    // A set, so that a stroke that shapes several branches counts once.
+    // A set counts a stroke once, even if it shapes several branches.
     std::set<Timestamp> strokes;
     std::size_t orphans = 0;
     std::size_t segments = 0;
@@ -119,7 +119,7 @@ Result<void> print_log(SessionArguments const& arguments)
     return whole;
 }
 
-// Formats numbers with ranges: "3, 7 to 9 and 12".
+// Formats a list of numbers, with ranges, as "3, 7 to 9 and 12".
 std::string print_numbers(std::vector<std::int64_t> const& numbers)
 {
     std::vector<std::string> ranges;
@@ -202,7 +202,7 @@ CLI::App& add_part(CLI::App& command, std::string const& name, std::string const
 
 void add_session_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
-    // Shared with the callbacks, which outlive this function.
+    // Shared with the commands' actions, which run after this function has returned.
     auto const arguments = std::make_shared<SessionArguments>();
     arguments->kinds = methods.edits;
     auto* const command = root.add_subcommand("session", "Look into what the station has kept");

@@ -29,7 +29,7 @@ struct SimArguments {
     std::optional<double> rate_hz;
 };
 
-// The devices that were named, by default all.
+// Returns the indices of the devices that the arguments name, by default of all devices.
 Result<std::vector<std::size_t>> choose_devices(drivers::Log const& log,
                                                 SimArguments const& arguments)
 {

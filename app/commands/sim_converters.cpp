@@ -30,13 +30,14 @@ struct SimEncoderArguments {
     unsigned counts = 40;
 };
 
-// How long an encoder rests before and after its movement. A reader starts counting while it rests,
-// and has read all edges before it disappears.
+// Time for which a simulated encoder rests before and after its movement. During the first rest a
+// reader starts counting; during the last one it reads the remaining edges before the encoder
+// disappears.
 constexpr Duration kEncoderRest = std::chrono::seconds(2);
 
-// Plays a recording's heights on a converter and finally triggers its fault, if any. Time starts
-// with the first read request, as the kernel's own driver may open the converter without reading
-// it. The height may rest at the start and the end.
+// Plays a recording's heights on a simulated converter and finally triggers its fault, if one is
+// set. Time starts with the first read request, as the kernel's own driver may open the converter
+// without reading it. The height rests for `rest` at the start and at the end.
 class HeightPart final : public play::DevicePart {
 public:
     explicit HeightPart(sim::HeightCurve heights, Duration rest = Duration(0))

@@ -4,7 +4,7 @@
 
 namespace tractus::commands {
 
-// Adds "tractus sim mcp2221a", "desk", "cp2112" and "encoder" to the command `sim`.
+// Adds the commands "tractus sim mcp2221a", "desk", "cp2112" and "encoder" to the command `sim`.
 void add_sim_converter_commands(CLI::App& sim, options::Action& action);
 
 } // namespace tractus::commands

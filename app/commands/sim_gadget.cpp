@@ -18,7 +18,7 @@ namespace tractus::commands {
 
 namespace {
 
-// USB ids of pid.codes, which reserves 1209:0001 to 1209:0010 for private tests.
+// USB ids for private tests: pid.codes reserves 1209:0001 to 1209:0010 for them.
 constexpr std::uint16_t kTestVendor = 0x1209;
 constexpr std::uint16_t kSensorProduct = 0x0002;
 constexpr std::uint16_t kPenProduct = 0x0003;
@@ -31,7 +31,7 @@ struct SimGadgetArguments {
     std::string name = "tractus";
 };
 
-// Gadget functions; the gadget must outlive them.
+// Functions of the USB gadget, which must outlive them.
 struct Functions {
     std::vector<std::unique_ptr<sim::GadgetHid>> pens;
     std::vector<std::unique_ptr<play::ReportPart>> pen_parts;
@@ -66,8 +66,8 @@ std::vector<std::size_t> pens_in(drivers::Log const& log)
     return pens;
 }
 
-// Identity of the gadget. A recorded tablet keeps its own ids, by which programs recognise it; the
-// simulated tablet and a sensor alone get the test ids.
+// Returns the gadget's USB identity. A recorded tablet keeps its own ids, as programs recognise it
+// by them; a simulated tablet or a sensor without a tablet gets the test ids.
 sim::UsbGadgetIdentity identity_of(drivers::Log const& log, std::vector<std::size_t> const& pens,
                                    std::string const& name)
 {

@@ -92,7 +92,7 @@ std::function<play::NextReport()> reports_of(drivers::Log const& log, std::size_
                                              std::optional<double> rate_hz)
 {
     return [&log, device, rate_hz]() -> play::NextReport {
-        // Shared, as std::function objects are copied.
+        // std::function objects are copied; the copies share this source.
         auto const source = std::make_shared<drivers::LogSource>(log, device);
         return [&log, source, rate_hz,
                 count = 0]() mutable -> Result<std::optional<drivers::RawReport>> {

@@ -25,9 +25,9 @@ namespace tractus::commands {
 namespace {
 
 struct StreamArguments {
-    std::string log; // Log to stream; empty: read devices.
+    std::string log; // Path of the log to stream; empty: live devices are read.
     std::vector<std::string> devices;
-    std::string socket; // Socket to write to; empty: standard output.
+    std::string socket; // Path of the socket to write to; empty: standard output.
     std::string rig;
     std::string height;
     std::optional<double> speed;
@@ -48,7 +48,7 @@ Result<stream::StreamOutput> open_stream_output(StreamArguments const& arguments
     return output;
 }
 
-// Warns about reports that could not be decoded.
+// Warns if the station received reports that could not be decoded.
 void warn_of_losses(station::Station const& station)
 {
     auto const& counts = station.counts();
@@ -72,7 +72,7 @@ Result<void> stream_recording(StreamArguments const& arguments)
     auto replay = TRY(station::LogReplay::create(log, options));
     for (auto const& sentence : replay.left_out())
         terminal::print_warning(sentence);
-    // Installs the signal handlers before the socket is created, so that it gets removed on exit.
+    // Installed before the socket is created, so that a signal during streaming still removes it.
     auto const& stop = stop_on_signals();
     auto output = TRY(open_stream_output(arguments, replay.station().volume_mm()));
     TRY(stream::stream_log(replay, output, arguments.speed, stop));
@@ -88,7 +88,8 @@ bool has_sensor_of_height(devices::LiveDevices const& devices)
     });
 }
 
-// The rig that was named, otherwise the played log's, otherwise the user's own.
+// Returns the rig that the arguments name, otherwise that of the played log, otherwise the user's
+// own.
 Result<std::optional<calib::Rig>> find_stream_rig(StreamArguments const& arguments,
                                                   devices::LiveDevices const& devices)
 {
@@ -102,7 +103,8 @@ Result<std::optional<calib::Rig>> find_stream_rig(StreamArguments const& argumen
     return std::optional<calib::Rig>();
 }
 
-// A rig with the size of the first tablet, if no other rig is known.
+// Returns a rig that only knows the size of the first tablet, for use if there is no calibrated
+// rig.
 calib::Rig rig_of_first_tablet(devices::LiveDevices const& devices)
 {
     calib::Rig rig;

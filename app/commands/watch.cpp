@@ -26,7 +26,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration kScreenPeriod = 100ms; // Time between updates; nobody can read faster ones.
+// Time between updates of the screen; faster ones could not be read.
+constexpr Duration kScreenPeriod = 100ms;
 constexpr Duration kPlainPeriod = 1s;
 constexpr std::size_t kPlainWidth = 200;
 
@@ -40,7 +41,7 @@ Timestamp now()
     return Timestamp(diagnosis::read_clocks().monotonic);
 }
 
-// The devices and their statistics, and the recording while there is one.
+// The watched devices, their statistics and, while one is running, the recording.
 class Watch {
 public:
     explicit Watch(devices::LiveDevices devices)
@@ -76,7 +77,7 @@ public:
         return devices::watch_lines(readings, width);
     }
 
-    // Starts a recording in the working folder, or ends it.
+    // Starts a recording in the working folder, or ends the current one.
     Result<void> toggle_recording()
     {
         if (recorder_) {
@@ -108,10 +109,11 @@ public:
 
 private:
     devices::LiveDevices devices_;
-    std::vector<diagnosis::DeviceMonitor> monitors_; // Statistics of the devices, one per device.
-    std::vector<devices::LiveReport> reports_; // Kept as a member so that its memory is reused.
+    std::vector<diagnosis::DeviceMonitor> monitors_; // Statistics of each device.
+    // New reports of the devices. A member, so that its memory is reused.
+    std::vector<devices::LiveReport> reports_;
     std::optional<devices::LiveRecorder> recorder_;
-    std::string recording_; // Path of the recording.
+    std::string recording_; // Path of the current recording.
     std::string status_;
 };
 
@@ -151,7 +153,7 @@ Result<void> run(WatchArguments const& arguments)
         if (terminal)
             wants_to_end = TRY(take_keys(*terminal, watch));
         bool const is_over = arguments.seconds && to_seconds(now() - begin) >= *arguments.seconds;
-        // After the end of a log, the last state stays on the screen until a key is pressed.
+        // At the end of a log, the screen stays until a key is pressed.
         goes_on = !stop && !wants_to_end && !is_over && (terminal || watch.goes_on());
         if (now() >= next || !goes_on) {
             next = now() + (terminal ? kScreenPeriod : kPlainPeriod);

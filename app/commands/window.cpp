@@ -44,25 +44,28 @@ constexpr auto kUsualModel = "broadleaf";
 
 struct WindowArguments {
     tools::Methods methods;
-    std::string file; // A log or a session; sort_out() moves it to `log` or `session`.
+    // A log, a session or a plant's file; sort_out() moves it to the field for its kind.
+    std::string file;
     std::string log;
     std::vector<std::string> devices;
-    std::string played; // A log whose devices are treated as real ones.
+    std::string played; // Log whose devices are treated like connected ones.
     std::string recording;
-    std::vector<std::string> least; // Pairs TOOL=MM; see tools/min_extent.h.
+    // Minimum extents of strokes as texts TOOL=MM; see tools/min_extent.h.
+    std::vector<std::string> least;
     std::string session;
-    // Model to draw on; empty: the start page, or kUsualModel if there is no start page.
+    // Model to draw on. Empty: the start page opens, or kUsualModel without a start page.
     std::string model;
-    bool wants_start_page = false; // True: opens the start page whatever the other arguments are.
+    bool wants_start_page = false; // True: opens the start page, regardless of the other arguments.
     std::string rig;
     std::string height;
-    std::string picture; // Picture to lay behind the drawing.
-    std::string socket;  // Socket on which other programs receive strokes; empty: none.
+    std::string picture; // Picture file to lay behind the drawing.
+    std::string socket;  // Path of a socket on which other programs receive strokes; empty: none.
     bool fills_display = false;
-    std::string display; // Name of the display to fill; empty: see `fills_display`.
+    std::string display; // Name of the display to fill; empty: none is named, see `fills_display`.
     std::string view;    // Initial view, one of window::shown_words(); empty: not given.
     bool is_on_stage = false;
-    std::optional<bool> is_light {}; // Light or dark colours; no value: the user's last choice.
+    // True: light colours; false: dark ones; no value: the user's last choice.
+    std::optional<bool> is_light {};
     // Layout for left-handed use; no value: the user's last choice.
     std::optional<bool> is_left_handed {};
     double scale = 0;
@@ -77,21 +80,21 @@ std::string window_title(std::string const& hand, std::string const& drawing)
     return fmt::format("tractus: {} on {}", hand, drawing);
 }
 
-// Finds the model to draw on, for drawings that need one.
+// Returns the path of the model to draw on, by default that of kUsualModel.
 Result<std::filesystem::path> model_of(WindowArguments const& arguments)
 {
     return files::find_plant(arguments.model.empty() ? kUsualModel : arguments.model);
 }
 
-// True if the user's window settings apply. They do not for screenshots, films and runs of a fixed
-// number of frames, which must look the same for everybody.
+// True if the user's window settings apply. They do not apply to screenshots, films and runs of a
+// fixed number of frames, which must look the same for every user.
 bool keeps_look(WindowArguments const& arguments)
 {
     return arguments.frames == 0 && arguments.film.empty() && arguments.screenshot.empty()
         && !user_look_path().empty();
 }
 
-// Window settings from the arguments, otherwise as the user chose them last.
+// Returns the window settings from the arguments; those not given are as the user chose them last.
 window::WindowLook look_for(WindowArguments const& arguments)
 {
     window::WindowLook look;
@@ -149,7 +152,8 @@ Result<void> show_replay(WindowArguments const& arguments)
         if (!trouble.empty())
             terminal::print_warning(trouble);
     }
-    // Held until the window is closed and everything is saved.
+    // Termination signals do not end the program before the window is closed and everything is
+    // saved.
     drivers::ClosingSignals const signals;
     auto window = TRY(controllers::ReplayWindow::create(
         log, options, std::move(scene), std::filesystem::current_path(), std::move(session)));
@@ -159,13 +163,14 @@ Result<void> show_replay(WindowArguments const& arguments)
     return window::run_window(window, window_options(arguments, title));
 }
 
-// True if only the simulated hand draws, watched by the user.
+// True if the simulated hand is the only device, so that the user just watches.
 bool plays_hand(WindowArguments const& arguments)
 {
     return arguments.devices == std::vector<std::string> { "simulated" };
 }
 
-// True if the arguments give the window nothing to open and no fixed end.
+// True if the window begins with the start page: it is requested, or nothing else is to be opened,
+// recorded or captured.
 bool begins_with_start_page(WindowArguments const& arguments)
 {
     if (arguments.wants_start_page)
@@ -175,8 +180,8 @@ bool begins_with_start_page(WindowArguments const& arguments)
         && arguments.screenshot.empty();
 }
 
-// Opens the requested drawing with its session, by default a new one, and informs the user. Returns
-// its name, or an empty text for the start page.
+// Opens the requested drawing with its session, by default a new session, and prints where it is
+// saved. Returns the drawing's name, or an empty text if the start page opens.
 Result<std::string> open_first_drawing(WindowArguments const& arguments,
                                        controllers::LiveWindowOptions& options)
 {
@@ -203,11 +208,12 @@ Result<std::string> open_first_drawing(WindowArguments const& arguments,
     return drawing.name;
 }
 
-// Runs the window with live devices until the user closes it.
+// Shows the window for live devices until the user closes it.
 Result<void> draw_in_window(devices::LiveDevices devices, controllers::LiveWindowOptions options,
                             window::WindowOptions const& how)
 {
-    // Held until the window is closed and everything is saved.
+    // Termination signals do not end the program before the window is closed and everything is
+    // saved.
     drivers::ClosingSignals const signals;
     auto window = TRY(controllers::LiveWindow::create(std::move(devices), std::move(options)));
     return window::run_window(window, how);
@@ -215,7 +221,8 @@ Result<void> draw_in_window(devices::LiveDevices devices, controllers::LiveWindo
 
 struct Clock {
     std::function<Timestamp()> now;
-    std::shared_ptr<Timestamp> counted {}; // Time counted in frames, if the real clock is not used.
+    // Current time if it advances with frames; null if the real clock is used.
+    std::shared_ptr<Timestamp> counted {};
 };
 
 Clock clock_for(WindowArguments const& arguments)
@@ -226,7 +233,8 @@ Clock clock_for(WindowArguments const& arguments)
     return { [counted] { return *counted; }, counted };
 }
 
-// Least extents from the command line, otherwise those in the user's settings.
+// Returns the minimum extents of strokes from the command line; tools not given there have those of
+// the user's settings.
 Result<tools::MinExtents> read_min_extents(WindowArguments const& arguments)
 {
     auto extents
@@ -256,7 +264,7 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
     if (!arguments.height.empty())
         options.height_mm = TRY(options::constant_height_mm(arguments.height));
     options.min_extents = TRY(read_min_extents(arguments));
-    // Opens the drawing last, as that may create a file.
+    // Opening a drawing may create a file, so it comes after everything else that can fail.
     auto const drawing = TRY(open_first_drawing(arguments, options));
     options.folder = std::filesystem::current_path();
     if (auto const folder = files::user_folder(); !folder.empty()) {
@@ -271,7 +279,7 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
     options.now = clock.now;
     options.counted_time = clock.counted;
     if (!clock.counted)
-        // The mouse draws, unless a log is played whose pen draws.
+        // The mouse replaces missing devices, except where time is counted in frames.
         options.mouse.emplace(options.now);
     auto const name = devices.infos().empty() ? "mouse" : devices.infos().front().name;
     auto how = window_options(arguments, drawing.empty() ? "tractus" : window_title(name, drawing));
@@ -285,8 +293,8 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
     return done;
 }
 
-// Sorts the file argument: a session is continued, a plant is drawn on, and anything else is a
-// recording.
+// Moves the file argument to the field for its kind: a session is continued, a plant is drawn on,
+// and any other file is a recording to replay.
 Result<WindowArguments> sort_out(WindowArguments arguments)
 {
     if (batch::is_session_file(arguments.file)) {
@@ -327,8 +335,8 @@ Result<WindowArguments> sort_out(WindowArguments arguments)
     return arguments;
 }
 
-// Checks that a film has an end, and creates a new folder for it: leftover numbered pictures of a
-// longer film would be mistaken for its end.
+// Checks that a film has an end, and creates a new folder for it. In an existing folder, numbered
+// pictures of a longer film could be left over and be taken for this film's end.
 Result<void> prepare_film(WindowArguments const& arguments)
 {
     if (arguments.log.empty() && arguments.frames == 0)
@@ -345,11 +353,12 @@ Result<void> prepare_film(WindowArguments const& arguments)
     return check_writable(std::filesystem::path(arguments.film) / "00001.png");
 }
 
-// Opens what was requested, otherwise the connected devices, otherwise a drawing by mouse.
+// Opens the requested recording or drawing with the requested or connected devices; without devices
+// the mouse draws.
 Result<void> open_window(WindowArguments const& arguments)
 {
     batch::return_large_blocks();
-    // Checked here, so that an error appears in the terminal rather than in the window.
+    // Checked before the window opens, so that an error appears in the terminal.
     if (!arguments.picture.empty())
         TRY(controllers::load_back_picture(arguments.picture, Vec2(1, 1)));
     if (!arguments.screenshot.empty())
@@ -405,7 +414,7 @@ void add_drawing_options(CLI::App& command, WindowArguments& arguments)
         ->check(options::name_ending_in({ ".tractus" }));
 }
 
-// Adds options for the window's appearance and duration.
+// Adds options for the window's appearance and for how long it stays open.
 void add_look_options(CLI::App& command, WindowArguments& arguments)
 {
     command.add_flag("--full-screen", arguments.fills_display,

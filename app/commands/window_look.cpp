@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kColors { "dark", "light" };
 constexpr std::array<std::string_view, 2> kHands { "right", "left" };
 
-// True if a key has the second of two words.
+// True if the value of the key is the second of two words. Fails for any other word than these two.
 Result<bool> is_second(calib::TomlTable& table, std::string_view key,
                        std::array<std::string_view, 2> const& words)
 {
@@ -25,7 +25,7 @@ Result<bool> is_second(calib::TomlTable& table, std::string_view key,
     return TRY(table.word(key, { words.begin(), words.end() })) == 1;
 }
 
-// The words of the key "least"; empty if the file does not have it.
+// Returns the text of the key "least"; empty if the file does not have it.
 Result<std::string> least_words(calib::TomlTable& table)
 {
     return table.has("least") ? table.text("least") : std::string();
@@ -49,7 +49,8 @@ Result<window::WindowLook> load_look(fs::path const& path)
     window::WindowLook look;
     look.is_light = TRY(is_second(table, "colors", kColors));
     look.is_left_handed = TRY(is_second(table, "hand", kHands));
-    (void)TRY(least_words(table)); // Marks the key as known; load_min_extents() uses it.
+    // Marks the key "least" as known; only load_min_extents() uses its value.
+    (void)TRY(least_words(table));
     TRY(table.refuse_unknown_keys());
     return look;
 }

@@ -12,16 +12,16 @@ namespace tractus::commands {
 // has no home folder.
 std::filesystem::path user_look_path();
 
-// Reads the settings; defaults if there is no file. Fails with a user error that names the file,
-// the line and the problem.
+// Reads the window settings; returns the defaults if the file is missing. Fails with a user error
+// that names the file, the line and the problem.
 Result<window::WindowLook> load_look(std::filesystem::path const& path);
 
-// Reads the least extents of strokes from the same file: its key "least", with words such as
-// "draw=6 sketch=12" (tools/min_extent.h), is edited by the user. Empty if the key is missing.
-// Fails like load_look().
+// Reads the minimum extents of strokes from the window settings' file. The user may write them
+// there, as the key "least" with a text such as "draw=6 sketch=12" (tools/min_extent.h). Empty if
+// the key is missing. Fails like load_look().
 Result<tools::MinExtents> load_min_extents(std::filesystem::path const& path);
 
-// Writes the settings, and creates the folder if necessary. The file's least extents are kept.
+// Writes the window settings and creates their folder if necessary. The key "least" is kept.
 Result<void> save_look(std::filesystem::path const& path, window::WindowLook const& look);
 
 } // namespace tractus::commands

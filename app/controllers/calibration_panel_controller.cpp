@@ -45,7 +45,7 @@ void CalibrationPanelController::advance()
     }
     bool const waits = calibration::takes_captures(controller_.procedure()) && !was_capturing_;
     if (controller_.take_pen_rest() && waits)
-        // Captures with the time of the pen's rest, not the time at which it was noticed.
+        // Captures at the time at which the pen rested, not at which this was noticed.
         capture(controller_.pen()->time, view_.proposed_mm);
     show_reading();
 }
@@ -127,7 +127,7 @@ bool CalibrationPanelController::command(Timestamp time, std::string const& word
     return done.has_value();
 }
 
-// Fits the captures so far. Too few captures are not reported as an error.
+// Fits the captures so far. If there are too few of them, that is not shown as an error.
 void CalibrationPanelController::fit()
 {
     constexpr std::size_t kFewCaptures = 3;
@@ -154,7 +154,7 @@ void CalibrationPanelController::fit()
     }
 }
 
-// Proposes the next height.
+// Proposes the height to capture next.
 void CalibrationPanelController::propose()
 {
     auto const heights = options_.heights_mm.empty()

@@ -16,32 +16,34 @@ namespace tractus::controllers {
 
 struct CalibrationPanelControllerOptions {
     calibration::CalibrationController::Options controller {};
-    std::vector<double> heights_mm {}; // Heights to propose, in this order; empty: those of the
-                                       // procedure.
-    std::string date {};               // Date for the calibration's file.
+    // Heights to propose, in this order; empty: proposed_heights_mm().
+    std::vector<double> heights_mm {};
+    std::string date {}; // Date for the calibration's record.
     std::function<Timestamp()> now {};
 
-    // Writes the outcome. Returns a message for the user about what was written, or the error.
+    // Writes the outcome to the rig's file. Returns a message for the user about what was written,
+    // or the error.
     std::function<Result<std::string>(calibration::CalibrationOutcome const&)> keep {};
 };
 
-// The calibration page: live reading, captures and, from the second capture on, the fit and its
-// plots. Resting the pen on the tablet captures the proposed height. A procedure starts from the
-// results of the previous ones; nothing is written until the user asks for it.
+// Controller of the calibration page, which shows the live reading, the captures and, from the
+// second capture on, the fit and its plots. Resting the pen on the tablet captures the proposed
+// height. A procedure starts from the results of earlier procedures. Nothing is written until the
+// user asks for it.
 class CalibrationPanelController final : public calibration::CalibrationModel {
 public:
     // Fails like CalibrationController::create().
     static Result<CalibrationPanelController> create(std::vector<drivers::DeviceInfo> devices,
                                                      CalibrationPanelControllerOptions options);
 
-    // push() takes a device's report; advance() evaluates those that have arrived.
+    // push() receives a report of a device; advance() evaluates the reports received so far.
     void push(devices::LiveReport const& report);
     void advance();
 
     calibration::CalibrationView const& view() const override { return view_; }
     void perform(calibration::CalibrationCommand const& command) override;
 
-    // Returns the rig if one was saved since the last call.
+    // Returns the rig if the user has saved one since the last call.
     std::optional<calib::Rig> take_kept_rig() { return std::exchange(kept_, std::nullopt); }
 
 private:
@@ -63,7 +65,8 @@ private:
 
     void capture(Timestamp time, double ruler_mm);
     bool command(Timestamp time,
-                 std::string const& words); // Returns false if refused; the view gives the reason.
+                 // Returns false if the command was refused; the view then gives the reason.
+                 std::string const& words);
     void fit();
     void propose();
     void show_reading();
@@ -72,7 +75,8 @@ private:
     std::vector<drivers::DeviceInfo> devices_;
     CalibrationPanelControllerOptions options_;
     calibration::CalibrationController controller_;
-    std::optional<calibration::CalibrationOutcome> outcome_; // Outcome of all captures so far.
+    // Outcome computed from the captures so far.
+    std::optional<calibration::CalibrationOutcome> outcome_;
     std::optional<calib::Rig> kept_;
     bool was_capturing_ = false;
     bool is_moving_ = false;

@@ -9,7 +9,7 @@
 
 namespace tractus::controllers {
 
-// A window for calibration only.
+// A window in which devices can only be calibrated.
 class CalibrationWindow final : public view::WindowModel {
 public:
     // Fails like CalibrationPanelController::create().
@@ -26,8 +26,9 @@ private:
 
     devices::LiveDevices devices_;
     CalibrationPanelController panel_;
-    std::vector<devices::LiveReport> reports_; // Kept as a member so that its memory is reused.
-    view::WindowState state_;                  // Empty apart from the calibration.
+    // New reports of the devices. A member, so that its memory is reused.
+    std::vector<devices::LiveReport> reports_;
+    view::WindowState state_; // State of the window; only its calibration is used.
 };
 
 } // namespace tractus::controllers

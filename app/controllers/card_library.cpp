@@ -25,7 +25,7 @@ std::vector<tools::ToolCard> CardLibrary::cards_of(tools::ToolKinds kinds,
 {
     constexpr std::size_t kMaxBytes = 4096;
     std::vector<fs::path> files;
-    std::error_code error; // An error is ignored: a missing folder has no cards.
+    std::error_code error; // Errors are ignored: a missing folder contains no cards.
     for (fs::directory_iterator file(folder_, error), end; !error && file != end;
          file.increment(error))
         if (file->path().extension() == kEnding && files.size() < kMaxCards)
@@ -47,8 +47,8 @@ Result<std::string> CardLibrary::keep(tools::Tool const& hand) const
     if (folder_.empty())
         return fail(Fault::User, "there is no folder for cards: set HOME or XDG_DATA_HOME");
     std::error_code error;
-    fs::create_directories(folder_, error); // An error is ignored here: writing the file will
-                                            // report it.
+    // Errors are ignored here: writing the file reports them.
+    fs::create_directories(folder_, error);
     auto const* const label = tools::cards_label(hand.kind());
     std::string name;
     for (int i = 1; name.empty() || fs::exists(file_of(name), error); ++i)
@@ -60,7 +60,7 @@ Result<std::string> CardLibrary::keep(tools::Tool const& hand) const
     return name;
 }
 
-// True if the name is a valid and visible file name on every system.
+// True if the name is valid as a file name on every system, and not hidden.
 static bool is_file_name(std::string_view name)
 {
     constexpr std::size_t kMaxLetters = 60;

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Limits for a thumbnail: the file's size, and the time to build its plants.
+// Limits for rendering a thumbnail: the file's size, and the time to build its plants.
 constexpr std::uintmax_t kLargestFile_bytes = 32'000'000;
 constexpr double kLongest_s = 5;
 
@@ -39,7 +39,7 @@ std::optional<render::Image> read_image(fs::path const& file, std::size_t most_b
     return image ? std::optional(*std::move(image)) : std::nullopt;
 }
 
-// Reads a picture, scaled to the size on a card.
+// Reads a picture and scales it to the size of a card.
 std::optional<render::Image> small_picture(fs::path const& file)
 {
     auto const image = read_image(file, scene::kMaxPictureBytes);
@@ -51,7 +51,7 @@ std::optional<render::Image> small_picture(fs::path const& file)
     return render::resized(*image, side(image->width()), side(image->height()));
 }
 
-// Renders a leaf grammar's leaf in the middle of a white card.
+// Renders a leaf of the grammar in the middle of a white card.
 std::optional<render::Image> card_of_grammar(fs::path const& file)
 {
     constexpr render::Color kPaper { 250, 250, 248, 255 };
@@ -68,7 +68,8 @@ bool is_grammar(fs::path const& file)
     return file.extension() == ".leaf";
 }
 
-// File name of a cached picture: `beginning` identifies the source file, the rest its state.
+// File name of a cached picture. `beginning` identifies the source file; the rest of `whole`
+// identifies its version by time and size.
 struct KeptName {
     std::string beginning;
     std::string whole;
@@ -85,7 +86,8 @@ KeptName kept_name(fs::path const& file)
                          fs::file_size(file, ignored)) };
 }
 
-// Caches a picture and deletes those of earlier states of its file. Errors are ignored.
+// Caches a picture and deletes cached pictures of earlier versions of the source file. Errors are
+// ignored.
 void keep(render::Image const& picture, fs::path const& folder, KeptName const& name)
 {
     std::error_code error;

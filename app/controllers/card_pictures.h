@@ -17,34 +17,35 @@ class PictureThread;
 
 namespace tractus::controllers {
 
-// Thumbnails of models, sessions and pictures for the cards of a page: the picture beside a model
-// (MODEL.png), otherwise a cached one, otherwise one that is rendered and cached. They are loaded
-// and rendered in the background, one after another. Use from one thread.
+// Thumbnails of models, sessions and pictures for the cards of a page. The thumbnail of MODEL is
+// the picture MODEL.png beside it, otherwise a cached picture, otherwise one that is rendered and
+// cached. Thumbnails are loaded and rendered in the background, one after another. Use from one
+// thread.
 class CardPictures {
 public:
     static constexpr int kWidth_px = 360;
     static constexpr int kHeight_px = 250;
 
-    // `kept_in` is the cache folder; empty: no caching.
+    // `kept_in` is the cache folder; empty: thumbnails are not cached.
     CardPictures(scene::EditKinds kinds, std::filesystem::path kept_in);
     CardPictures(CardPictures const&) = delete;
     CardPictures& operator=(CardPictures const&) = delete;
     ~CardPictures();
 
-    // Requests pictures of these files in this order; replaces earlier requests.
+    // Requests thumbnails of these files in this order; replaces earlier requests.
     void want(std::deque<std::filesystem::path> files);
 
-    // take() returns the next finished picture. It is null if the file cannot be read, has nothing
-    // drawn in it, or is too costly for a thumbnail.
+    // A finished thumbnail. The picture is null if the file cannot be read, has nothing drawn in
+    // it, or takes too long to render.
     struct Made {
         std::filesystem::path file;
-        std::shared_ptr<render::Image const> picture; // The only reference to the picture.
+        std::shared_ptr<render::Image const> picture; // The worker keeps no other reference to it.
     };
     std::optional<Made> take();
 
     bool is_busy() const { return is_making_ || !waiting_.empty(); }
 
-    // Waits for the picture in progress, which take() then returns.
+    // Waits for the thumbnail in progress; take() then returns it.
     void settle() { job_.settle(); }
 
 private:
@@ -60,9 +61,10 @@ private:
     std::unique_ptr<batch::PictureThread>
         // Renderer used only by the background job; null until a picture must be rendered.
         drawing_;
-    bool cannot_draw_ = false; // Flag used only by the background job: pictures cannot be rendered.
-    NewestJob<std::filesystem::path, Made> job_; // Declared last, because it uses the members
-                                                 // above.
+    // True if pictures cannot be rendered; used only by the background job.
+    bool cannot_draw_ = false;
+    // Declared last, because its job uses the other members.
+    NewestJob<std::filesystem::path, Made> job_;
 };
 
 } // namespace tractus::controllers

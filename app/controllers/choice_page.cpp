@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMaxOfFolder = 60;
 
-// A folder's display name, such as "home/Pictures".
+// Returns a folder's display name, such as "home/Pictures".
 std::string name_of(fs::path const& folder)
 {
     auto const parent = folder.parent_path().filename().string();
@@ -54,7 +54,7 @@ Choices picture_choices(std::vector<fs::path> const& folders)
     return choices;
 }
 
-// Adds a choice for each drawn leaf, numbered if there are several.
+// Adds a choice for each drawn leaf. The choices are numbered if there are several.
 static void add_drawn(Choices::Group& group, std::vector<LeavesInDocument::Drawn> const& drawn,
                       char const* one, char const* of_many)
 {
@@ -84,7 +84,7 @@ Choices leaf_choices(fs::path const& folder, LeavesInDocument const& document)
             own.choices.push_back(
                 { file.stem().string(), is_in_views ? "In three views" : "", file });
     }
-    // The choice without a file sorts first.
+    // Choices are sorted by file; the choice "none" has an empty path and comes first.
     std::ranges::sort(own.choices, {}, &Choices::Choice::file);
     if (document.takes_views) {
         auto& in_views = choices.groups.emplace_back();
@@ -167,7 +167,7 @@ void ChoicePage::choose(std::size_t group, std::size_t card)
 void ChoicePage::leave()
 {
     is_open_ = false;
-    pictures_.want({}); // Stops making thumbnails, to leave the processor to the drawing.
+    pictures_.want({}); // Stops making thumbnails, so that the drawing has the processor to itself.
     ++state_.revision;
 }
 

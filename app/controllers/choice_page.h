@@ -11,30 +11,32 @@
 
 namespace tractus::controllers {
 
-// Contents of a page on which the user chooses a file, or none.
+// Contents of a page on which the user chooses a file or, if that is offered, no file.
 struct Choices {
     struct Choice {
         std::string title {};
         std::string detail {};
-        std::filesystem::path file {}; // The file to choose; empty: the choice "none".
+        std::filesystem::path file {}; // The file that is chosen; empty: the choice "none".
     };
     struct Group {
         std::string title {};
         std::vector<Choice> choices {};
     };
-    std::string question {};      // Heading of the page, such as "Which ...?".
-    std::vector<Group> groups {}; // Groups of choices; groups without choices are not shown.
+    std::string question {};      // Heading of the page: a question such as "Which ...?".
+    std::vector<Group> groups {}; // Groups of choices; empty groups are not shown.
     std::string if_none {};       // Heading of the page if there are no choices at all.
 };
 
-// Pictures to lay behind the drawing: the newest in each of these folders.
+// Returns the pictures to choose from, for laying one behind the drawing: the newest pictures in
+// each of the folders.
 Choices picture_choices(std::vector<std::filesystem::path> const& folders);
 
-// Files of the leaves that were drawn in a document or are worn by its active plant.
+// Files of the leaves that were drawn in a document or that its active plant carries.
 struct LeavesInDocument {
     struct Drawn {
         std::filesystem::path file {};
-        std::string on_choice {}; // Text on the card that says what choosing it does.
+        // File of the current foliage; empty if it is among `drawn` or `in_views`.
+        std::string on_choice {};
     };
     std::vector<Drawn> drawn {};
     std::vector<Drawn> in_views {}; // Leaves drawn in three views.
@@ -42,26 +44,27 @@ struct LeavesInDocument {
     bool takes_views = false;
 };
 
-// The leaves that can be chosen for a plant: its own, those of the built-in species, those of
-// grammars in the user's folder, those drawn in the document, and its current foliage if that is
-// none of these. For plants that accept leaves drawn in three views, also built-in ones, the user's
-// and the document's.
+// Returns the leaves that can be chosen for a plant: its own, those of built-in species, those of
+// grammars in `folder`, those drawn in the document, and the current foliage if it is none of
+// these. Plants that accept leaves drawn in three views can also choose such leaves: built-in ones,
+// the user's, and those of the document.
 Choices leaf_choices(std::filesystem::path const& folder, LeavesInDocument const& document = {});
 
-// A page of cards with pictures, on which a file is chosen. Use from one thread.
+// A page of cards with pictures, on which the user chooses a file. Use from one thread.
 class ChoicePage final : public view::StartPageModel {
 public:
-    // `small_pictures` is the cache folder for the cards' thumbnails; empty: no caching.
+    // `small_pictures` is the cache folder for the cards' thumbnails; empty: they are not cached.
     explicit ChoicePage(std::filesystem::path const& small_pictures);
 
     void open(Choices choices);
     bool is_open() const { return is_open_; }
 
-    // Takes finished pictures from the background thread.
+    // Shows the thumbnails that the background thread has finished.
     void advance();
     void settle();
 
-    // Returns the chosen file, after which the page is closed.
+    // Returns the chosen file if the user has chosen one since the last call; the page is then
+    // closed.
     std::optional<std::filesystem::path> take_chosen()
     {
         return std::exchange(chosen_, std::nullopt);
@@ -76,7 +79,7 @@ private:
 
     bool is_open_ = false;
     view::StartPageState state_;
-    // Files of the state's cards, with the same indices.
+    // Files of the cards of `state_`, with the same indices.
     std::vector<std::vector<std::filesystem::path>> files_ {};
     std::optional<std::filesystem::path> chosen_ {};
     CardPictures pictures_;

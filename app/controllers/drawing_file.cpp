@@ -14,7 +14,7 @@ namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
-// Returns the edits with which a new session of this plant begins.
+// Returns the edits with which a new session of the plant begins.
 static Result<std::vector<scene::Edit>> edits_of_plant(fs::path const& plant,
                                                        scene::EditKinds kinds)
 {
@@ -57,7 +57,8 @@ Result<session::Session> open_or_begin(DrawingRequest const& wanted, scene::Edit
     return session;
 }
 
-// Begins a new session named after the plant; in memory, if its file cannot be created.
+// Begins a new session with a generated name. If its file cannot be created, the drawing has no
+// session.
 static Result<OpenedDrawing> begin_unnamed(DrawingRequest wanted, scene::EditKinds kinds)
 {
     OpenedDrawing opened;
@@ -74,7 +75,7 @@ static Result<OpenedDrawing> begin_unnamed(DrawingRequest wanted, scene::EditKin
         opened.unnamed = wanted.session;
         return opened;
     }
-    // Fails if the plant itself was why no session could be created.
+    // Fails here if no session could be created because the plant itself cannot be loaded.
     opened.scene = TRY(scene_of_plant(wanted.plant, kinds));
     opened.trouble = "what is drawn is not kept: " + session.error().message;
     return opened;

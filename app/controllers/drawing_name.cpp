@@ -9,8 +9,8 @@ namespace tractus::controllers {
 
 namespace {
 
-// Removes "-" and a number from the end; returns false if they are not there, or if the number does
-// not have exactly `digits` digits.
+// Removes "-" and a number from the end of `name`. Returns false, and changes nothing, if `name`
+// does not end so or the number does not have exactly `digits` digits.
 bool take_number(std::string_view& name, std::optional<std::size_t> digits = std::nullopt)
 {
     auto const last = name.find_last_not_of("0123456789");
@@ -23,7 +23,7 @@ bool take_number(std::string_view& name, std::optional<std::size_t> digits = std
     return true;
 }
 
-// Removes the time that unnamed_session_path() appends, and the number after it.
+// Removes the time that unnamed_session_path() has appended, and a number after the time.
 std::string plant_of(std::string const& stem)
 {
     for (bool const numbered : { false, true }) {

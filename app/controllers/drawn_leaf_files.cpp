@@ -12,7 +12,7 @@ namespace tractus::controllers {
 
 namespace fs = std::filesystem;
 
-// Each text gets its own folder, because thumbnails are cached by path.
+// Files with different texts get different folders, because thumbnails are cached by path.
 Result<fs::path> write_shown_leaf(std::string const& name, std::string const& text,
                                   fs::path const& folder)
 {

@@ -26,7 +26,7 @@ void FileQueue::add(FileToWrite file)
     collect();
 }
 
-// Takes the outcome of a finished file, so that the next one can begin.
+// Takes the outcome of a finished file, so that the next file can begin.
 void FileQueue::collect()
 {
     if (auto written = job_.take()) {

@@ -11,15 +11,16 @@
 
 namespace tractus::controllers {
 
-// A file to write.
+// A file to be written in the background.
 struct FileToWrite {
     std::filesystem::path path;
-    // Called on another thread with `path`. Returns an additional message for the user, or "".
+    // Writes the file; called with `path` on another thread. Returns an additional message for the
+    // user, or "".
     std::function<Result<std::string>(std::filesystem::path const& path)> write;
 };
 
 // Writes files in the background, one after another. All requested files are written, even if the
-// window closes before. Use from one thread.
+// window is closed earlier. Use from one thread.
 class FileQueue {
 public:
     FileQueue();
@@ -29,17 +30,17 @@ public:
 
     void add(FileToWrite file);
 
-    // True if files are not written yet, or outcomes have not been taken.
+    // True while files remain to be written, or outcomes have not been taken with take().
     bool is_busy() const { return is_writing_ || !done_.empty(); }
 
-    // A finished file, or the error that occurred.
+    // A file that was written, with an additional message for the user.
     struct Written {
         std::filesystem::path path;
         std::string note;
     };
     std::optional<Result<Written>> take();
 
-    // Waits until all files are finished; their outcomes can then be taken.
+    // Waits until all files are finished; take() can then return their outcomes.
     void settle();
 
 private:

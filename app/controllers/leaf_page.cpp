@@ -11,7 +11,7 @@ namespace {
 
 constexpr render::Color kPaper { 250, 250, 248, 255 };
 constexpr double kLastMonth = 12.99;
-constexpr double kSeasonSpread = 0.08; // Spread of leaf ages, as for plants in a season.
+constexpr double kSeasonSpread = 0.08; // Spread of the leaves' ages, as on plants in a season.
 
 struct Number {
     char const* text;
@@ -26,14 +26,14 @@ constexpr std::array<Number, 5> kNumbers {
       { "larvae {:.1f}", &lsystem::LeafDamage::larvae, 8, 0.5 },
       { "withered {:.0f} %", &lsystem::LeafDamage::withered, 1, 0.01 } }
 };
-// Index of the slider for the age. The sliders for kNumbers follow that for the season.
+// Indices of the page's sliders: the age, the season, and the first of kNumbers.
 constexpr std::size_t kAge = 0;
 constexpr std::size_t kSeason = 1;
 constexpr std::size_t kFirstNumber = 2;
 
 double in_steps(double value, double step)
 {
-    // Rounds the value so that it prints with few digits.
+    // Rounds to a multiple of `step`, and then to two decimals for a short text.
     return std::round(std::round(value / step) * step * 100) / 100;
 }
 
@@ -49,7 +49,7 @@ std::string describe_age(double age, std::optional<scene::Season> const& season)
     return fmt::format("age {:.2f}, by season", age);
 }
 
-// Age of a leaf in a season; fallen leaves are shown as old ones.
+// Age of a leaf in a season, otherwise its own. Fallen leaves are shown at the greatest age.
 double age_of(double own, std::optional<scene::Season> const& season)
 {
     return season ? scene::age_in_season(OrganCalendar {}, season->month).value_or(1) : own;
@@ -93,7 +93,7 @@ leaf::LeafLook LeafPage::look() const
 void LeafPage::slide(std::size_t slider, double value)
 {
     if (slider == kAge) {
-        season_.reset(); // Clears the season, which would override the chosen age.
+        season_.reset(); // Otherwise the season would override the chosen age.
         wanted_.age = in_steps(value, 0.01);
     } else if (slider == kSeason) {
         set_season(value);
@@ -105,7 +105,7 @@ void LeafPage::slide(std::size_t slider, double value)
     job_.want({ subject_, look() });
 }
 
-// Sets the season's month; a month below 1 means no season.
+// Sets the season's month. A month below 1 means that no season is shown.
 void LeafPage::set_season(double month)
 {
     if (month < 1)

@@ -13,14 +13,15 @@
 
 namespace tractus::controllers {
 
-// A page that previews the leaves of one grammar at any age and with any damage before they are put
-// on a plant. They are painted in the background while sliders move. Use from one thread.
+// A page that previews the leaves of one grammar, at any age and with any damage, before the user
+// puts them on a plant. Leaves are painted in the background while sliders move. Use from one
+// thread.
 class LeafPage final : public view::StartPageModel {
 public:
     struct Subject {
         std::string title {}; // Title of the page, for example "Oak".
         methods::GrammarOfLeaves grammar {};
-        methods::Foliage wanted {};             // The initial settings of the page.
+        methods::Foliage wanted {};             // Foliage with which the page's settings begin.
         std::optional<scene::Season> season {}; // The document's season.
     };
 
@@ -29,17 +30,17 @@ public:
     void open(Subject subject);
     bool is_open() const { return is_open_; }
 
-    // Takes finished pictures from the background thread.
+    // Shows the pictures that the background thread has finished.
     void advance();
     void settle();
 
-    // The accepted foliage; the page is then closed.
+    // Returns the foliage if the user has accepted it since the last call; the page is then closed.
     std::optional<view::SetActiveFoliage> take_accepted()
     {
         return std::exchange(accepted_, std::nullopt);
     }
 
-    // True if the page was left without accepting since the last call.
+    // True if the user has left the page without accepting since the last call.
     bool take_left() { return std::exchange(is_left_, false); }
 
     view::StartPageState const& state() const override { return state_; }
@@ -62,7 +63,7 @@ private:
     bool is_open_ = false;
     bool is_left_ = false;
     view::StartPageState state_;
-    // The leaf that the page shows, as passed to open().
+    // The leaf that the page shows, set by open().
     std::shared_ptr<Subject const> subject_ {};
     methods::Foliage wanted_ {};
     std::optional<scene::Season> season_ {};

@@ -7,8 +7,8 @@
 
 namespace tractus::controllers {
 
-// The user's own cards as the window shows them, and the commands on them. The result of a command,
-// or the error, appears in the state's status.
+// The user's own cards, as the window shows them, and the commands that change them. The state's
+// status shows the result of a command, or its error.
 class LiveCards {
 public:
     explicit LiveCards(std::filesystem::path const& folder)
@@ -17,9 +17,10 @@ public:
     {
     }
 
-    // Shows the cards for the current tool's kind; reads the folder when the kind changes.
+    // Shows the cards for the current tool's kind. Reads the folder only if the kind has changed.
     void show(view::WindowState& state);
-    void show_again(view::WindowState& state); // Reads the folder of cards again and shows them.
+    // Reads the folder of cards again and shows its cards.
+    void show_again(view::WindowState& state);
 
     void perform(view::KeepCard const&, view::WindowState& state);
     void perform(view::RenameCard const& command, view::WindowState& state);
@@ -28,7 +29,7 @@ public:
 private:
     CardLibrary library_;
     std::filesystem::path folder_;
-    tools::ToolKind const* shown_ = nullptr; // The kind whose cards are shown.
+    tools::ToolKind const* shown_ = nullptr; // Kind of tool whose cards are shown.
 };
 
 } // namespace tractus::controllers

@@ -17,7 +17,7 @@ static bool has_pen(devices::LiveDevices const& devices)
     });
 }
 
-// Traits of the first tablet among the devices; nullopt if there is none.
+// Returns the traits of the first tablet among the devices; nullopt if there is none.
 static std::optional<drivers::PenTraits> first_tablet(devices::LiveDevices const& devices)
 {
     for (auto const& info : devices.infos())
@@ -35,7 +35,8 @@ bool has_height_sensor(devices::LiveDevices const& devices)
 
 MouseParts add_mouse(devices::LiveDevices& devices, LiveWindowOptions const& options)
 {
-    // High enough to show part of the plant, which is visible below the surface.
+    // Initial height of the surface. It is above the controller, so that the part of the plant
+    // below the surface is visible.
     constexpr double kFirstSurface_mm = 100;
     if (!options.mouse)
         return MouseParts {};

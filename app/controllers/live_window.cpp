@@ -15,8 +15,8 @@ namespace tractus::controllers {
 
 namespace {
 
-constexpr double kMousePressure = 0.5; // Pen pressure, 0 to 1, for the mouse: that of relaxed
-                                       // drawing.
+// Pressure of the mouse as a pen, from 0 to 1: that of relaxed drawing.
+constexpr double kMousePressure = 0.5;
 
 } // namespace
 
@@ -59,7 +59,7 @@ Result<LiveWindow> LiveWindow::create(devices::LiveDevices devices, LiveWindowOp
     if (!window.options_.socket.empty())
         window.stream_ = TRY(stream::StreamOutput::open_socket(
             window.options_.socket, window.station_.volume_mm(), stream::StreamOutput::What::All));
-    // The picture is laid with a command, so that this is recorded, too.
+    // A command lays the picture, so that this step is recorded, too.
     if (!window.options_.picture.empty())
         window.perform(view::LayPictureFile { window.options_.picture });
     return window;
@@ -81,8 +81,8 @@ LiveWindow::LiveWindow(devices::LiveDevices devices, LiveWindowOptions options,
     view().state().may_begin_anew = options_.start_page != nullptr;
     if (!options_.model.empty())
         follow(options_.model);
-    if (view().state().status.empty()) // A status that is set already is about unknown edits of the
-                                       // session.
+    // A status that is already set warns of unknown edits in the session.
+    if (view().state().status.empty())
         view().state().status = "Draw: the station reads the pen";
 }
 
@@ -91,7 +91,7 @@ LiveWindow::~LiveWindow()
     static_cast<void>(close());
 }
 
-// Ends the current stroke with the reports received so far.
+// Ends the current stroke, after processing all reports received so far.
 Result<void> LiveWindow::finish()
 {
     take_reports();
@@ -105,7 +105,7 @@ Result<void> LiveWindow::finish()
 
 Result<void> LiveWindow::close()
 {
-    if (!options_.now) // Returns early if this object was moved from.
+    if (!options_.now) // This object was moved from: there is nothing to close.
         return {};
     auto const kept = finish();
     auto const recorded = recorder_ ? stop_recording() : Result<void>();
@@ -115,7 +115,7 @@ Result<void> LiveWindow::close()
         stream_->serve(options_.now());
         stream_.reset();
     }
-    if (!kept) // Errors in saving the drawing take precedence over other errors.
+    if (!kept) // An error in saving the drawing takes precedence over other errors.
         return kept;
     return recorded ? written : recorded;
 }
@@ -173,7 +173,8 @@ void LiveWindow::follow_model()
         controller_->take_model(*std::move(changed), station_);
 }
 
-// Passes the devices' reports on; a simulated hand waits until a drawing is open.
+// Passes reports of the devices to the station and other receivers. A simulated hand does not start
+// until a drawing is open.
 void LiveWindow::take_reports()
 {
     if (!drawings_are_open())
@@ -188,8 +189,9 @@ void LiveWindow::take_reports()
     for (auto const& report : reports_) {
         choose_tools_until(report.report.received);
         station_.push(report.device, report.report.received, report.report.bytes());
-        record_tool_changes(); // Written to the recording before the report, so that the stroke it
-                               // begins belongs to the new tool.
+        // Tool changes are recorded before the report, so that a stroke that begins with the report
+        // belongs to the new tool.
+        record_tool_changes();
         if (recorder_)
             recorder_->write(report);
         if (diagnosis_)
@@ -212,15 +214,15 @@ void LiveWindow::choose_for_hand(drivers::LogTool const& line)
     record_tool_changes();
 }
 
-// Streams pen moments to other programs, before the document takes the strokes. A slow client is
-// never waited for, so nothing can fail.
+// Streams the pen's input to other programs, before the document takes the strokes. Never waits for
+// a slow client, so nothing can fail.
 void LiveWindow::announce_programs()
 {
     auto const moments = station_.take_moments();
     moments_.insert(moments_.end(), moments.begin(), moments.end());
     if (!stream_)
         return;
-    // Accepts new clients first, so that they receive the following lines, too.
+    // New clients are accepted first, so that they also receive the lines written next.
     stream_->serve(options_.now());
     static_cast<void>(stream_->tell(moments, station_, scene()));
     stream_->serve(options_.now());
@@ -235,8 +237,8 @@ void LiveWindow::record_tool_changes()
     }
 }
 
-// Records each step with the number of the recording's strokes before it, because later strokes may
-// have begun before the step's completion is known.
+// Records each step together with the number of recorded strokes that precede it, because later
+// strokes may have begun before the step is known to be complete.
 void LiveWindow::record_steps()
 {
     for (auto const& step : controller_->take_done()) {
@@ -258,7 +260,7 @@ void LiveWindow::tell_device_changes()
         case devices::LiveDevices::State::Connected:
             view().state().status = fmt::format("{} is back", name);
             break;
-        // Nothing to say here, as announce_missing_devices() reports disconnected devices.
+        // announce_missing_devices() reports disconnected devices.
         case devices::LiveDevices::State::Away:
             break;
         case devices::LiveDevices::State::Ended:
@@ -268,7 +270,7 @@ void LiveWindow::tell_device_changes()
     }
 }
 
-// Shows which devices are disconnected; this takes precedence over other messages.
+// Shows which devices are disconnected. This message takes precedence over others.
 void LiveWindow::announce_missing_devices()
 {
     for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -301,12 +303,11 @@ Result<void> LiveWindow::start_recording(std::filesystem::path const& path)
                                               .rig_text = calib::print_rig(station_options_.rig),
                                               .start = now }));
     (void)controller_->finish(station_, now);
-    (void)controller_->take_done(); // Discards earlier steps, which do not belong to the recording.
+    (void)controller_->take_done(); // Discards steps done before the recording.
     recorded_from_stroke_ = controller_->document().stroke_count();
     recorder_->write_tool(now, tools::kMinExtentsLine,
                           tools::print_min_extents(station_.min_extents()));
-    // Writes the station's tools, so that the recording starts with the same tools at both ends of
-    // the pen.
+    // Records the tools at both ends of the pen at the start of the recording.
     for (auto const& tool : station_.tools_for_continuation()) {
         auto const words = tools::words_for(tool);
         recorder_->write_tool(now, words.name, words.arguments);
@@ -348,7 +349,7 @@ void LiveWindow::perform_kind(view::SetRecording const& command)
         status = begun ? fmt::format("Recording into {}", path.string()) : begun.error().message;
         return;
     }
-    // Finishes pending steps, which belong to the recording.
+    // Pending steps still belong to the recording.
     (void)controller_->finish(station_, options_.now());
     record_steps();
     auto const stopped = stop_recording();
@@ -367,7 +368,7 @@ void LiveWindow::perform_kind(view::Restart const&)
     controller_->begin_again(station_, "The plant is as its model gives it");
 }
 
-// Replaces the station, keeping the selected tool.
+// Replaces the station. The new one has the same tools selected.
 void LiveWindow::go_on_with(station::Station station)
 {
     auto const tools = station_.tools_for_continuation();
@@ -445,7 +446,7 @@ void LiveWindow::perform_kind(view::WatchDevices const& command)
     next_look_ = options_.now();
 }
 
-// Updates the devices page no more often than it can be read.
+// Updates the devices page, at intervals long enough for reading it.
 void LiveWindow::show_devices()
 {
     constexpr Duration kLookEvery = std::chrono::milliseconds(100);
@@ -468,7 +469,7 @@ void LiveWindow::perform_kind(view::OpenCalibration const&)
           .date = calibration::today(),
           .now = options_.now,
           .keep = [file = options_.rig_file](calibration::CalibrationOutcome const& outcome) {
-              std::error_code ignored; // An error is ignored here: saving will report it.
+              std::error_code ignored; // An error is ignored here: saving reports it.
               std::filesystem::create_directories(file.parent_path(), ignored);
               return calibration::save_calibration(outcome, file);
           } });
@@ -493,7 +494,7 @@ void LiveWindow::calibrate()
         use_rig(*rig);
 }
 
-// Uses this rig for drawing from now on.
+// From now on, draws with this rig.
 void LiveWindow::use_rig(calib::Rig const& rig)
 {
     auto options = station_options_;
@@ -507,13 +508,13 @@ void LiveWindow::use_rig(calib::Rig const& rig)
     station_.finish();
     announce_programs();
     record_tool_changes();
-    // Saving may fail here; unsaved steps are retried later.
+    // An error in saving is ignored here: saving unsaved steps is tried again later.
     auto const kept = controller_->finish(station_, options_.now());
     station_options_ = std::move(options);
     go_on_with(*std::move(station));
     controller_->show_again(station_,
                             kept ? "The pen draws by the new calibration" : kept.error().message);
-    if (recorder_) // Ends a recording, as its log's header contains the old rig.
+    if (recorder_) // A recording ends here, as its log's header contains the old rig.
         perform_kind(view::SetRecording { false });
 }
 

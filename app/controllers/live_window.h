@@ -32,55 +32,56 @@ namespace tractus::controllers {
 
 struct LiveWindowOptions {
     tools::Methods methods {}; // Methods that are available in the window.
-    // Calibration of the devices; nullopt: chosen by choose_rig().
+    // Rig with the calibration of the devices; nullopt: choose_rig() chooses one.
     std::optional<calib::Rig> rig {};
-    // File for the rig after calibration; empty: calibration is not available.
+    // File in which a calibration is saved; empty: the window cannot calibrate.
     std::filesystem::path rig_file {};
     // Minimum extents of strokes by tool name, where they differ from tools::usual_min_extents().
     tools::MinExtents min_extents {};
-    // Fixed height of the surface above the controller, replacing a height sensor.
+    // Fixed height of the surface above the controller; replaces a height sensor.
     std::optional<double> height_mm {};
-    scene::Scene scene {}; // The scene to draw on; its base plant must be loaded.
+    scene::Scene scene {}; // The scene to draw on. Its base plant must be loaded.
     // Folder for saved pictures, exports, and recordings with generated names.
     std::filesystem::path folder = ".";
-    std::filesystem::path recording {}; // File for a new log of all input; empty: not recording at
-                                        // first.
-    // Session that stores the drawing; its scene replaces `scene`. LiveWindow::create() takes the
-    // session over.
+    // File for a new log of all input; empty: the window does not record at first.
+    std::filesystem::path recording {};
+    // Session that saves the drawing; its scene replaces `scene`. LiveWindow::create() takes
+    // ownership.
     std::optional<session::Session> session {};
-    std::function<Timestamp()> now {}; // The clock of the reports.
-    // The time that `now` returns, if it advances only by the steps of advance(); otherwise null.
+    std::function<Timestamp()> now {}; // Clock that gives reports their time.
+    // The time that `now` returns, if only advance() moves it on; null if `now` is a real clock.
     std::shared_ptr<Timestamp> counted_time {};
-    // Replaces a missing pen or height sensor by the mouse; the surface begins at `height_mm`.
+    // Mouse that replaces a missing pen or height sensor; the surface begins at `height_mm`.
     std::optional<MouseRig> mouse {};
-    // The start page. It is shown between drawings and, if it is open already, before the first
-    // one. Null: there is none, and the window closes with its drawing.
+    // The start page, shown between drawings and, if it is already open, before the first drawing.
+    // Null: there is no start page, and the window closes together with its drawing.
     std::unique_ptr<StartPageController> start_page {};
-    // The session's file, to be deleted if nothing was drawn in it; may be null. Shared with the
-    // caller, who deletes it for the last drawing when the window is closed; the window itself does
-    // so before it opens the next one.
+    // File of the current session if it has a generated name; it is deleted if nothing was drawn.
+    // May be null. The window deletes it before it opens another drawing; the caller, who shares
+    // this object, deletes it after the window is closed.
     std::shared_ptr<std::filesystem::path> unnamed {};
-    // Folders of pictures to lay behind the drawing, and the cache folder for their thumbnails;
-    // empty: no caching.
+    // Folders whose pictures can be laid behind the drawing. `cache` is the cache folder for their
+    // thumbnails; empty: they are not cached.
     std::vector<std::filesystem::path> picture_folders {};
     std::filesystem::path cache {};
-    std::filesystem::path picture {}; // Picture to lay behind the drawing at first; empty: none.
-    std::filesystem::path leaves {};  // Folder of the user's own leaf grammars.
-    std::filesystem::path cards {};   // Folder of the user's own cards; empty: none.
-    // File of the drawn plant's model; when it is saved, the plant is updated. Empty: none.
+    // Picture to lay behind the drawing at the start; empty: none.
+    std::filesystem::path picture {};
+    std::filesystem::path leaves {}; // Folder of the user's own leaf grammars.
+    std::filesystem::path cards {};  // Folder of the user's own cards; empty: none.
+    // File of the drawn plant's model; whenever it is saved, the plant is updated. Empty: none.
     std::filesystem::path model {};
     // Path of a socket on which other programs receive the drawing live; empty: none.
     std::filesystem::path socket {};
 };
 
-// The station's window for live drawing: devices are read on their own threads, and advance() takes
-// their reports. Devices may be unplugged and plugged in again.
+// The station's window for live drawing. Each device is read on its own thread, and advance()
+// processes the reports. Devices may be unplugged and plugged in again.
 class LiveWindow final : public view::WindowModel {
 public:
     // Fails like Station::create(), LiveRecorder::create() and LineServer::listen(). Without a
-    // height sensor or a fixed height, the surface is taken to lie on the controller. The same
-    // applies to an uncalibrated height sensor; then the window opens with its calibration, and
-    // creation fails with a user error if a calibration could not be saved.
+    // height sensor or a fixed height, the surface is assumed to lie on the controller. This also
+    // applies to an uncalibrated height sensor: the window then opens with the calibration page,
+    // and creation fails with a user error if a calibration could not be saved.
     static Result<LiveWindow> create(devices::LiveDevices devices, LiveWindowOptions options);
     LiveWindow(LiveWindow&&) = default;
     LiveWindow& operator=(LiveWindow&&) = delete;
@@ -100,7 +101,7 @@ public:
 
     station::Station const& station() const { return station_; }
     document::Document const& document() const { return controller_->document(); }
-    // The scene that is shown.
+    // Returns the scene that the window shows.
     scene::Scene const& scene() const { return *controller_->view().grown_scene(); }
 
 private:
@@ -169,36 +170,41 @@ private:
 
     devices::LiveDevices devices_;
     LiveWindowOptions options_;
-    // Options of the station, kept for starting a new drawing.
+    // Options of the station, from which another station is created for a new drawing or rig.
     station::StationOptions station_options_;
     station::Station station_;
     // Controller of the current drawing; always has a value.
     std::optional<StationController> controller_;
     LiveCards cards_;
-    // Page on which a picture or leaf is chosen; null until opened.
+    // Page on which the user chooses a picture or leaf; null until first opened.
     std::unique_ptr<ChoicePage> choices_;
-    ChoiceOf choice_of_ = ChoiceOf::Picture;      // Whether choices_ is for a picture or leaves.
-    std::vector<DrawnLeafFile> drawn_leaves_ {};  // Leaves of the document among the choices.
-    std::vector<DrawnOrganFile> drawn_organs_ {}; // Leaves drawn in three views among the choices.
-    std::filesystem::path kept_leaf_ {};     // File of the plant's current foliage; may be empty.
-    std::unique_ptr<LeafPage> leaf_page_;    // Page that previews leaves; null until opened.
-    std::optional<io::FollowedModel> model_; // The model's file, watched for changes.
+    // What the user chooses on choices_: a picture or leaves.
+    ChoiceOf choice_of_ = ChoiceOf::Picture;
+    // Files of the document's drawn leaves that are among the choices.
+    std::vector<DrawnLeafFile> drawn_leaves_ {};
+    // Files of leaves drawn in three views that are among the choices.
+    std::vector<DrawnOrganFile> drawn_organs_ {};
+    // File of the plant's current foliage; empty if there is none.
+    std::filesystem::path kept_leaf_ {};
+    std::unique_ptr<LeafPage> leaf_page_;    // Page that previews leaves; null until first opened.
+    std::optional<io::FollowedModel> model_; // The plant's model file, watched for changes.
     std::optional<devices::LiveRecorder> recorder_;
-    // Output that streams the drawing; nullopt if it is not streamed.
+    // Streams the drawing to other programs; nullopt if it is not streamed.
     std::optional<stream::StreamOutput> stream_;
     std::vector<station::PenMoment> moments_; // Pen input that has not been shown yet.
-    // Index in the document of the recording's first stroke.
+    // Number of strokes in the document when the recording began.
     std::size_t recorded_from_stroke_ = 0;
-    // Diagnosis of the devices, while they are watched.
+    // Diagnosis of the devices, while the devices page is open.
     std::optional<devices::LiveDiagnosis> diagnosis_;
-    Timestamp next_look_ {}; // Time at which the diagnosis's findings are read next.
-    // The calibration page's controller, during calibration.
+    Timestamp next_look_ {}; // Time at which the devices page is next updated with the diagnosis.
+    // Controller of the calibration page; nullopt if that page is closed.
     std::optional<CalibrationPanelController> calibration_;
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
-    std::vector<devices::LiveReport> reports_; // Kept as a member so that its memory is reused.
-    // States of the devices that have been reported to the user.
+    // New reports of the devices. A member, so that its memory is reused.
+    std::vector<devices::LiveReport> reports_;
+    // States of the devices as last reported to the user.
     std::vector<devices::LiveDevices::State> states_;
-    std::uint64_t lost_reports_ = 0; // Number of lost reports that has been reported to the user.
+    std::uint64_t lost_reports_ = 0; // Number of lost reports as last reported to the user.
 };
 
 } // namespace tractus::controllers

@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-// The pages that replace the drawing in the window, and the commands for choosing on them.
+// This file contains the pages that replace the drawing in the window, and their commands.
 namespace tractus::controllers {
 
 view::StartPageModel* LiveWindow::start_page()
@@ -36,7 +36,7 @@ void LiveWindow::perform_kind(view::OpenStartPage const&)
     options_.start_page->open(std::move(left));
 }
 
-// Finishes the drawing, saves as much as possible, and returns a message about the result.
+// Finishes the drawing, saves as much of it as possible, and returns a message about the result.
 std::string LiveWindow::leave_drawing()
 {
     if (recorder_)
@@ -46,7 +46,7 @@ std::string LiveWindow::leave_drawing()
     auto const file = session.is_in_file() ? session.path() : std::filesystem::path();
     bool const is_drawn = session.last_step() > 0;
     auto const unnamed = options_.unnamed ? std::exchange(*options_.unnamed, {}) : file;
-    go_on_with(OpenedDrawing {}); // Replaces the drawing with an empty one, which closes the file.
+    go_on_with(OpenedDrawing {}); // Opening an empty drawing closes the session's file.
     view().state().title = "tractus";
     if (!written)
         return fmt::format("A file was not written: {}", written.error().message);
@@ -60,8 +60,8 @@ std::string LiveWindow::leave_drawing()
     return fmt::format("The drawing is kept as {}", (is_listed ? file.filename() : file).string());
 }
 
-// Opens another drawing instead of the current one; the window's information about the devices is
-// kept.
+// Opens another drawing instead of the current one. Information about the devices stays in the
+// window's state.
 void LiveWindow::go_on_with(OpenedDrawing drawing)
 {
     auto const before = state();
@@ -73,7 +73,7 @@ void LiveWindow::go_on_with(OpenedDrawing drawing)
     if (!drawing.model.empty())
         follow(drawing.model);
     auto& state = view().state();
-    // Changes the revision, so that nothing shown before is taken for current.
+    // Increases all revisions, so that the window does not take earlier contents for current ones.
     state.live_revision += before.live_revision + 1;
     state.strokes_revision += before.strokes_revision + 1;
     state.skeleton_revision += before.skeleton_revision + 1;
@@ -114,7 +114,7 @@ void LiveWindow::follow_start_page()
         take_tool_for_drawing();
 }
 
-// Selects the tool for this drawing, unless it is selected already.
+// Selects the tool that suits this drawing, unless it is already selected.
 void LiveWindow::take_tool_for_drawing()
 {
     auto const tool
@@ -140,7 +140,7 @@ static bool is_drawn_leaf(scene::Scene const& scene, scene::ItemId plant)
         [&](methods::DrawnLeafGrammar const& leaf) { return leaf.plant == plant; });
 }
 
-// The document's leaves as files, for the page.
+// Returns the document's leaves, written as files for the page of choices.
 LeavesInDocument LiveWindow::leaves_in_document()
 {
     std::error_code error;
@@ -168,8 +168,8 @@ LeavesInDocument LiveWindow::leaves_in_document()
     return leaves;
 }
 
-// True if choosing a leaf drawn in three views should put it on the active plant: the leaf is not
-// that plant's own, and the plant accepts such leaves.
+// True if a chosen leaf, drawn in three views, should be put on the active plant: the plant accepts
+// such leaves, and the leaf is not its own.
 bool LiveWindow::inserts_leaf(std::filesystem::path const& file)
 {
     auto const& state = scene().state;
@@ -179,7 +179,7 @@ bool LiveWindow::inserts_leaf(std::filesystem::path const& file)
            });
 }
 
-// Saves a drawn leaf among the user's own when no plant is active that could have it.
+// Saves a drawn leaf in the user's folder of leaves; used if no active plant can carry it.
 void LiveWindow::keep_drawn_leaf(std::filesystem::path const& file)
 {
     Result<std::filesystem::path> kept = fail(Fault::User, "There is no folder for leaves");
@@ -192,8 +192,8 @@ void LiveWindow::keep_drawn_leaf(std::filesystem::path const& file)
         : kept.error().message;
 }
 
-// Starts with the plant's current foliage if it uses this grammar, otherwise with full-grown,
-// undamaged leaves.
+// Opens the page that previews leaves. It begins with the plant's current foliage if that uses this
+// grammar, otherwise with fully grown, undamaged leaves.
 void LiveWindow::open_leaf_page(std::filesystem::path const& file)
 {
     auto const& state = scene().state;
@@ -263,7 +263,7 @@ void LiveWindow::follow_choices()
         open_leaf_page(*file);
 }
 
-// Lays the picture; the next stroke of the pen places it.
+// Lays the picture behind the drawing; the pen's next stroke places it.
 void LiveWindow::perform_kind(view::LayPictureFile const& command)
 {
     controller_->perform(command, station_);

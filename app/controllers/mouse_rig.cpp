@@ -15,15 +15,16 @@ namespace tractus::controllers {
 namespace {
 
 constexpr double kCountsPerSurfaceMm = 200;
-// Distance from the ends of the sensor's range, where a reading means a fault.
+// Counts at the surface's lowest and greatest height. They keep a distance from the ends of the
+// sensor's range, where readings mean a fault.
 constexpr std::int32_t kSurfaceLow = 1000;
 constexpr std::int32_t kSurfaceHigh = 61000;
 constexpr std::int32_t kSurfaceFullScale = 62000;
 static_assert((kSurfaceHigh - kSurfaceLow) / kCountsPerSurfaceMm == MouseRig::kTop_mm);
-// Within this time of both ends of a stall, heights are sent at the usual rate: pen positions fall
-// into it, and a moving surface comes to rest.
+// Within this time of the beginning and end of a stall, heights are sent at the normal rate, as pen
+// positions have times in this part and a moving surface comes to rest in it.
 constexpr Duration kDenseAroundStall = std::chrono::milliseconds(250);
-// Maximum number of reports for the middle of a stall, even after hours.
+// Maximum number of height reports for the middle of a stall, even if it lasts hours.
 constexpr Duration::rep kMaxOfStall = 10'000;
 
 } // namespace
@@ -36,11 +37,11 @@ struct MouseRig::Shared {
     bool has_tablet = false;                // True if the mouse replaces the tablet.
     std::deque<drivers::RawReport> reports; // Reports of the pen that have not been read yet.
     Timestamp last_move {};                 // Time of the pen's newest report.
-    Timestamp last_reading {};              // Time at which all heights were last read.
-    Timestamp heights_until {};             // Heights up to this time have been sent.
+    Timestamp last_reading {};  // Time at which pending heights were last read completely.
+    Timestamp heights_until {}; // Heights have been sent up to this time.
 
-    // Time up to which heights may be sent. The pen's next positions get times after its last
-    // report or the last frame, and reports must be in time order.
+    // Time up to which heights may be sent. The pen's next reports get times after its newest
+    // report or after the last reading, and reports must be in time order.
     Timestamp telling_end() const { return has_tablet ? std::max(last_move, last_reading) : now(); }
 };
 
@@ -73,7 +74,7 @@ private:
     drivers::DeviceInfo info_;
 };
 
-// Sends the current height repeatedly, with a little noise, like a sensor.
+// Height sensor that sends the surface's height repeatedly, with one count of noise.
 class MouseSurface final : public drivers::ReportSource {
 public:
     explicit MouseSurface(std::shared_ptr<MouseRig::Shared> shared)
@@ -105,7 +106,7 @@ public:
     }
 
 private:
-    // Time from a report to the next, in a series that lasts until `end`.
+    // Time from the report at `time` to the next, in a series of reports that lasts until `end`.
     Duration period(Timestamp time, Timestamp end) const
     {
         auto const sparse
@@ -115,8 +116,8 @@ private:
         return is_dense ? Duration(MouseRig::kHeightPeriod) : sparse;
     }
 
-    // Alternates by one count, towards the middle of the range: a sensor without any noise would be
-    // taken for a broken cable.
+    // Adds noise of one count to every second reading, towards the middle of the range: a sensor
+    // without noise would be taken for a broken cable.
     std::int32_t with_noise(std::int32_t counts)
     {
         flickers_ = !flickers_;
@@ -124,7 +125,7 @@ private:
         return counts + (flickers_ ? inwards : 0);
     }
 
-    // The surface's height at `now`; it slows down near its target.
+    // Moves the surface until `now` and returns its height. The surface slows down near its target.
     double glide_to(Timestamp now)
     {
         constexpr double kGlide_s = 0.04;
@@ -143,7 +144,7 @@ private:
     std::shared_ptr<MouseRig::Shared> shared_;
     drivers::DeviceInfo info_;
     std::optional<Timestamp> next_; // Time at which the next height is due.
-    Timestamp begin_ {};            // Time of the first height due in this reading.
+    Timestamp begin_ {};            // Time of the first height in the series that is being read.
     std::optional<Timestamp> last_; // Time at which a height was last sent.
     bool flickers_ = false;
 };
@@ -193,8 +194,8 @@ void MouseRig::move_pen(std::span<sim::TabletPen const> pens)
     if (!shared_->has_tablet)
         return;
     auto const now = shared_->now();
-    // Longest time between frames over which a movement is spread; after a pause it has only just
-    // begun.
+    // Maximum time over which a movement is spread. If the last frame is longer ago, as after a
+    // pause, the movement is assumed to have just begun.
     constexpr Duration kLongestFrame = std::chrono::milliseconds(100);
     auto const begin
         = std::max({ shared_->last_move, shared_->heights_until, now - kLongestFrame });

@@ -26,7 +26,7 @@ bool is_picture_file(fs::path const& file)
 std::vector<fs::path> pictures_in(fs::path const& folder, std::size_t most)
 {
     constexpr int kDeepest = 2;
-    // Most files looked at per folder, which may be a whole archive.
+    // Maximum number of files examined per folder, as it may be a whole archive.
     constexpr std::size_t kMaxLookedAt = 20'000;
     std::vector<std::pair<std::chrono::sys_seconds, fs::path>> found;
     std::error_code error;
@@ -55,7 +55,7 @@ std::vector<fs::path> pictures_in(fs::path const& folder, std::size_t most)
 
 Result<scene::LayPicture> load_back_picture(fs::path const& file, Vec2 const& tablet_mm)
 {
-    constexpr double kShare = 0.9; // Part of the tablet's size that the picture fills.
+    constexpr double kShare = 0.9; // Maximum size of the picture, as a share of the tablet's.
     auto bytes = TRY(read_file(file, scene::kMaxPictureBytes));
     auto const image = render::read_picture(bytes);
     if (!image)

@@ -23,7 +23,7 @@ std::tm local_time(sys_seconds time)
     return fmt::localtime(std::chrono::system_clock::to_time_t(time));
 }
 
-// The calendar day in local time.
+// Returns the calendar day of a local time.
 std::chrono::sys_days day_of(std::tm const& time)
 {
     return std::chrono::sys_days(std::chrono::year(time.tm_year + 1900)

@@ -23,8 +23,8 @@ ReplayWindow::ReplayWindow(drivers::Log const& log, station::ReplayOptions optio
     , now_(replay_.begin())
     , controller_(std::move(controller))
 {
-    if (view().state().status.empty()) // A status that is set already is about unknown edits of the
-                                       // session.
+    // A status that is already set warns of unknown edits in the session.
+    if (view().state().status.empty())
         view().state().status
             = replay_.left_out().empty() ? "The hand begins" : replay_.left_out().front();
 }
@@ -34,7 +34,7 @@ ReplayWindow::~ReplayWindow()
     static_cast<void>(close());
 }
 
-// Ends the replay; a stroke drawn only in part is dropped.
+// Ends the replay. An unfinished stroke is dropped.
 Result<void> ReplayWindow::finish()
 {
     return controller_.finish(replay_.station(), now_);
@@ -105,7 +105,7 @@ void ReplayWindow::perform_kind(view::Restart const&)
     state.playing = true;
     state.progress = 0;
     view().begin_again(replay_.station(), controller_.document());
-    // Growth stays as the user has set it, but a session returns to its beginning.
+    // Growth stays as the user has set it. A session returns to its beginning.
     controller_.begin_again(replay_.station(), "The hand begins again",
                             document::Document::Growth::AsItIs);
 }

@@ -11,13 +11,13 @@
 
 namespace tractus::controllers {
 
-// The station's window during the replay of a log at its original pace: pen, strokes, selection,
-// and the plant, updated after each stroke.
+// The station's window while a log is replayed at its original pace. Shows the pen, the strokes,
+// the selection, and the plant, which is updated after each stroke.
 class ReplayWindow final : public view::WindowModel {
 public:
     // The log must outlive the window. `pictures` is the folder for saved pictures. With a session,
-    // the replay draws on its scene instead of `scene` and is saved in it. Fails like
-    // LogReplay::create().
+    // the replay draws on the session's scene instead of `scene` and saves the drawing there. Fails
+    // like LogReplay::create().
     static Result<ReplayWindow> create(drivers::Log const& log, station::ReplayOptions options,
                                        scene::Scene scene, std::filesystem::path pictures,
                                        std::optional<session::Session> session = {});
@@ -41,7 +41,7 @@ private:
     void perform_kind(view::SetPlaying const& command);
     void perform_kind(view::SetSpeed const& command);
     void perform_kind(view::Restart const&);
-    // Choosing a tool has no effect, as tools change as recorded.
+    // Tools cannot be chosen, as they change as recorded.
     void perform_kind(view::ChooseTool const&) { }
     void perform_kind(view::AdjustTool const&) { }
     void perform_kind(view::TakeLikeDrawn const&) { }
@@ -54,21 +54,22 @@ private:
     void perform_kind(view::OpenLeaves const&) { }
     void perform_kind(view::SetActiveFoliage const&) { }
     void perform_kind(view::BringLeaf const&) { }
-    void perform_kind(view::PickCurve const&) { } // The recording says what is selected.
-    // Naming has no effect, as a recording has no name to change.
+    // Curves cannot be picked, as the selection is as recorded.
+    void perform_kind(view::PickCurve const&) { }
+    // Drawings cannot be named, as a replay belongs to its recording.
     void perform_kind(view::NameDrawing const&) { }
     void perform_kind(view::SaveCopy const&) { }
     void perform_kind(view::WriteRules const&) { }
-    // Pressing has no effect, as the window's controls were elsewhere when the log was recorded.
+    // Pressing has no effect, as the window's controls were in other places during the recording.
     void perform_kind(view::SetPressingAreas const&) { }
     void perform_kind(view::PressInstead const&) { }
     void perform_kind(view::MoveMousePen const&) { }
     void perform_kind(view::MoveSurface const&) { }
-    // Recording has no effect during a replay, which plays a recording already.
+    // A replay cannot be recorded, as it is a recording already.
     void perform_kind(view::SetRecording const&) { }
-    // Watching devices has no effect, as none are connected.
+    // Devices cannot be watched, as none are connected.
     void perform_kind(view::WatchDevices const&) { }
-    // Opening the start page has no effect: there is none, as a replay ends by itself.
+    // There is no start page, as the window closes with its replay.
     void perform_kind(view::OpenStartPage const&) { }
     void perform_kind(view::OpenCalibration const&) { }
     void perform_kind(view::CloseCalibration const&) { }
@@ -79,10 +80,10 @@ private:
 
     view::StationView& view() { return controller_.view(); }
 
-    drivers::Log const* log_;        // The log that is replayed; not owned.
-    station::ReplayOptions options_; // Options of the replay, kept for a restart.
+    drivers::Log const* log_;        // The log that is replayed. Not owned.
+    station::ReplayOptions options_; // Options of the replay, kept so that it can start again.
     station::LogReplay replay_;
-    Timestamp now_; // Current time in the log.
+    Timestamp now_; // Current time of the replay, in the log's time.
     StationController controller_;
 };
 

@@ -11,20 +11,21 @@
 
 namespace tractus::controllers {
 
-// Models that the user edits while drawing on their plants.
+// Functions for models that the user edits while drawing on their plants.
 
 // Writes the model of a plant with editable rules into a new folder and returns the file with the
-// rules. Fails with a user error if the plant has no rules or no file can be written.
+// rules. Fails with a user error if the plant has no such rules or a file cannot be written.
 Result<std::filesystem::path> write_rules(scene::PlantState const& plant,
                                           std::filesystem::path const& folder);
 
-// Returns the change that follows the saving of a model's file: the active plant is derived again
-// from the new text, keeping what was drawn on it. Fails with a user error if the active plant does
-// not use this model.
+// Returns the change to make after the user has saved a model's file: the active plant is derived
+// again from the new text, and what was drawn on it is kept. Fails with a user error if the active
+// plant does not use this model.
 Result<document::StepRequest::Change> take_rules(scene::LoadModel const& model,
                                                  scene::Scene const& scene);
 
-// The active plant's model as its files contain it; nullopt if it has no files.
+// Returns the active plant's model as read from its files; nullopt if the plant does not come from
+// files.
 std::optional<scene::LoadModel> model_drawn_on(scene::DocumentState const& state);
 
 } // namespace tractus::controllers

@@ -32,8 +32,8 @@ std::vector<fs::path> models_in(fs::path const& folder)
     return models;
 }
 
-// A model's description, from its first comment up to the full stop: "/* A weeping birch: a slender
-// …" gives "A weeping birch". Empty if the model does not begin with a comment.
+// Returns a model's description: its first comment up to the full stop. For example, "/* A weeping
+// birch: a slender …" gives "A weeping birch". Empty if the model does not begin with a comment.
 std::string describe_model(fs::path const& model)
 {
     constexpr std::size_t kMax_bytes = 1'000'000;
@@ -78,7 +78,7 @@ StartPageController::~StartPageController()
     if (!opened || !*opened || (*opened)->unnamed.empty())
         return;
     auto const file = (*opened)->unnamed;
-    opened.reset(); // Closes the session before its file may be deleted.
+    opened.reset(); // Closes the session, as its file may be deleted next.
     remove_if_nothing_was_drawn(file);
 }
 
@@ -106,7 +106,8 @@ void StartPageController::open(std::string note)
     pictures_.want(std::move(files));
 }
 
-// Pictures shown before that can be reused: all but those of sessions, which may have changed.
+// Returns the thumbnails shown so far that can be reused when the page is opened again. Sessions
+// are left out, as they may have changed.
 std::map<fs::path, std::shared_ptr<render::Image const>>
 StartPageController::pictures_of_models() const
 {
@@ -127,7 +128,7 @@ void StartPageController::add_group(view::StartCards cards, std::vector<Meaning>
     meanings_.push_back(std::move(meanings));
 }
 
-// Offers an empty sheet for each method, with its first tool, which makes a plant.
+// Offers an empty sheet for each method; the method's first tool is selected on it.
 void StartPageController::list_sheets()
 {
     view::StartCards cards { .title = "An empty sheet" };
@@ -208,7 +209,7 @@ std::optional<StartPageController::Chosen> StartPageController::take_opened()
         return std::nullopt;
     }
     is_open_ = false;
-    pictures_.want({}); // Stops making thumbnails, to leave the processor to the drawing.
+    pictures_.want({}); // Stops making thumbnails, so that the drawing has the processor to itself.
     return Chosen { **std::move(opened), std::exchange(chosen_tool_, std::nullopt) };
 }
 

@@ -19,44 +19,45 @@
 namespace tractus::controllers {
 
 struct StartPageOptions {
-    scene::EditKinds kinds {}; // Kinds of edits that sessions may have.
-    tools::ToolKinds tools {}; // For each method that makes plants, its first tool is selected on
-                               // an empty sheet.
+    scene::EditKinds kinds {}; // Kinds of edits that sessions may contain.
+    // Tools of all methods. For each method, the page offers an empty sheet with its first tool.
+    tools::ToolKinds tools {};
     // Folders of models, built-in and the user's; missing folders are ignored.
     std::vector<std::filesystem::path> models {};
-    std::filesystem::path sessions {}; // Folder whose newest sessions are offered.
+    std::filesystem::path sessions {}; // Folder of sessions, of which the page offers the newest.
     std::filesystem::path pictures {}; // Cache folder for thumbnails; empty: no caching.
-    std::function<std::chrono::sys_seconds()> now {}; // Returns the time of the wall clock.
+    std::function<std::chrono::sys_seconds()> now {}; // Wall clock.
 };
 
-// Options with the built-in models and the user's own folders (user_folder.h): models in "models"
-// beside the sessions, thumbnails in the cache.
+// Returns options with the built-in models and the user's own folders (user_folder.h): models in
+// "models" beside the sessions, and thumbnails in the cache.
 StartPageOptions start_page_of_user(tools::Methods const& methods);
 
-// The start page: empty sheets, models and recent sessions. Pictures are made, and the choice is
-// opened, in the background. Use from one thread.
+// Controller of the start page, which offers empty sheets, models and recent sessions. Thumbnails
+// are made in the background, where the chosen drawing is also opened. Use from one thread.
 class StartPageController final : public view::StartPageModel {
 public:
     static constexpr std::size_t kMaxRecent = 12;
 
     explicit StartPageController(StartPageOptions options);
-    ~StartPageController() override; // Deletes a new file if its drawing was chosen but not taken.
+    ~StartPageController() override; // If a drawing was chosen but not taken, deletes its new file.
 
-    // Shows the page with current contents. `note`: see StartPageState.
+    // Shows the page with current contents. For `note` see StartPageState.
     void open(std::string note);
     bool is_open() const { return is_open_; }
 
-    // Takes finished work from the background threads.
+    // Takes finished thumbnails and the opened drawing from the background threads.
     void advance();
 
-    // The chosen drawing, once it has been opened; the page is then closed.
+    // The drawing that the user chose, already opened. The page is closed when this can be taken.
     struct Chosen {
         OpenedDrawing drawing;
-        std::optional<tools::Tool> tool {}; // The tool to select for the drawing.
+        // Tool to select for the drawing; no value: it depends on the drawing.
+        std::optional<tools::Tool> tool {};
     };
     std::optional<Chosen> take_opened();
 
-    // Waits for pictures and the chosen drawing; they can then be taken.
+    // Waits for thumbnails and the chosen drawing to be finished; the drawing can then be taken.
     void settle();
 
     view::StartPageState const& state() const override { return state_; }
@@ -79,8 +80,8 @@ private:
     StartPageOptions options_;
     bool is_open_ = false;
     view::StartPageState state_;
-    std::vector<std::vector<Meaning>> meanings_; // Meanings of the state's cards, with the same
-                                                 // indices.
+    // What choosing each card of state_ means, with the same indices.
+    std::vector<std::vector<Meaning>> meanings_;
     std::optional<tools::Tool> chosen_tool_;
     CardPictures pictures_;
     NewestJob<DrawingRequest, Result<OpenedDrawing>> opening_;

@@ -58,7 +58,7 @@ void StationController::take_strokes(station::Station& station)
     announce_dab(station);
 }
 
-// Explains, once per kind of tool, why a dab (a touch too short for a stroke) did nothing.
+// Explains why a dab (a touch too short for a stroke) had no effect, once per kind of tool.
 void StationController::announce_dab(station::Station const& station)
 {
     auto const* const kind = station.last_dab();
@@ -70,7 +70,8 @@ void StationController::announce_dab(station::Station const& station)
         = tools::describe_dab(*kind, tools::min_extent_mm(station.min_extents(), *kind));
 }
 
-// The tool to select when the plant's tool changed with the scene; nullopt if it did not.
+// Returns the tool to select if the options of the plant's tool changed with the scene and the
+// selected tool had them before; otherwise nullopt.
 static std::optional<tools::Tool> hand_after(tools::Tool const& hand, scene::Scene const& before,
                                              scene::Scene const& after)
 {
@@ -125,7 +126,7 @@ void StationController::show_files()
 
 Result<void> StationController::finish(station::Station& station, Timestamp now)
 {
-    if (!document_) // Returns early if this object was moved from.
+    if (!document_) // This object was moved from: there is nothing to finish.
         return {};
     take_strokes(station);
     document_->try_again();
@@ -153,7 +154,7 @@ bool StationController::may_close(Result<void> const& finished)
 Result<void> StationController::finish_files()
 {
     Result<void> done;
-    if (!files_) // Returns early if this object was moved from.
+    if (!files_) // This object was moved from: there are no files.
         return done;
     files_->settle();
     while (auto const written = files_->take())
@@ -228,8 +229,8 @@ void StationController::perform(view::PickCurve const& command, station::Station
     show_document(station, now_);
 }
 
-// The picture is read when the step is done, on the document's thread, because a large one takes
-// time.
+// Lays a picture behind the drawing. The document's thread reads the picture when it makes the
+// step, as reading a large one takes time.
 void StationController::perform(view::LayPictureFile const& command, station::Station& station)
 {
     auto const change = [file = command.file, tablet_mm = view_.state().surface_size_mm()](
@@ -284,7 +285,7 @@ void StationController::perform(view::SetActiveFoliage const& command, station::
         if (!scene::active_plant(scene.state))
             return fail(Fault::User, "There is no plant yet: draw one first");
         auto edits = TRY(methods::foliage_edits(scene, scene.state.active, wanted));
-        // In a season the leaves' ages follow the season instead of the chosen age.
+        // In a season, the season determines the leaves' ages instead of the chosen age.
         if (auto const then = season.value_or(scene.state.season); then || season) {
             auto const foliated = TRY(scene::apply_edits(scene, edits));
             for (auto& edit : TRY(batch::season_edits(foliated, then)))
@@ -438,7 +439,7 @@ void StationController::perform(view::SetAlongGround const& command, station::St
                                          : "Growth is as it is, into the ground, too";
 }
 
-// Changes the growth as an undoable step. `change` is called after all earlier steps.
+// Changes the growth as an undoable step. `change` is called after all earlier steps are done.
 void StationController::set_growth(
     std::function<Result<document::StepRequest::Change>(scene::SetGrowth growth)> const& change,
     station::Station& station)
@@ -484,7 +485,7 @@ void StationController::perform(view::ExportPlant const& command, station::Stati
          });
 }
 
-// Shows the drawing's name: the session's own, otherwise one made of the file's name.
+// Shows the drawing's name: the session's own name, otherwise one made from the file's name.
 void StationController::show_name()
 {
     auto const& session = document_->session();
@@ -506,7 +507,7 @@ void StationController::perform(view::NameDrawing const& command, station::Stati
         state.title = fmt::format("tractus: {}", *state.drawing_name);
 }
 
-// Saves a copy that includes everything drawn before the command.
+// Saves a copy of the session, including everything drawn before the command.
 void StationController::perform(view::SaveCopy const& command, station::Station& station)
 {
     auto const begin = [&]() -> Result<void> {
@@ -532,7 +533,7 @@ void StationController::perform(view::SaveCopy const& command, station::Station&
         view_.state().status = begin.error().message;
 }
 
-// Writes the rules file, whose changes update the plant from then on.
+// Writes the active plant's rules as a file. From then on, changes to the file update the plant.
 void StationController::perform(view::WriteRules const&, station::Station& station)
 {
     auto const written = [&]() -> Result<std::filesystem::path> {

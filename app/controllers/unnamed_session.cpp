@@ -26,7 +26,7 @@ void remove_if_nothing_was_drawn(fs::path const& session)
     auto const contents = session::read_session(session, {});
     std::error_code ignored;
     if (contents && contents->last_step() == 0)
-        // Deletes the session's file and those that SQLite creates beside it.
+        // Deletes the session's file and the files that SQLite creates beside it.
         for (auto const* const ending : { "", "-wal", "-shm" })
             fs::remove(session.string() + ending, ignored);
 }

@@ -8,10 +8,10 @@
 
 namespace tractus::controllers {
 
-// Generates a session's file name from the plant and the time, in the folder "tractus" of the
-// user's data ($XDG_DATA_HOME, by default ~/.local/share, as in the XDG Base Directory
-// Specification). Creates the folder if necessary, but not the file.  Fails with a user error if
-// the folder does not exist and cannot be created.
+// Generates a session's file name from the plant's name and the time, in the folder "tractus" of
+// the user's data ($XDG_DATA_HOME, by default ~/.local/share, as in the XDG Base Directory
+// Specification). Creates the folder if necessary, but not the file. Fails with a user error if the
+// folder does not exist and cannot be created.
 Result<std::filesystem::path> unnamed_session_path(std::string const& plant,
                                                    std::chrono::sys_seconds now);
 

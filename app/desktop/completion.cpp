@@ -47,13 +47,13 @@ CLI::App* find_command(CLI::App& parent, std::string const& name)
     return nullptr;
 }
 
-// Parser state after all words but the last.
+// State of the command line's parser after all words but the last.
 struct Place {
     CLI::App* command;
-    // Option that requires the next word as its value, or may take it if it is not an option
-    // itself.
+    // Option whose value is the next word. If the option has all values that it requires, the next
+    // word may also be another option. Null: no option expects a value.
     CLI::Option* option = nullptr;
-    int values = 0; // Number of values that the option has taken already.
+    int values = 0; // Number of values that the option has already received.
     std::size_t positionals = 0;
 
     bool needs_value() const { return option && values < option->get_items_expected_min(); }
@@ -75,8 +75,8 @@ struct Place {
     }
 };
 
-// Rejoins the words of --option=value, which bash splits at "="; an "=" without a value yet becomes
-// an empty word.
+// Rejoins the words of "--option=value", which bash splits at "=". A final "=" becomes an empty
+// word.
 std::vector<std::string> without_equals_signs(std::vector<std::string> typed)
 {
     if (!typed.empty() && typed.back() == "=")
@@ -99,7 +99,7 @@ public:
             completion.words.push_back({ text, about });
     }
 
-    // Lists the possible values of an option or argument, each with `prefix` in front.
+    // Offers the possible values of an option or argument, each with `prefix` before it.
     void values_of(CLI::Option& option, std::string const& prefix = {})
     {
         for (auto const& text : options::completion_words(option))

@@ -14,7 +14,7 @@ namespace tractus::desktop {
 
 namespace {
 
-// Escapes text for troff: its escape character, and dashes and quotes that it would replace.
+// Escapes text for troff, which would replace its escape character, dashes and quotes.
 std::string escaped(std::string const& text)
 {
     std::string result;
@@ -33,7 +33,7 @@ std::string escaped(std::string const& text)
     return result;
 }
 
-// Joins lines of prose; an empty line starts a paragraph, and indented lines are kept as they are.
+// Converts prose to troff. An empty line starts a paragraph; indented lines keep their line breaks.
 std::string paragraphs(std::string const& text)
 {
     std::istringstream lines(text);
@@ -49,7 +49,7 @@ std::string paragraphs(std::string const& text)
         if (!line.empty())
             result += escaped(line) + "\n";
     }
-    // Removes empty paragraphs.
+    // Removes empty paragraphs, which appear as two successive .PP macros.
     for (std::string const twice = ".PP\n.PP\n"; result.find(twice) != std::string::npos;)
         result.replace(result.find(twice), twice.size(), ".PP\n");
     return result + (is_literal ? ".fi\n" : "");
@@ -98,7 +98,7 @@ std::string option_entry(CLI::Option const& option)
     return fmt::format(".TP\n{}\n{}\n", names, escaped(options::option_help(option)));
 }
 
-// Lists arguments and options below a heading of the given kind, ".SH" or ".SS".
+// Lists arguments and options below a heading. `heading` is the macro for it, ".SH" or ".SS".
 std::string entries(CLI::App const& command, char const* heading)
 {
     std::string text;

@@ -5,14 +5,14 @@
 
 namespace tractus::desktop {
 
-// The program's manual page, which lists its commands, in groff's man macros.
+// Returns the program's manual page in groff's man macros. It lists the program's commands.
 std::string program_man_page(CLI::App const& root);
 
-// The manual page of a command and its subcommands, with everything that --help shows.
+// Returns the manual page of a command and its subcommands, with everything that --help shows.
 std::string command_man_page(CLI::App const& command);
 
-// Name of a command's manual page: "tractus-vary" for the command vary; the program's name for the
-// root.
+// Returns the name of a command's manual page: "tractus-vary" for the command "vary", or the
+// program's name for the root.
 std::string man_page_name(CLI::App const& command);
 
 } // namespace tractus::desktop

@@ -7,7 +7,7 @@
 
 namespace tractus::devices {
 
-// Prints on standard error when devices disconnect and reconnect, once for each event.
+// Prints a line on standard error whenever a device disconnects or reconnects.
 class DeviceNews {
 public:
     explicit DeviceNews(LiveDevices const& devices)
@@ -19,7 +19,7 @@ public:
     void tell(LiveDevices const& devices);
 
 private:
-    // Last printed state of a device.
+    // State of a device as last printed.
     struct PrintedState {
         LiveDevices::State state = LiveDevices::State::Connected;
         std::string refusal {};

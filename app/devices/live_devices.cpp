@@ -84,7 +84,7 @@ Result<void> LiveDevices::add_real(drivers::DeviceInfo info,
     return add(std::move(source), observed);
 }
 
-// Adds a log. The simulated rig is the log of its devices while its hand drew the demo.
+// Adds the devices of a log. The name "simulated" stands for the log of a demonstration.
 Result<void> LiveDevices::add_log(std::string const& name)
 {
     auto const demo = files::find_resource("demo/broadleaf.tractus-log");
@@ -111,7 +111,7 @@ Result<LiveDevices> LiveDevices::play_log(std::string const& name,
         .data_begin = log->begin(),
         .real_begin = now(),
         .now = now,
-        .wait = [](Duration) {}, // Does not wait, as the log is read without blocking.
+        .wait = [](Duration) {}, // Nothing waits, as the log is read without blocking.
     };
     for (std::size_t i = 0; i < log->devices.size(); ++i)
         devices.add_source_without_thread(play::open_paced(log, i, pace));

@@ -8,17 +8,17 @@
 
 namespace tractus::devices {
 
-// Diagnosis of the devices while the user draws: latest raw values, regularity of reports, and
-// problems of devices or the computer.
+// Diagnosis of the devices while the user draws: their latest raw values, the regularity of their
+// reports, and problems of the devices or the computer.
 class LiveDiagnosis {
 public:
-    // Examines the computer, which takes some milliseconds, and starts collecting statistics.
+    // Examines the computer, which takes some milliseconds, and begins to collect statistics.
     LiveDiagnosis(LiveDevices const& devices, Timestamp now);
 
     void push(LiveReport const& report) { monitors_[report.device].push(report.report); }
     void pass_time(Timestamp now);
 
-    // Statistics of the devices, one entry for each.
+    // Statistics of the devices, one element per device.
     std::vector<diagnosis::DeviceReading> readings() const;
     std::vector<diagnosis::Finding> findings() const; // Problems found; empty if there are none.
 

@@ -27,7 +27,7 @@ Result<LiveRecorder> LiveRecorder::create(std::filesystem::path const& path,
     TRY(check_new_file(path));
     if (path.has_parent_path())
         TRY(make_folder(path.parent_path()));
-    // The file has its final name from the start, as a log is valid at any length.
+    // The file has its final name from the start, as a log that was cut short is still valid.
     auto out = std::make_unique<std::ofstream>(path, std::ios::binary);
     if (!*out)
         return fail(Fault::User,

@@ -15,7 +15,7 @@ double milliseconds(Duration duration)
     return to_seconds(duration) * 1e3;
 }
 
-// Appends the newest report, sixteen bytes per line, beside the sample's fields.
+// Appends the bytes of the newest report, sixteen per line, beside the fields of its sample.
 void append_report(diagnosis::DeviceReading const& reading, std::vector<std::string>& lines)
 {
     auto const bytes = reading.last ? reading.last->bytes() : std::span<std::byte const> {};

@@ -13,7 +13,8 @@ namespace tractus::diagnosis {
 using namespace std::chrono_literals;
 
 static constexpr Duration kWindow = 1s;
-// Interval between reports above which the pen was away; such pauses do not count.
+// A longer time between reports is a pause, in which the pen was away; pauses do not count as
+// intervals.
 static constexpr Duration kPause = 100ms;
 
 DeviceMonitor::DeviceMonitor(drivers::DeviceInfo const& info)
@@ -25,7 +26,8 @@ DeviceMonitor::DeviceMonitor(drivers::DeviceInfo const& info)
     else if (auto height = drivers::make_height_decoder(info))
         height_ = *std::move(height);
     if (height_) {
-        calib::Rig rig; // Without a calibration, jumps cannot be detected; other faults can.
+        // Without a calibration, jumps of the height cannot be detected; other faults can.
+        calib::Rig rig;
         rig.full_scale_counts = height_->full_scale();
         height_monitor_.emplace(rig);
     }
@@ -135,7 +137,7 @@ void DeviceMonitor::watch_pace(Timestamp time)
         ++reading_.backward_times;
         recent_.clear();
     }
-    // Maximum number of reports kept from one second; more than USB's 8 kHz allow.
+    // Maximum number of reports kept from the last second; USB allows 8,000 per second.
     constexpr std::size_t kMaxPerSecond = 20'000;
     recent_.push_back(time);
     while (recent_.front() + kWindow < time || recent_.size() > kMaxPerSecond)

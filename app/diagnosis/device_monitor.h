@@ -20,24 +20,25 @@
 
 namespace tractus::diagnosis {
 
-// Regularity of a device's reports, over the last second with reports.
+// Regularity of a device's reports, over the last second before its newest report.
 struct ReportPace {
-    double rate_hz = 0;        // Reports per second; 0 before the second report.
-    Duration mean_interval {}; // Mean time between reports, without pauses (pen away).
-    Duration jitter {};        // Standard deviation of the intervals.
+    double rate_hz = 0; // Reports per second; 0 before the second report.
+    // Mean time between reports. Pauses, when the pen is away, do not count.
+    Duration mean_interval {};
+    Duration jitter {}; // Standard deviation of the times between reports.
     Duration longest_interval {};
 };
 
-// Statistics of the reports with one report id.
+// Statistics of a device's reports with a certain report id.
 struct ReportIdReading {
     std::size_t reports = 0;
-    std::size_t samples = 0; // Decoded pen samples.
-    Timestamp first {};      // Time of the first report.
-    Timestamp last {};       // Time of the last report.
+    std::size_t samples = 0; // Number of pen samples decoded from the reports.
+    Timestamp first {};      // Time of the first report with this id.
+    Timestamp last {};       // Time of the latest report with this id.
 };
 
-// A touch of the pen from its first to its last sample. Positions are shares of the tablet's active
-// area, so that a tablet's different report formats agree on them.
+// A touch of the pen, from its first to its last sample. Positions are shares of the tablet's
+// active area, so that they agree between a tablet's report formats.
 struct PenTouch {
     Timestamp begin {};
     Timestamp end {};
@@ -45,15 +46,15 @@ struct PenTouch {
     Vec2 end_place = Vec2::Zero();
 };
 
-// Pen statistics, used to judge the tip's switch.
+// Pen statistics, by which the switch in the pen's tip is judged.
 struct PenReading {
-    // Number of bins of the pressure histogram, 1 % each.
+    // Number of bins of the pressure histogram; each covers 1 % of the full pressure.
     static constexpr std::size_t kPressureSteps = 100;
     static constexpr std::size_t kMaxTouches = 200;
 
-    std::size_t hovering = 0; // Number of samples in range but not touching.
+    std::size_t hovering = 0; // Number of samples with the pen in range but not touching.
     std::size_t touching = 0;
-    // Histogram of the touching samples' pressure; empty if the device reports none.
+    // Number of touching samples in each bin of pressure; empty if the device reports no pressure.
     std::vector<std::size_t> pressures {};
     std::vector<PenTouch> touches {}; // The first kMaxTouches touches.
 };
@@ -62,37 +63,38 @@ struct PenReading {
 struct DeviceReading {
     drivers::DeviceInfo info {};
     drivers::DeviceDescription description {};
-    bool is_away = false; // The device disconnected and has not sent since.
+    bool is_away = false; // True if the device disconnected and has not sent a report since.
 
     std::size_t reports = 0;
-    std::size_t samples = 0; // Decoded samples of the pen or the height.
+    std::size_t samples = 0; // Number of decoded samples of the pen or the height.
     std::size_t broken_reports = 0;
     std::string first_broken {};
     std::size_t departures = 0;
-    std::size_t backward_times = 0; // Number of reports older than the one before.
-    // Statistics by first byte (the report id, if the device uses ids).
+    // Number of reports with an earlier time than the preceding report.
+    std::size_t backward_times = 0;
+    // Statistics of reports by their first byte, which is the report id if the device uses ids.
     std::map<std::uint8_t, ReportIdReading> report_ids {};
     PenReading pen {};
     std::optional<Timestamp> last_sample {}; // Time of the newest sample.
     ReportPace pace {};
 
     std::optional<drivers::RawReport> last {};
-    // The newest sample as names and values, such as ("x", "101.25 mm").
+    // Fields of the newest sample as names and values, such as ("x", "101.25 mm").
     std::vector<std::pair<std::string, std::string>> fields {};
 
-    // Past and present faults of a height sensor, a sentence each.
+    // Past and present faults of a height sensor, one sentence each.
     std::vector<std::string> height_faults {};
 };
 
-// Collects statistics from one device's reports, in order of arrival. Uses no clock, so that a log
-// gives the same result as the live device.
+// Collects statistics of one device's reports, in order of arrival. It uses no clock, so that a log
+// of the device gives the same result as the live device.
 class DeviceMonitor {
 public:
     explicit DeviceMonitor(drivers::DeviceInfo const& info);
 
     void push(drivers::RawReport const& report);
 
-    // Advances the time when no report has arrived.
+    // Tells the monitor the time while no report arrives.
     void pass_time(Timestamp now);
 
     DeviceReading reading() const;
@@ -111,11 +113,14 @@ private:
     std::unique_ptr<drivers::HeightDecoder> height_; // Null if the device is not a height sensor.
     std::optional<calib::HeightMonitor> height_monitor_;
     std::optional<Timestamp> begin_;
-    std::vector<drivers::HeightSample> heights_; // Kept as a member so that its memory is reused.
-    std::vector<drivers::PenSample> pens_;       // Kept as a member so that its memory is reused.
+    // Height samples of the current report. A member, so that its memory is reused.
+    std::vector<drivers::HeightSample> heights_;
+    // Pen samples of the current report. A member, so that its memory is reused.
+    std::vector<drivers::PenSample> pens_;
     bool was_touching_ = false;
-    bool keeps_touch_ = false;     // True if the current touch is stored in PenReading::touches.
-    std::deque<Timestamp> recent_; // Times of the last second's reports.
+    // True if the current touch is one of the stored PenReading::touches.
+    bool keeps_touch_ = false;
+    std::deque<Timestamp> recent_; // Times of the reports received during the last second.
 };
 
 } // namespace tractus::diagnosis

@@ -25,8 +25,8 @@ using namespace std::chrono_literals;
 
 constexpr int kHidClass = 3; // USB class of human interface devices.
 
-// Steps to get permission, the best one first: our udev rules if they cover the device, otherwise a
-// udev rule for this device alone.
+// Lists ways to get permission, the best one first: the program's udev rules if they cover the
+// device, otherwise a udev rule for this model of device alone.
 std::vector<std::string> how_to_permit(drivers::DeviceInfo const& info)
 {
     constexpr auto kReload = "sudo udevadm control --reload-rules && sudo udevadm trigger";
@@ -55,7 +55,7 @@ Finding not_permitted(DeviceFacts const& device)
 }
 
 // Reports a kernel driver that occupies an MCP2221A, the only supported device for which the kernel
-// has such a driver.
+// has a driver that does this.
 void diagnose_hidden(HiddenHidFacts const& device, std::vector<Finding>& findings)
 {
     drivers::DeviceInfo const ids { .vendor_id = device.vendor_id,
@@ -82,7 +82,7 @@ void diagnose_found(DeviceFacts const& device, std::vector<Finding>& findings)
         findings.push_back(not_permitted(device));
 }
 
-// Finds tablets that should have a pen but none of whose nodes reports one.
+// Reports tablets that should have a pen, but of whose device nodes none carries one.
 void diagnose_unknown(SystemFacts const& facts, std::vector<Finding>& findings)
 {
     std::set<std::pair<std::uint16_t, std::uint16_t>> with_pen;
@@ -174,7 +174,7 @@ std::vector<Finding> diagnose_system(SystemFacts const& facts)
     return findings;
 }
 
-// Reports that the desk behind a working cable does not answer or has lost its position.
+// Reports that a desk does not answer or has lost its position although its cable works.
 static Finding desk_is_lost(drivers::DeviceInfo const& info, std::string what)
 {
     return { .kind = FindingKind::HeightFault,
@@ -291,7 +291,7 @@ ClockReading read_clocks()
 
 std::vector<Finding> diagnose_clocks(ClockReading const& before, ClockReading const& after)
 {
-    // Tolerance, as the clocks cannot be read at exactly the same instant.
+    // Tolerance: the clocks cannot be read at exactly the same instant.
     constexpr Duration kTolerance = 200ms;
     auto const passed = after.monotonic - before.monotonic;
     auto const slept = (after.boottime - before.boottime) - passed;

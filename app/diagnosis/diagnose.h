@@ -12,36 +12,36 @@
 
 namespace tractus::diagnosis {
 
-// Finds problems without reading from devices: permissions, drivers, unknown tablets, libraries.
-// Empty if there are none.
+// Finds problems that show without reading from devices: missing permissions, interfering drivers,
+// unknown tablets, old libraries. Empty if there are none.
 std::vector<Finding> diagnose_system(SystemFacts const& facts);
 
-// Reports a device that the system permits but that could not be opened.
+// Reports a device that the user may open but that could not be opened.
 Finding diagnose_refusal(drivers::DeviceInfo const& info, Error const& error);
 
 // Finds problems in a device's reports: a tablet in mouse mode or with unknown reports, a pen that
-// never lifts, invalid reports, sensor faults, times that go backwards. `listened` is the length of
-// the observation. Empty if there are none.
+// never lifts, invalid reports, sensor faults, times that go backwards. `listened` is the time for
+// which reports were collected. Empty if there are none.
 std::vector<Finding> diagnose_device(DeviceReading const& reading, Duration listened);
 
-// The newest report of a text-sending sensor, made safe for a terminal; empty for other devices and
-// before the first report.
+// Returns the newest report of a sensor that sends text, with characters that a terminal can print.
+// Empty for other devices, and before the first report.
 std::string newest_line(DeviceReading const& reading);
 
-// Finds problems that several nodes of one tablet show together: touches reported on two of them,
-// or a mode that is lost when another node takes over. Empty if there are none.
+// Finds problems that show only in several device nodes of one tablet: the same touches reported on
+// two nodes, or a mode that is lost when another node takes over. Empty if there are none.
 std::vector<Finding> diagnose_together(std::span<DeviceReading const> readings);
 
-// The machine's clocks, read at one instant.
+// The machine's clocks, read at the same instant.
 struct ClockReading {
-    Duration monotonic {}; // The program's own clock; it stops while the machine sleeps.
-    Duration boottime {};  // A clock that also counts while the machine sleeps.
-    Duration realtime {};  // The wall clock, which users and NTP can set.
+    Duration monotonic {}; // The clock that the program uses; it stops while the machine sleeps.
+    Duration boottime {};  // A clock that continues while the machine sleeps.
+    Duration realtime {};  // The wall clock, which the user and NTP can set.
 };
 
 ClockReading read_clocks();
 
-// Reports whether the machine slept or a clock was set between two readings. Empty if not.
+// Reports if the machine slept or a clock was set between two readings. Empty if neither happened.
 std::vector<Finding> diagnose_clocks(ClockReading const& before, ClockReading const& after);
 
 } // namespace tractus::diagnosis

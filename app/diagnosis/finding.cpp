@@ -68,7 +68,7 @@ std::string print_findings_json(std::span<Finding const> findings)
                          { "subject", finding.subject },
                          { "what", finding.what },
                          { "remedy", finding.remedy } });
-    // Invalid UTF-8 is replaced, as device names can contain any bytes.
+    // Device names can contain any bytes; invalid UTF-8 is replaced.
     return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

@@ -31,8 +31,8 @@ std::vector<fs::path> entries_of(fs::path const& folder)
     return entries;
 }
 
-// True if a HID device of this interface has a hidraw node. A HID device's folder is named by its
-// ids, "0003:056A:037A.0001", and contains the node's folder.
+// True if a HID device of this USB interface has a hidraw node. The folder of a HID device is named
+// by its ids, such as "0003:056A:037A.0001", and contains the folder of its node.
 bool has_node(fs::path const& interface)
 {
     std::error_code ignored;
@@ -69,14 +69,15 @@ std::vector<UsbDeviceFacts> gather_usb(fs::path const& root)
     std::vector<UsbDeviceFacts> devices;
     for (auto const& folder : entries_of(root / "sys/bus/usb/devices")) {
         auto const name = folder.filename().string();
-        // Skips root hubs ("usb1") and interfaces ("1-2:1.0").
+        // Root hubs ("usb1") and interfaces ("1-2:1.0") are not devices.
         if (name.find(':') == std::string::npos && !name.starts_with("usb"))
             devices.push_back(describe_usb(folder));
     }
     return devices;
 }
 
-// Describes a HID device without a node. Its folder is named by bus and ids: "0003:04D8:00DD.0001".
+// Describes a HID device without a node. Its folder is named by bus and ids, such as
+// "0003:04D8:00DD.0001".
 HiddenHidFacts describe_hidden(fs::path const& folder)
 {
     HiddenHidFacts device { .name = folder.filename().string(),
@@ -102,7 +103,8 @@ std::vector<HiddenHidFacts> gather_hidden(fs::path const& root)
     return devices;
 }
 
-// Rate of the first endpoint towards the computer, from texts such as "8ms", "1ms", "125us".
+// Returns the polling rate of the interface's first endpoint that sends to the computer. The file
+// "interval" contains a text such as "8ms", "1ms" or "125us".
 std::optional<double> poll_rate_hz(fs::path const& interface)
 {
     for (auto const& entry : entries_of(interface)) {
@@ -177,7 +179,7 @@ int opening_error(drivers::DeviceInfo const& info, fs::path const& root)
     if (auto const* const event = std::get_if<drivers::EventAddress>(&*address))
         return access_error(root / fs::path(event->node).relative_path());
     if (std::holds_alternative<drivers::IioAddress>(*address))
-        return 0; // Returns success, as every user may read industrial I/O devices.
+        return 0; // Every user may read industrial I/O devices.
     auto const* const usb = std::get_if<drivers::UsbAddress>(&*address);
     auto const& port = usb ? usb->port : std::get<drivers::LibusbAddress>(*address).port;
     auto const folder = root / "sys/bus/usb/devices" / drivers::print_usb_port(port);

@@ -15,18 +15,20 @@ namespace tractus::diagnosis {
 struct DeviceFacts {
     drivers::DeviceInfo info {};
     drivers::DeviceDescription description {};
-    std::string tablet {}; // Name of the tablet model, such as "Huion HS610"; empty if unknown.
-    std::string family {}; // Report format of that model (drivers/pens/families.h).
-    std::string driver {}; // Bound kernel driver, such as "wacom" or "hid-generic"; may be empty.
-    int open_error = 0;    // Error number (errno) that prevents opening the device, or 0.
-    std::optional<double> poll_hz; // Highest USB polling rate; no value if unknown.
+    std::string tablet {}; // Name of the tablet's model, such as "Huion HS610"; empty if unknown.
+    std::string family {}; // Report format of the tablet's model (drivers/pens/families.h).
+    // Kernel driver bound to the device, such as "wacom" or "hid-generic"; may be empty.
+    std::string driver {};
+    int open_error = 0; // Error number (errno) that prevents opening the device; 0: none.
+    // Rate at which the computer polls the device by USB; no value if unknown.
+    std::optional<double> poll_hz;
 };
 
 // An interface of a USB device.
 struct UsbInterfaceFacts {
     int number = 0;
-    int usb_class = 0;     // USB interface class, such as 3 for HID and 255 for vendor specific.
-    std::string driver {}; // Bound kernel driver; empty: none.
+    int usb_class = 0; // USB class of the interface, such as 3 for HID and 255 for vendor-specific.
+    std::string driver {}; // Kernel driver bound to the interface; empty: none.
     bool has_node = false; // True if the interface has a hidraw node.
 };
 
@@ -35,39 +37,40 @@ struct UsbDeviceFacts {
     std::string port {}; // USB port, such as "1-2.3".
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
-    std::string name {}; // The device's own name.
+    std::string name {}; // Name that the device reports for itself.
     std::vector<UsbInterfaceFacts> interfaces {};
 };
 
 // A HID device without a hidraw node.
 struct HiddenHidFacts {
-    std::string name {}; // The kernel's name of the device: "0003:04D8:00DD.0001".
+    std::string name {}; // The kernel's name for the device, such as "0003:04D8:00DD.0001".
     std::uint16_t vendor_id = 0;
     std::uint16_t product_id = 0;
-    std::string driver {}; // Bound kernel driver; empty: none.
+    std::string driver {}; // Kernel driver bound to the device; empty: none.
 };
 
 struct LibraryFacts {
     std::string name {};
     std::string version {};
-    std::string needed {}; // Oldest version with all the features that are used.
+    std::string needed {}; // Oldest version of the library that has all features the program uses.
 };
 
-// Description of the system by values: all input of diagnose_system().
+// Description of the computer. diagnose_system() uses no other input.
 struct SystemFacts {
     std::vector<DeviceFacts> devices {};
     std::vector<UsbDeviceFacts> usb {};
     std::vector<HiddenHidFacts> hidden {};
     std::vector<LibraryFacts> libraries {};
-    bool has_hidraw = true;    // True if the kernel supports hidraw.
-    bool has_our_rules = true; // True if 70-tractus.rules is installed where udev finds it.
+    bool has_hidraw = true; // True if the kernel supports hidraw.
+    // True if the program's rules, 70-tractus.rules, are installed where udev finds them.
+    bool has_our_rules = true;
 };
 
 // Examines this machine. Needs no permissions, opens no devices and changes nothing. `root` is the
 // root of the file system to examine.
 SystemFacts gather_system_facts(std::filesystem::path const& root = "/");
 
-// Error number (errno) that prevents opening a device, or 0.
+// Returns the error number (errno) that prevents opening a device, or 0.
 int opening_error(drivers::DeviceInfo const& info, std::filesystem::path const& root = "/");
 
 } // namespace tractus::diagnosis

@@ -18,13 +18,15 @@ using namespace std::chrono_literals;
 
 namespace {
 
-// The usage "Mouse" on the Generic Desktop page of the HID Usage Tables.
+// Usage "Mouse" on the Generic Desktop page of the HID Usage Tables.
 constexpr drivers::HidUsage kMouse = 0x0001'0002;
-constexpr std::size_t kEnoughReports = 20; // Number of reports needed to judge what a device sends.
-constexpr std::uint16_t kKyeVendorId = 0x0458; // Vendor id of KYE, which sells as Genius.
+// Minimum number of reports by which a device can be judged.
+constexpr std::size_t kEnoughReports = 20;
+// USB vendor id of KYE, which sells tablets under the name Genius.
+constexpr std::uint16_t kKyeVendorId = 0x0458;
 
-// True for KYE's tablets; its mice and keyboards have the same vendor id (ids from Linux's
-// drivers/hid/hid-kye.c).
+// True for tablets by KYE. Its mice and keyboards have the same vendor id but other product ids
+// (ids from Linux's drivers/hid/hid-kye.c).
 bool is_kye_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
 {
     return vendor_id == kKyeVendorId && product_id >= 0x5000 && product_id <= 0x50ff;
@@ -40,7 +42,8 @@ bool is_in_mouse_collection(drivers::HidReportDescriptor const& descriptor,
     return false;
 }
 
-// Ids of the descriptor's mouse reports; contains 0 if no ids are used.
+// Returns the ids of the mouse reports in the device's descriptor; 0 stands for reports without
+// ids.
 std::set<std::uint8_t> mouse_report_ids(drivers::DeviceInfo const& info)
 {
     std::set<std::uint8_t> mouse_ids;
@@ -54,7 +57,7 @@ std::set<std::uint8_t> mouse_report_ids(drivers::DeviceInfo const& info)
     return mouse_ids;
 }
 
-// True if all reports so far are mouse reports.
+// True if all reports received so far are mouse reports.
 bool sends_mouse_reports(DeviceReading const& reading)
 {
     auto const mouse_ids = mouse_report_ids(reading.info);
@@ -100,7 +103,7 @@ Finding pen_is_silent(DeviceReading const& reading)
                          "empty where it has one." } };
 }
 
-// Ids of the descriptor's pen reports; contains 0 if no ids are used.
+// Returns the ids of the pen reports in the device's descriptor; 0 stands for reports without ids.
 std::set<std::uint8_t> described_pen_ids(drivers::DeviceInfo const& info)
 {
     std::set<std::uint8_t> ids;
@@ -110,8 +113,9 @@ std::set<std::uint8_t> described_pen_ids(drivers::DeviceInfo const& info)
     return ids;
 }
 
-// The time at which a tablet lost its mode, if it did: its pen reports were replaced for good by
-// mouse reports, or vendor-specific reports by those of the descriptor.
+// Returns the time at which a tablet lost its full mode. From that time on it sent only mouse
+// reports instead of pen reports, or reports of its descriptor instead of vendor-specific ones. No
+// value if the mode was not lost.
 std::optional<Timestamp> find_lost_mode(DeviceReading const& reading)
 {
     auto const mouse_ids = mouse_report_ids(reading.info);
@@ -137,7 +141,8 @@ std::string lost_mode_sentence(Timestamp when)
         to_seconds(when));
 }
 
-// A quantile of the touching samples' pressure; no value if the device reports none.
+// Returns the pressure that a share of the touching samples do not exceed. No value if the device
+// reports no pressure.
 std::optional<double> pressure_quantile(PenReading const& pen, double share)
 {
     std::size_t below = 0;
@@ -149,16 +154,18 @@ std::optional<double> pressure_quantile(PenReading const& pen, double share)
     return std::nullopt;
 }
 
-// Detects a worn tip that always presses a little. A drawing hand lifts the pen now and then, and
-// every public recording of a touching pen (DIGImend, hid-devices) contains hovering samples.
+// Reports a worn tip that always presses a little. A drawing hand lifts the pen now and then; every
+// public recording of a touching pen (DIGImend, hid-devices) contains hovering samples.
 void diagnose_tip(DeviceReading const& reading, std::vector<Finding>& findings)
 {
     constexpr std::size_t kEnoughSamples = 100;
-    constexpr double kLiftedShare = 0.1; // Least share of the time for which a hand lifts the pen.
-    // Above this pressure, the pen may really have touched all the time.
+    // Minimum share of the time during which a drawing hand lifts the pen.
+    constexpr double kLiftedShare = 0.1;
+    // Above this pressure, as a share of the full one, the pen may really have touched all the
+    // time.
     constexpr double kLightPressure = 0.25;
-    // Threshold as a multiple of the leaking pressure: the pen draws until the pressure falls to
-    // half the threshold.
+    // Proposed threshold as a multiple of the tip's false pressure. It must exceed 2, as the pen
+    // draws until the pressure falls to half the threshold.
     constexpr double kMargin = 2.5;
     auto const& pen = reading.pen;
     auto const leak = pressure_quantile(pen, kLiftedShare);
@@ -194,7 +201,7 @@ bool are_one_tablet(DeviceReading const& a, DeviceReading const& b)
 bool is_same_touch(PenTouch const& a, PenTouch const& b)
 {
     constexpr Duration kMaxApart = 60ms;
-    constexpr double kNear = 0.02; // Tolerance as a share of the active area's side.
+    constexpr double kNear = 0.02; // Tolerance of positions, as a share of the active area's sides.
     auto const is_near = [](Vec2 const& first, Vec2 const& second) {
         return (first - second).cwiseAbs().maxCoeff() <= kNear;
     };
@@ -216,7 +223,8 @@ bool sends_the_same(PenReading const& a, PenReading const& b)
     return same > 0 && static_cast<double>(same) >= kMaxOf * static_cast<double>(fewer.size());
 }
 
-// True if the node of the tablet's basic mode took over for good from that of its full mode.
+// True if a device node with reports of the tablet's basic mode replaced the node of its full mode,
+// for the rest of the observation.
 bool takes_over(DeviceReading const& lesser, DeviceReading const& full)
 {
     if (full.samples < kEnoughReports || lesser.reports < kEnoughReports || !full.last_sample
@@ -236,8 +244,8 @@ std::string device_subject(drivers::DeviceInfo const& info)
                        info.vendor_id, info.product_id, info.location);
 }
 
-// True if the vendor id belongs to a tablet maker. Ids of chip makers, which some tablets use, do
-// not count: such chips are in all kinds of devices.
+// True if the vendor id belongs to a maker of tablets. Ids of chip makers, which some tablets use,
+// do not count, as their chips are also in other kinds of devices.
 bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
 {
     static std::set<std::uint16_t> const makers = [] {
@@ -256,10 +264,10 @@ bool is_tablet(std::uint16_t vendor_id, std::uint16_t product_id)
         || drivers::find_tablet({ .vendor_id = vendor_id, .product_id = product_id }).has_value();
 }
 
-// Explains what information about an unsupported tablet is needed.
+// Explains what must be known about an unsupported tablet to support it.
 std::vector<std::string> describe_needed_information(drivers::DeviceInfo const& info)
 {
-    // The device of a recording has no address.
+    // The location of a recorded device is not an address.
     auto const address = drivers::parse_device_address(info.location) ? info.location : "DEVICE";
     return {
         "A pen's report has to hold: x and y (16 or 24 bits each), pressure (8 to 16 bits), and",
@@ -280,7 +288,8 @@ void diagnose_pen(DeviceReading const& reading, std::vector<Finding>& findings)
     bool const is_pen = reading.description.kind == drivers::DeviceKind::Pen;
     if (reading.reports < kEnoughReports || (!is_pen && !known))
         return;
-    // A mouse with tip pressure is a pen. Genius tablets in mouse mode lack most of their reports.
+    // A mouse with tip pressure is treated as a pen. Genius tablets in mouse mode omit most of
+    // their reports, so their samples do not count.
     if (sends_mouse_reports(reading) && (reading.samples == 0 || is_kye))
         findings.push_back(mouse_mode(info,
                                       fmt::format("All of its {} reports are a mouse's: the tablet "

@@ -10,7 +10,7 @@ namespace tractus::diagnosis {
 
 static constexpr std::uint16_t kUsb = 3; // Bus number of USB, BUS_USB in linux/input.h.
 
-// True if the descriptor matches the udev rule for pens by usage.
+// True if the descriptor matches the udev rule that recognises pens by their usage.
 static bool describes_pen_to_udev(std::vector<std::byte> const& descriptor)
 {
     auto const at = [&](std::size_t i) {
@@ -26,7 +26,8 @@ static bool describes_pen_to_udev(std::vector<std::byte> const& descriptor)
     return false;
 }
 
-// The text between KEY==" and the next quotation mark; empty if the line lacks the key.
+// Returns the text from the end of `key`, which ends in ==", to the next quotation mark. Empty if
+// the line does not contain the key.
 static std::string_view value_of_key(std::string_view line, std::string_view key)
 {
     auto const start = line.find(key);
@@ -60,7 +61,9 @@ bool do_rules_permit(drivers::DeviceInfo const& info)
 {
     auto const address = drivers::parse_device_address(info.location);
     if (!address || !std::holds_alternative<drivers::HidrawAddress>(*address))
-        return true; // Other devices are covered by rules on USB classes, which are not known here.
+        // Devices of other kinds are covered by rules on USB classes, which DeviceInfo does not
+        // contain.
+        return true;
     for (auto text = udev_rules_text(); !text.empty();) {
         auto const line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(line.size() + 1, text.size()));

@@ -7,22 +7,22 @@
 
 namespace tractus::diagnosis {
 
-// Content of drivers/70-tractus.rules at build time.
+// Content of drivers/70-tractus.rules, embedded when the program was built.
 std::string_view udev_rules_text();
 
-// Users whom the rules permit to use the devices.
+// Users to whom udev rules give access to the devices.
 enum class RuleHolder {
-    Seat,  // The user at the screen.
-    Group, // Members of the group plugdev, also over ssh.
+    Seat,  // The user who is logged in at the screen.
+    Group, // Members of the group "plugdev", also when logged in by ssh.
 };
 
-// The rules file that permits these users to use the devices.
+// Returns the text of a rules file that gives these users access to the devices.
 std::string udev_rules(RuleHolder holder);
 
-// True if the rules, once installed, permit this device.
+// True if the program's rules, once installed, give access to this device.
 bool do_rules_permit(drivers::DeviceInfo const& info);
 
-// A one-line rule that permits this device and no other model.
+// Returns a one-line rule that gives access to devices of this model only.
 std::string udev_rule_for(drivers::DeviceInfo const& info);
 
 } // namespace tractus::diagnosis

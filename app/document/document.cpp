@@ -11,8 +11,8 @@ namespace tractus::document {
 
 namespace {
 
-// Computes the plants' rest shapes in advance, so that threads that render the scene need not wait
-// for them.
+// Computes the plants' rest shapes in advance, so that other threads, which render the scene, need
+// not wait for these.
 void find_rest_shapes(scene::Scene const& scene)
 {
     for (auto const& plant : scene.plants)
@@ -45,7 +45,7 @@ void Document::begin_working(Working working)
     try {
         thread_ = std::thread([this] { run(); });
     } catch (std::system_error const&) {
-        // The system cannot start a thread, so the work is done in the caller's thread.
+        // The system cannot start a thread, so add() does the work in the caller's thread.
     }
 }
 
@@ -84,7 +84,8 @@ void Document::run()
     }
 }
 
-// Does the next piece of queued work. Steps not yet written are written before any later step.
+// Does one piece of work: retries writing pending steps if that was requested, otherwise the first
+// element of the queue. Releases the lock while working.
 void Document::do_next(std::unique_lock<std::mutex>& lock)
 {
     is_at_work_ = true;
@@ -94,7 +95,7 @@ void Document::do_next(std::unique_lock<std::mutex>& lock)
         save_pending_steps();
         lock.lock();
     } else {
-        auto const& work = queue_.front(); // Stays valid while other elements are appended.
+        auto const& work = queue_.front(); // Stays valid while add() appends other elements.
         lock.unlock();
         std::visit([this](auto const& kind) { perform(kind); }, work);
         lock.lock();
@@ -238,7 +239,7 @@ void Document::perform(tools::ToolStroke const& stroke)
     {
         std::lock_guard const lock(mutex_);
         drawn_.push_back(std::move(drawn));
-        // A stroke with edits appears together with its scene.
+        // A refused stroke is shown at once; a stroke with edits is shown together with its scene.
         is_first_shown_ = !step || step->edits.empty();
     }
     if (step)
@@ -261,7 +262,7 @@ void Document::perform(StepRequest const& step)
     keep(std::move(done->first));
 }
 
-// Fails while steps of the drawing are not in the session yet: undo and redo would lose them.
+// Fails if steps of the drawing are not in the session yet: undo and redo would lose them.
 Result<void> Document::check_all_saved() const
 {
     if (!unkept_.empty())
@@ -310,7 +311,7 @@ void Document::perform(Restart const& wanted)
     keep(*std::move(step));
 }
 
-// Computes the scene after the edits; it becomes the document's scene.
+// Computes the scene after the edits and makes it the document's scene.
 Result<Document::Step> Document::compute(std::vector<scene::Edit> edits)
 {
     Step step { .edits = std::move(edits) };
@@ -330,7 +331,7 @@ Result<Document::Step> Document::compute(std::vector<scene::Edit> edits)
     return step;
 }
 
-// Publishes a step and writes it to the session.
+// Publishes a step in a snapshot and writes it to the session.
 void Document::keep(Step step)
 {
     if (step.edits.empty())
@@ -345,7 +346,8 @@ void Document::keep(Step step)
         unkept_.push_back(std::move(step.edits));
         save_error_ = kept.error().message;
     } else {
-        scene_ = session_.scene(); // The strokes of this scene read their tips from the file.
+        // The strokes of the session's scene read their tips from the file.
+        scene_ = session_.scene();
     }
     publish(unkept_.size());
 }
@@ -374,7 +376,7 @@ void Document::publish(std::size_t unkept)
                                                                 .unkept = unkept,
                                                                 .not_kept = save_error_ });
     std::lock_guard const lock(mutex_);
-    // The old snapshot is released after the lock; this may be its last owner.
+    // The old snapshot is destroyed after the lock has been released, if nobody else owns it.
     newest_.swap(snapshot);
     is_first_shown_ = true;
 }

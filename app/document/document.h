@@ -23,28 +23,28 @@
 
 namespace tractus::document {
 
-// A change that the user requested without a stroke, with a menu command for example.
+// A change that the user requested other than by a stroke, with a menu command for example.
 struct StepRequest {
-    // The edits of the change, computed from the scene when the queue reaches it, and the status
-    // message to show when it is done.
+    // A change's edits, computed from the scene when the queue reaches the step, and the status
+    // message for the user when it is done.
     struct Change {
         std::vector<scene::Edit> edits;
         std::string status;
     };
     std::function<Result<Change>(scene::Scene const& scene)> change;
 
-    // What the step changes. Growth: only how the plants grow.
+    // What the step changes: anything in the scene, or only how its plants grow.
     enum class Of { Scene, Growth } of = Of::Scene;
 };
 
-// A step without a stroke that was recorded in a log, for replay.
+// A step that was not made by a stroke, read from a log for replay.
 struct LoggedStep {
     enum class What { Edits, Undo, Redo, BeginAgain } what = What::Edits;
-    std::size_t strokes_before = 0;    // Number of strokes in the log before this step.
+    std::size_t strokes_before = 0;    // Number of strokes in the log before the step.
     std::vector<scene::Edit> edits {}; // Edits of the step; only for What::Edits.
 };
 
-// Outcome of a step without a stroke.
+// Outcome of a step that was not made by a stroke.
 struct StepOutcome {
     Result<std::string> status; // The message for the user, or the reason why nothing changed.
     StepRequest::Of of = StepRequest::Of::Scene;
@@ -56,44 +56,46 @@ struct StepOutcome {
 // The document at one moment; immutable.
 struct Snapshot {
     scene::Scene scene {};
-    std::uint64_t revision = 0;       // Increases with every change of the scene.
-    std::uint64_t drawn_revision = 0; // Like `revision`, but ignores changes of growth alone.
-    std::size_t unkept = 0;           // Number of steps that are not on disk yet.
-    std::string not_kept {}; // Why steps could not be written; empty while they are merely pending.
+    std::uint64_t revision = 0; // Increases with every change of the scene.
+    // Like `revision`, but not increased by changes of growth alone.
+    std::uint64_t drawn_revision = 0;
+    std::size_t unkept = 0; // Number of steps that are not in the session yet.
+    // Why steps could not be written to the session; empty while they are merely pending.
+    std::string not_kept {};
 };
 
 // A drawing: the only owner of the scene and of the session that stores its steps. Finished
-// strokes, steps, undo and redo are queued and done in the order in which they arrive. Each is
-// interpreted in the scene that the previous ones left, published in a snapshot, and then written
-// to the session. If writing fails (a full disk, say) the step stays in the document and is
+// strokes, steps, undo and redo are queued and done in the order in which they arrive. Each step is
+// computed from the scene that the previous steps left, published in a snapshot, and then written
+// to the session. If writing fails (a full disk, say), the step stays in the document and is
 // retried; drawing continues meanwhile.
 //
-// All functions are called from one thread.
+// All functions must be called from the same thread.
 class Document {
 public:
-    // OnItsThread: functions return at once and the document's own thread does the work. AtOnce: a
+    // OnItsThread: functions return at once, and a thread of the document does the work. AtOnce: a
     // function returns when its work is done.
     enum class Working { OnItsThread, AtOnce };
 
-    // Computes further edits that a step entails, from the scene before the step and the step's own
-    // edits; they become part of the step. Called on the thread that does the work. The function
-    // may be empty.
+    // Computes further edits that a step entails. Its arguments are the scene before the step and
+    // the step's own edits; the edits that it returns become part of the step. Called on the thread
+    // that does the work. May be empty.
     using Follow = std::function<std::vector<scene::Edit>(scene::Scene const& scene,
                                                           std::vector<scene::Edit> const& step)>;
 
-    // Without a session, the drawing exists in memory only.
+    // The first constructor makes a drawing that exists in memory only, without a session.
     Document(scene::Scene scene, Working working, Follow follow = {});
     Document(session::Session session, Working working, Follow follow = {});
     Document(Document const&) = delete;
     Document& operator=(Document const&) = delete;
 
-    // Finishes the queued work first. Steps that cannot be written are lost; see settle() and
-    // newest().
+    // Finishes the queued work. Steps that cannot be written to the session are lost. To know their
+    // number before, call settle() and look at Snapshot::unkept.
     ~Document();
 
     void draw(tools::ToolStroke stroke);
     void make(StepRequest step);
-    void make(LoggedStep step); // Queued like any other step.
+    void make(LoggedStep step); // Queued like a step that the user requests.
     void undo();
     void redo();
 
@@ -114,21 +116,23 @@ public:
     // Returns the strokes done since the last call and their effects, in order.
     std::vector<DrawnStroke> take_finished_strokes();
 
-    // Returns the oldest outcome of a step that has not been taken yet; nullopt if there is none.
+    // Returns and removes the oldest outcome of a step that was not made by a stroke; nullopt if
+    // there is none.
     std::optional<StepOutcome> take_done();
 
-    // Retries writing unkept steps: pass_time() one second after the last attempt, try_again() at
-    // once.
+    // Retry writing steps that are not in the session yet: pass_time() does so one second after the
+    // last attempt failed, try_again() at once.
     void pass_time(Timestamp now);
     void try_again();
 
-    // True when all queued work is done and written, as far as it can be written now.
+    // is_settled() is true when all queued work is done, and written unless writing fails. settle()
+    // waits for that.
     bool is_settled() const;
     void settle();
 
     session::Session const& session() const { return session_; } // Call only while is_settled().
 
-    // Calls Session::set_name() after all queued work.
+    // Calls Session::set_name() when all queued work is done.
     Result<void> set_name(std::string name);
 
 private:
@@ -139,10 +143,11 @@ private:
         Growth growth = Growth::AsItBegan;
     };
     using Work = std::variant<tools::ToolStroke, StepRequest, Undo, Redo, Restart>;
-    // A computed step; the document's scene already contains it.
+    // A computed step. The document's scene already contains its edits.
     struct Step {
         std::vector<scene::Edit> edits;
-        // Prepared for the session; nullopt while earlier steps are unkept.
+        // The step as prepared for the session; nullopt if earlier steps are not in the session
+        // yet.
         std::optional<session::Session::Prepared> prepared {};
     };
 
@@ -166,7 +171,7 @@ private:
     void publish(std::size_t unkept);
     void tell(StepOutcome done);
 
-    // Used only by the working thread.
+    // The following members are used only by the thread that does the work.
     Follow follow_;
     session::Session session_;
     scene::Scene scene_;
@@ -178,16 +183,17 @@ private:
 
     mutable std::mutex mutex_; // Protects the members below.
     std::condition_variable changed_;
-    std::deque<Work> queue_; // While is_at_work_, the front element is being worked on.
+    std::deque<Work> queue_; // While is_at_work_, the front element is being done.
     std::shared_ptr<Snapshot const> newest_;
     std::vector<DrawnStroke> drawn_;
     std::deque<StepOutcome> done_;
     bool is_at_work_ = false;
-    bool is_first_shown_ = false; // True if the newest snapshot contains the current work.
+    // True if the newest snapshot already shows the effect of the front element of queue_.
+    bool is_first_shown_ = false;
     bool is_trying_again_ = false;
     bool is_closing_ = false;
 
-    // When to retry writing. Only for the calling thread, as is stroke_count_.
+    // When to retry writing. Used only by the calling thread, as is stroke_count_.
     std::optional<Timestamp> next_try_;
     std::size_t stroke_count_ = 0;
     std::thread thread_;

@@ -14,19 +14,21 @@ namespace tractus::document {
 struct DrawnStroke {
     Stroke stroke;
     tools::Tool tool;
-    std::string refusal {}; // Why the stroke changed nothing; empty if it changed the scene.
+    std::string refusal {};            // Why the stroke was refused; empty if it changed the scene.
     std::vector<scene::Edit> edits {}; // Edits that the stroke made; empty if it was refused.
-    std::string message {};            // Replaces the tool's message ToolKind::done; may be empty.
+    std::string message {}; // Message for the user in place of ToolKind::done; may be empty.
 };
 
-// The tool's own message after a stroke (ToolKind::describe).
+// Message of the tool's ToolKind::describe for the scene after the stroke; empty if the kind has no
+// such function.
 std::string describe_result(tools::Tool const& tool, scene::Scene const& after);
 
-// Applies a stroke drawn with a tool to a scene: all of its edits, or none if one is refused.
+// Changes a scene by a stroke drawn with a tool: applies all of the stroke's edits, or none if one
+// of them is refused.
 DrawnStroke draw(Stroke stroke, tools::Tool const& tool, scene::Scene& scene);
 
-// The scene after edits that belong together. Models run within the limits of load_options(). Fails
-// if any edit fails.
+// The scene after applying edits in order. Models run within the default limits of load_options().
+// Fails if any of the edits fails.
 Result<scene::Scene> scene_after(scene::Scene scene, std::vector<scene::Edit> const& edits);
 
 } // namespace tractus::document

@@ -19,12 +19,13 @@ std::uint64_t machine_memory_mb()
     auto const page_bytes = static_cast<std::uint64_t>(std::max(0L, ::sysconf(_SC_PAGESIZE)));
     auto bytes = pages * page_bytes;
     std::ifstream container("/sys/fs/cgroup/memory.max");
-    if (std::uint64_t limit = 0; container >> limit) // Fails for "max" (no limit).
+    if (std::uint64_t limit = 0; container >> limit) // Reading fails for "max" (no limit).
         bytes = std::min(bytes, limit);
     return std::max<std::uint64_t>(bytes >> 20, 2);
 }
 
-// Prints a model's output up to a limit, then one warning that the rest is left out.
+// Prints a model's output to standard error up to kMaxPrinted characters, then a single warning
+// that the rest is left out.
 class ModelPrinter {
 public:
     void operator()(std::string_view text)

@@ -16,12 +16,12 @@ static fs::path folder_in(char const* variable)
 {
     // NOLINTNEXTLINE(concurrency-mt-unsafe): the program never changes its environment.
     char const* const value = std::getenv(variable);
-    // The XDG specification says to ignore relative paths.
+    // The XDG specification requires relative paths to be ignored.
     return value != nullptr && *value == '/' ? value : "";
 }
 
-// The folder "tractus" inside the folder that the environment variable names, or by default inside
-// $HOME/`in_home`.
+// Returns the folder "tractus" in the folder that the environment variable names. If the variable
+// is not set, it is in $HOME/`in_home`.
 static fs::path own_folder(char const* variable, char const* in_home)
 {
     if (auto const named = folder_in(variable); !named.empty())
@@ -54,8 +54,8 @@ Result<fs::path> make_user_folder(std::string_view instead)
     return folder;
 }
 
-// A folder of the desktop, parsed from user-dirs.dirs, in lines such as
-// XDG_PICTURES_DIR="$HOME/Bilder"; `usual` is the default.
+// Returns a folder of the desktop from the text of user-dirs.dirs, which has lines such as
+// XDG_PICTURES_DIR="$HOME/Bilder"; by default `usual` in the home folder.
 static fs::path desktop_folder(std::string const& settings, std::string const& name,
                                fs::path const& home, char const* usual)
 {

@@ -22,7 +22,7 @@ FollowedModel::FollowedModel(std::filesystem::path model, std::optional<scene::L
     taken_ = last_look_ = look();
 }
 
-// Lists the files to watch: the model's own and those it includes.
+// Lists the files to watch: those of the model itself and those that it includes.
 void FollowedModel::list_files(scene::LoadModel const* model)
 {
     files_ = { model_ };

@@ -8,14 +8,14 @@
 
 namespace tractus::io {
 
-// Number of drawn triangles above which many programs take long to open a file.
+// A .glb file that draws more triangles than this takes long to open in many programs.
 constexpr std::uint64_t kManyTriangles = 5'000'000;
 
-// Describes the size of a large file, as a part of a sentence. No value for smaller ones.
+// Describes the size of a large file, as part of a sentence. No value for a smaller file.
 std::optional<std::string> large_glb_size(exports::GlbSummary const& summary);
 
-// Note to print before a large file is written: its expected size, and the options that reduce it.
-// No value for smaller ones.
+// Returns a note to print before a large file is written: the expected size, and the options that
+// reduce it. No value for a smaller file.
 std::optional<std::string> large_glb_note(exports::GlbSummary const& expected,
                                           exports::GlbOptions const& options);
 

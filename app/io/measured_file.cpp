@@ -27,7 +27,7 @@ std::string lower(std::string text)
     return text;
 }
 
-// The first line that is not blank, without leading white space.
+// Returns the first line that is neither blank nor a comment ("#"), without leading white space.
 std::string_view first_line(std::string_view text)
 {
     while (!text.empty()) {
@@ -40,8 +40,8 @@ std::string_view first_line(std::string_view text)
     return {};
 }
 
-// The format of a file. The content takes precedence, as some programs use another format's
-// extension.
+// Returns the format of a file. The content takes precedence over the extension, as some programs
+// save one format with the extension of another.
 Format format_of(std::string const& ending, std::string_view text)
 {
     auto const line = first_line(text);
@@ -52,7 +52,8 @@ Format format_of(std::string const& ending, std::string_view text)
     return ending == ".mtg" ? Format::Mtg : ending == ".ply" ? Format::Ply : Format::Qsm;
 }
 
-// How to convert a file that is not a plant yet; empty if no conversion is needed.
+// Explains how to convert a file that does not contain a plant yet; empty if no conversion is
+// needed.
 std::string_view what_is_missing(std::string const& ending, std::filesystem::path const& path)
 {
     constexpr std::array<std::string_view, 6> kPoints { ".las", ".laz", ".e57",

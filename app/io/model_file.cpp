@@ -23,7 +23,7 @@ namespace tractus::io {
 
 static constexpr std::size_t kMaxFileSize = std::size_t { 16 } << 20;
 
-// Files with this extension in the model's folder, sorted by name.
+// Returns the files with this extension in the model's folder, sorted by name.
 static std::vector<std::filesystem::path> files_beside(std::filesystem::path const& path,
                                                        std::string const& ending)
 {
@@ -37,8 +37,8 @@ static std::vector<std::filesystem::path> files_beside(std::filesystem::path con
     return files;
 }
 
-// True for models. They contain "Lsystem:", unlike other files with the same extension, such as
-// control panels.
+// True if the file is a model. Models contain "Lsystem:"; other files with the same extension, such
+// as control panels, do not. An unreadable file counts as a model.
 static bool is_model(std::filesystem::path const& path)
 {
     auto text = read_text_file(path, kMaxFileSize);
@@ -49,8 +49,8 @@ static bool is_model(std::filesystem::path const& path)
     return text->find("lsystem:") != std::string::npos;
 }
 
-// The file with the model's name and this extension; otherwise the only file with the extension, if
-// the folder contains no other model.
+// Returns the file with the model's name and this extension. If it is missing, returns the only
+// file with the extension, unless the folder contains another model.
 static std::optional<std::filesystem::path> find_beside(std::filesystem::path const& path,
                                                         std::string const& ending)
 {
@@ -65,7 +65,7 @@ static std::optional<std::filesystem::path> find_beside(std::filesystem::path co
     return files.size() == 1 && is_alone ? std::optional(files.front()) : std::nullopt;
 }
 
-// The view's file, if there is one.
+// Returns the path of the view file, if there is one.
 static std::optional<std::filesystem::path> view_of(std::filesystem::path const& path,
                                                     ModelCompanions const& companions)
 {
@@ -79,7 +79,7 @@ static std::optional<std::filesystem::path> view_of(std::filesystem::path const&
     return beside;
 }
 
-// The colour file with this extension, if there is one.
+// Returns the path of the colour file with this extension, if there is one.
 static std::optional<std::filesystem::path> colors_of(std::filesystem::path const& path,
                                                       ModelCompanions const& companions,
                                                       std::string const& ending)
@@ -90,7 +90,7 @@ static std::optional<std::filesystem::path> colors_of(std::filesystem::path cons
                                                    : std::nullopt;
 }
 
-// Appends the statements of a colour file, if there is one, to the view.
+// Appends the contents of a colour file, if there is one, to the view as statements.
 static Result<void> add_colors(std::optional<std::filesystem::path> const& file,
                                Result<std::string> (*statements)(std::string const& name,
                                                                  std::string_view bytes),
@@ -103,7 +103,7 @@ static Result<void> add_colors(std::optional<std::filesystem::path> const& file,
     return {};
 }
 
-// Reads a text that ought to be a model; refuses other programs' languages.
+// Reads a text that should be a model. Fails if it is in another program's language.
 static Result<std::string> read_rules(std::filesystem::path const& path)
 {
     auto text = TRY(read_text_file(path, kMaxFileSize));
@@ -134,8 +134,8 @@ Result<lsystem::ModelSource> load_model_source(std::filesystem::path const& path
     if (!colors.empty() && colors.extension() != ".mat" && colors.extension() != ".map")
         return fail(Fault::User,
                     fmt::format("{}: colours are in .mat or .map files", colors.string()));
-    // Colours are applied like those on cpfg's command line: the first definition of a colour wins,
-    // so materials come first.
+    // Colours are applied as on cpfg's command line: the first definition of a colour counts, so
+    // materials come first.
     TRY(add_colors(colors_of(path, companions, ".mat"), lsystem::material_file_statements,
                    source.view_text));
     TRY(add_colors(colors_of(path, companions, ".map"), lsystem::color_map_statements,
@@ -147,7 +147,7 @@ Result<lsystem::ModelSource> load_model_source(std::filesystem::path const& path
     return source;
 }
 
-// Views and colour files beside the model that it does not use, one sentence each.
+// Lists view and colour files beside the model that the model does not use, one sentence each.
 static std::vector<std::string> unused_companions(std::filesystem::path const& path,
                                                   ModelCompanions const& companions)
 {
@@ -160,7 +160,7 @@ static std::vector<std::string> unused_companions(std::filesystem::path const& p
             if (used && std::filesystem::equivalent(file, *used, ignored))
                 continue;
             if (std::filesystem::exists(model.replace_extension(path.extension()), ignored))
-                continue; // Skips a file that belongs to another model.
+                continue; // The file belongs to another model.
             result.push_back(fmt::format("{} is not used, since its name is not the model's; "
                                          "{} {} uses it",
                                          file.string(), option, file.string()));
@@ -168,7 +168,8 @@ static std::vector<std::string> unused_companions(std::filesystem::path const& p
     };
     if (companions.view.empty())
         note(".v", view_of(path, companions), "--view");
-    if (!companions.colors.empty()) // Skips the colour files, as the user has chosen colours.
+    // The user has chosen colours, so unused colour files are not listed.
+    if (!companions.colors.empty())
         return result;
     note(".mat", colors_of(path, companions, ".mat"), "--colors");
     note(".map", colors_of(path, companions, ".map"), "--colors");
@@ -211,7 +212,7 @@ Result<scene::LoadModel> load_model_edit(std::filesystem::path const& path,
     scene::LoadModel edit;
     edit.source = TRY(load_model_source(path, companions));
     auto const from_files = model_includes(path);
-    // Compiles the model to record the files it includes.
+    // Compiles the model, to record the files that it includes.
     auto const record = [&](std::string const& name) -> Result<std::string> {
         auto text = from_files(name);
         if (text)
@@ -222,7 +223,8 @@ Result<scene::LoadModel> load_model_edit(std::filesystem::path const& path,
     return edit;
 }
 
-// Reads the lines of a file in the format of its extension; empty for other extensions.
+// Reads the lines of a skeleton in the format of the file's extension. Empty for extensions of
+// other files.
 static Result<std::vector<SkeletonPiece>> load_lines(std::filesystem::path const& path)
 {
     constexpr std::size_t kMaxSkeletonSize = std::size_t { 512 } << 20;
@@ -243,12 +245,12 @@ Result<scene::Edit> load_plant_quietly(std::filesystem::path const& path,
     auto lines = TRY(load_lines(path));
     if (!lines.empty())
         return scene::LoadSkeleton { path.string(), std::move(lines) };
-    if (path.extension() == ".txt") // Measured plants have this extension, too.
+    if (path.extension() == ".txt") // Measured plants can have this extension, too.
         TRY(read_rules(path));
     auto measured = TRY(load_measured_edit(path));
     if (measured)
         return *std::move(measured);
-    // A named variable, as g++ 14 issues a false warning about the temporary's destruction.
+    // A variable, as g++ 14 issues a false warning about the destruction of a temporary.
     scene::LoadModel model = TRY(load_model_edit(path, companions));
     return model;
 }

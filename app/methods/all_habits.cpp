@@ -25,7 +25,7 @@ Result<scene::Edit> tree_of_habit(std::string const& habit, int years, std::uint
 
 Result<std::vector<scene::Edit>> edits_for_stand(StandOfTrees const& stand)
 {
-    constexpr double kScale = 0.1; // World millimetres per plant millimetre.
+    constexpr double kScale = 0.1; // World millimetres per millimetre of a plant.
     auto const habit = TRY(self_organising::load_habit(stand.habit));
     auto const as_drawn = TRY(variation::growth_preset("as drawn"));
     auto const columns = static_cast<int>(std::ceil(std::sqrt(stand.count)));

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Replaces characters that have a meaning in the name of a leaf sheet.
+// Replaces the characters that have a special meaning in the name of a leaf sheet.
 std::string word_of(std::string name)
 {
     for (auto& letter : name)
@@ -31,15 +31,15 @@ std::string word_of(std::string name)
     return name;
 }
 
-// Name of a drawn leaf's grammar. It stays the same when the drawing changes, so that plants with
-// this leaf can find it.
+// Returns the name of a drawn leaf's grammar. The name stays the same when the drawing changes, so
+// that plants with this leaf can find the grammar.
 std::string drawn_name(scene::ItemId leaf)
 {
     return fmt::format("drawn-{:x}.leaf", leaf);
 }
 
-// The drawn leaf whose grammar has this name, or no value if the name is not one made by
-// drawn_name().
+// Returns the drawn leaf for whose grammar drawn_name() gives this name; no value for any other
+// name.
 std::optional<scene::ItemId> drawn_leaf_of(std::string_view grammar)
 {
     constexpr std::string_view kBegin = "drawn-";
@@ -53,8 +53,8 @@ std::optional<scene::ItemId> drawn_leaf_of(std::string_view grammar)
     return leaf;
 }
 
-// Makes the leaf's grammar from its drawing. Fails if there is no such plant or its lines do not
-// make a leaf.
+// Makes the grammar of a leaf from its drawing. Fails if there is no plant with this id or its
+// lines do not make a leaf.
 Result<std::string> text_of_drawn(scene::DocumentState const& state, scene::ItemId leaf)
 {
     auto const& plant = *state.plants[TRY(scene::plant_number(state, leaf))];
@@ -71,8 +71,8 @@ Result<std::string> sheet_of(std::string const& grammar_text, lsystem::LeafOrder
     return lsystem::print_leaf_sheet(TRY(leaf::grow_leaf_sheet(grammar, order)));
 }
 
-// Edits that store a grammar and its leaf sheets with these names in the document, unless it has
-// them already.
+// Edits that store a grammar in the document, and the leaf sheets with these names that are grown
+// from it. What the document already has is not stored again.
 Result<std::vector<scene::Edit>> keeping_edits(scene::DocumentState const& state,
                                                std::string const& grammar, std::string const& text,
                                                std::set<std::string> const& names)
@@ -89,7 +89,7 @@ Result<std::vector<scene::Edit>> keeping_edits(scene::DocumentState const& state
     return edits;
 }
 
-// Names of the leaf sheets that plants use, by the drawn leaf from which they come.
+// For each drawn leaf, the names of the leaf sheets grown from it that plants use.
 std::map<scene::ItemId, std::set<std::string>> drawn_and_worn(scene::DocumentState const& state)
 {
     std::map<scene::ItemId, std::set<std::string>> worn;
@@ -151,12 +151,12 @@ Result<GrammarOfLeaves> grammar_of(scene::DocumentState const& state, Foliage co
     if (auto const kept = state.leaf_grammars.find(leaves); kept != state.leaf_grammars.end())
         return GrammarOfLeaves { leaves, *kept->second };
     if (fs::path(leaves).extension() != ".leaf") {
-        // If the name is unknown, the error lists the built-in grammars.
+        // If there is no leaf of this name, the error lists the built-in grammars.
         auto const file = TRY(leaf::own_leaf_path(leaves));
         return GrammarOfLeaves { leaves, TRY(leaf::read_leaf_text(file)) };
     }
     auto text = TRY(leaf::read_leaf_text(leaves));
-    // Parsed here so that an error names the line in the file.
+    // Parsed already here, so that an error names the line in the file.
     TRY(leaf::parse_grammar(text, leaves));
     auto name
         = fmt::format("{}-{:08x}.leaf", word_of(leaf::short_leaf_name(leaves)), fnv1a_32(text));
@@ -215,16 +215,16 @@ std::vector<scene::Edit> dependent_leaf_edits(scene::Scene const& scene,
     scene::SceneBuilder builder(scene, {});
     auto const after = scene::apply_edits(scene.state, step, builder);
     if (!after)
-        return edits; // The code that applies the step reports the error.
+        return edits; // The code that applies the step reports the error, so it is ignored here.
     for (auto const& [leaf, names] : drawn_and_worn(*after)) {
         auto const before = scene::find_plant(scene.state, leaf);
         auto const now = *scene::find_plant(*after, leaf);
         if (before && scene.state.plants[*before] == after->plants[now])
-            continue; // The step did not change this leaf.
+            continue; // The step did not change the drawing of this leaf.
         auto const text = text_of_drawn(*after, leaf);
         if (!text)
             continue;
-        // A grammar that produces no leaf is skipped: plants keep their present leaves.
+        // If the grammar produces no leaf, plants keep their present leaves.
         if (auto const kept = keeping_edits(*after, drawn_name(leaf), *text, names))
             edits.insert(edits.end(), kept->begin(), kept->end());
     }

@@ -66,7 +66,7 @@ namespace tractus::methods {
 
 namespace {
 
-// All tools in the order of their buttons; the first is selected at the start.
+// All tools in the order of their buttons. The first one is selected at the start.
 constexpr std::array kTools {
     &tools::DrawInOrderTool::kKind,
     &tools::DrawTool::kKind,

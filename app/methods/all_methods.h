@@ -4,7 +4,8 @@
 
 namespace tractus::methods {
 
-// The one list of everything this program can do. To add a tool or a kind of edit, add a row here.
+// All tools, edits, layers and commands of this program. A new tool or kind of edit needs an entry
+// in the tables of this function's file.
 tools::Methods all_methods();
 
 } // namespace tractus::methods

@@ -82,12 +82,12 @@ Result<Plant> plant_of_organ(fs::path const& file)
         TRY(lsystem::put_texture(plant.materials.back(), *surface.picture));
     plant.organ_shapes.push_back(
         { .kind = OrganShape::Kind::Surface, .length_mm = kLength_mm, .patches = surface.patches });
-    double lowest_mm = 0; // Below 0 if edges of the blade extend behind its base.
+    double lowest_mm = 0; // Negative if edges of the blade extend behind its base.
     for (auto const& patch : surface.patches)
         for (auto const& point : patch.control)
             lowest_mm = std::min(lowest_mm, point.y());
     plant.organs.push_back({ .position_mm = { 0, 0, -lowest_mm },
-                             // Turns the organ so that its length points upwards.
+                             // Turns the organ so that its length axis points upwards.
                              .orientation = Quat(Eigen::AngleAxisd(kPi / 2, Vec3::UnitX())) });
     return plant;
 }

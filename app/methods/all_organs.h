@@ -11,38 +11,39 @@
 
 namespace tractus::methods {
 
-// A leaf drawn in three views (top, side, section), for plants made of construction lines: a
-// built-in one or the user's .organ file. Leaves drawn in the document are of type DrawnOrgan.
+// A kind of leaf drawn in three views (top, side, section), for plants made of construction lines:
+// a built-in kind or the user's .organ file. A leaf drawn in the document is a DrawnOrgan instead.
 
 struct OrganKind {
-    std::string name; // For example "heart".
+    std::string name; // Name of the leaf, for example "heart".
     std::filesystem::path file;
 };
-std::vector<OrganKind> organ_kinds(); // The built-in kinds, in alphabetical order.
+// The built-in kinds of leaves drawn in three views, in alphabetical order.
+std::vector<OrganKind> organ_kinds();
 
 bool is_organ_file(std::filesystem::path const& file);
 
-// A leaf drawn in three views in the document, and the text of its .organ file. Plants whose lines
-// do not make a leaf yet are not listed.
+// A leaf drawn in three views in the document, and the text for its .organ file. Leaves whose lines
+// are not complete yet are not listed.
 struct DrawnOrgan {
     scene::ItemId plant = 0;
     std::string text;
 };
 std::vector<DrawnOrgan> drawn_organs(scene::DocumentState const& state);
 
-// True if the active plant can bear leaves drawn in three views.
+// True if the active plant can have leaves drawn in three views.
 bool takes_organs(scene::DocumentState const& state);
 
-// Returns the edits that add a leaf in three views to the active plant. Fails with a user error if
-// that plant cannot bear one or the file is invalid.
+// Returns the edits that add a leaf drawn in three views to the active plant. Fails with a user
+// error if this plant cannot have such leaves or the file is invalid.
 Result<std::vector<scene::Edit>> organ_edits(scene::Scene const& scene,
                                              std::filesystem::path const& file);
 
-// Message for the user after organ_edits() were applied.
+// Message for the user about the scene after organ_edits() were applied.
 std::string describe_organ(scene::DocumentState const& after);
 
-// A plant that consists of one leaf in three views, upright on the ground, with its upper side
-// towards a viewer in front. Fails with a user error if the file is invalid.
+// A plant that consists of a single leaf drawn in three views. The leaf is upright on the ground,
+// with its upper side towards a viewer in front. Fails with a user error if the file is invalid.
 Result<Plant> plant_of_organ(std::filesystem::path const& file);
 
 } // namespace tractus::methods

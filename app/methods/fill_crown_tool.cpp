@@ -15,7 +15,8 @@ namespace tractus::methods {
 
 namespace {
 
-constexpr int kFillYears = 40; // Maximum; growth ends when the space is used up.
+// Maximum number of years; growth ends earlier when the space is used up.
+constexpr int kFillYears = 40;
 
 // Option words, in the order of FillCrownTool::When.
 constexpr std::array<tools::OptionWord, 2> kWhenWords { {
@@ -29,7 +30,8 @@ void visit(tools::OptionVisitor& visitor, FillCrownTool& tool)
     self_organising::visit_species(visitor, tool.species);
 }
 
-// A growth period whose stroke has a tip for each ball; the pressure encodes the ball's radius.
+// Returns a growth period in which the tree grows inside the balls. The period's stroke has a tip
+// for each ball, whose pressure encodes the ball's radius.
 self_organising::LifePeriod part_of(std::vector<silhouette::CrownBall> const& balls,
                                     scene::BuiltPlant const& plant)
 {

@@ -11,8 +11,9 @@
 
 namespace tractus::methods {
 
-// Lets a self-organising tree fill the crown of the active plant, which was drawn by its outline.
-// The drawn trunk and branches remain; buds on them compete for the space inside the crown.
+// Lets a self-organising tree fill the crown of the active plant, if this plant was drawn by its
+// outline. The drawn trunk and branches remain; buds on them compete for the space inside the
+// crown.
 struct FillCrownTool {
     static tools::ToolKind const kKind;
 
@@ -21,8 +22,8 @@ struct FillCrownTool {
         = self_organising::GrowthBrushTool::Species::Oak;
 };
 
-// The edit that fills the crown of a scene's active plant, with up to `years` years of growth.
-// Fails with a user error if the plant was not drawn by its outline, or has no crown.
+// The edit that fills the crown of a scene's active plant by up to `years` years of growth. Fails
+// with a user error if the plant was not drawn by its outline, or has no crown.
 Result<scene::Edit> fill_crown(scene::Scene const& scene, self_organising::Habit const& habit,
                                int years, std::uint64_t seed);
 

@@ -7,8 +7,8 @@
 
 namespace tractus::options {
 
-// The action that the command line selects: a command's parser sets it and main() runs it. An error
-// becomes one line on standard error and exit code 1.
+// The action that the command line selects. The parser of a command sets it, and main() runs it. An
+// error is printed as one line on standard error, with exit code 1.
 using Action = std::function<Result<void>()>;
 
 } // namespace tractus::options

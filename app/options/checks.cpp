@@ -26,8 +26,8 @@ template<typename Number> std::optional<Number> parse(std::string const& text)
     return value;
 }
 
-// Makes a validator without a description: CLI11 would show that beside the option's type, but the
-// help texts explain the checks already.
+// Makes a validator without a description. CLI11 would show a description beside the option's type,
+// but the help texts already explain the checks.
 CLI::Validator check(std::function<std::string(std::string const&)> problem)
 {
     return { [problem = std::move(problem)](std::string& text) { return problem(text); }, "" };
@@ -60,7 +60,7 @@ CLI::Validator number(double least, double most)
     });
 }
 
-// Parses two numbers with a separator between them; nullopt for anything else.
+// Parses two numbers with `separator` between them; nullopt for any other text.
 template<typename Number>
 static std::optional<std::pair<Number, Number>> parse_pair(std::string const& text,
                                                            std::string_view separator)
@@ -118,8 +118,8 @@ CLI::Validator one_of(std::vector<std::string> const& words)
         }));
 }
 
-// The words to complete are stored in the validator's name, the only text of a check that CLI11
-// lets an option return; this prefix marks such names.
+// Prefix of validators' names that contain words for shell completion. The name is the only text of
+// a validator that CLI11 returns from an option.
 static constexpr std::string_view kOffers = "offers\n";
 
 CLI::Validator with_completion_words(std::vector<std::string> const& words, CLI::Validator check)
@@ -136,7 +136,7 @@ std::vector<std::string> completion_words(CLI::Option& option)
             if (name.compare(0, kOffers.size(), kOffers) == 0)
                 words = CLI::detail::split(name.substr(kOffers.size()), '\n');
         } catch (CLI::OptionNotFound const&) {
-            return words; // The index is past the last check.
+            return words; // All validators of the option have been examined.
         }
 }
 

@@ -16,7 +16,7 @@ CLI::Option* add_glb_options(CLI::App& command, exports::GlbOptions& options)
         auto const note = io::large_glb_note(expected, options);
         if (note && !said)
             terminal::print_warning(*note);
-        said |= note.has_value(); // Warns once for all files.
+        said |= note.has_value(); // The warning appears once for all files.
     };
     auto const choose = [&options](std::string const& word) {
         options.organs = word == "instanced" ? Organs::Instanced

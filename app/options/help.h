@@ -5,8 +5,9 @@
 
 namespace tractus::options {
 
-// Formats --help in one column of options and one of sentences, within 80 columns. Each sentence
-// ends with the default and with the options that it needs or excludes; examples come last.
+// Formats --help within 80 columns, with options in the left column and sentences that explain them
+// in the right one. Each sentence ends with the default and with the options that it needs or
+// excludes. Examples come last.
 class HelpFormatter final : public CLI::Formatter {
 public:
     HelpFormatter();
@@ -17,11 +18,11 @@ public:
     std::string make_footer(CLI::App const* command) const override;
 };
 
-// The name of an option's value, such as "PIXELS". CLI11 alone would put the value's type before
-// it: "INT:PIXELS".
+// Returns the name of an option's value, such as "PIXELS". CLI11 itself would show the value's type
+// before the name: "INT:PIXELS".
 std::string shown_type(CLI::Option const& option);
 
-// Returns the help of an option on one line: its sentence, its default, and the options that it
+// Returns the help of an option as one line: its sentence, its default, and the options that it
 // needs or excludes.
 std::string option_help(CLI::Option const& option);
 

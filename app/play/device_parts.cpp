@@ -17,17 +17,18 @@ namespace {
 using Then = PlaybackSet::Then;
 
 constexpr Duration kKnockEvery = std::chrono::milliseconds(10);
-// Longest sleep before `stop` is checked.
+// Maximum time for which playing sleeps before it checks `stop`.
 constexpr Duration kLongestSleep = std::chrono::milliseconds(50);
-// Delay before the first report, as programs probe a device before they open it for good.
+// Delay from the first reader to the first report: programs open a device for a trial before they
+// open it to read.
 constexpr Duration kGreeting = std::chrono::milliseconds(100);
-// Longer delay for USB HID devices: Linux drops their reports of the first 50 ms as potentially
-// stale.
+// Delay from the first reader to the first report for USB HID devices: Linux drops reports of the
+// first 50 ms as potentially stale.
 constexpr Duration kUsbGreeting = std::chrono::milliseconds(500);
 constexpr Duration kDrainTime = std::chrono::milliseconds(100);
 constexpr Duration kLongestFarewell = std::chrono::seconds(2);
 
-// Waits until a device's file is ready, at most for `timeout`, and serves the devices.
+// Waits until one of the devices has a request, for at most `timeout`, and serves the devices.
 Result<void> serve_devices(std::vector<sim::KernelDevice*> const& devices, Duration timeout)
 {
     std::vector<pollfd> files;
@@ -43,7 +44,7 @@ Result<void> serve_devices(std::vector<sim::KernelDevice*> const& devices, Durat
     return {};
 }
 
-// Plays everything that is due, then waits for the next event or a request from the kernel.
+// Plays everything that is due, then waits for the next event or for a request from the kernel.
 Result<void> take_step(PlaybackSet const& play)
 {
     auto next_due = Timestamp::max();
@@ -98,7 +99,8 @@ Result<void> go_on_for(Duration duration, PlaybackSet const& play, std::atomic<b
     return {};
 }
 
-// Gives readers time to fetch the queued reports, and then those that the kernel still holds.
+// Gives readers time to fetch the reports that are still queued here, and after that those that the
+// kernel holds.
 Result<void> say_farewell(PlaybackSet const& play, std::atomic<bool> const& stop)
 {
     auto const latest = drivers::monotonic_now() + kLongestFarewell;
@@ -138,7 +140,7 @@ void ReportPart::begin(Timestamp now)
 Timestamp ReportPart::due() const
 {
     if (!read_)
-        // Due at once, as reading failed and play() has to report the error.
+        // An error in reading is due at once, so that play() reports it.
         return Timestamp::min();
     if (!begin_)
         return device_.detects_readers_by_reports() && next_ ? next_knock_ : Timestamp::max();
@@ -158,8 +160,9 @@ Result<void> ReportPart::play(Timestamp now)
     return {};
 }
 
-// Sends the first report early. Some devices notice a reader only when a report is fetched.
-// Programs rarely see this report (kUsbGreeting), and it is sent again at the start.
+// Sends the first report before playing starts, for devices that notice a reader only when a report
+// is fetched. Programs rarely see this report (see kUsbGreeting); it is sent again when playing
+// starts.
 Result<void> ReportPart::knock(Timestamp now)
 {
     next_knock_ = now + kKnockEvery;

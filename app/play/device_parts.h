@@ -13,33 +13,35 @@
 
 namespace tractus::play {
 
-// Timed behaviour of an emulated kernel device. Times are of the monotonic clock.
+// Behaviour of an emulated kernel device over time. All times are of the monotonic clock.
 class DevicePart {
 public:
     virtual ~DevicePart() = default;
 
-    // Starts or restarts playing. Before the first call the device exists and its measurements are
-    // constant.
+    // Starts playing, or starts again. Before the first call the device exists and its measurements
+    // are constant.
     virtual void begin(Timestamp now) = 0;
 
-    // Time of the next call of play(), also before the start; Timestamp::max() for never.
+    // Time at which play() must be called next, also before begin(); Timestamp::max() for never.
     virtual Timestamp due() const = 0;
 
-    // Plays everything that is due; `now` is due() or later. Fails like the device.
+    // Plays everything that is due. `now` must not be earlier than due(). Fails if the device does.
     virtual Result<void> play(Timestamp now) = 0;
 
-    // True if everything has been played at time `now`.
+    // True if there is nothing left to play at the time `now`.
     virtual bool is_over(Timestamp now) const = 0;
 };
 
-// Returns the next report, or no value after the last one. Fails if its file cannot be read.
+// A function that returns the next report, or no value after the last one. It fails if the file
+// with the reports cannot be read.
 using NextReport = std::function<Result<std::optional<drivers::RawReport>>()>;
 
-// Sends reports at their times.
+// Sends the reports of an emulated device at their times.
 class ReportPart final : public DevicePart {
 public:
-    // `reports` creates a function that returns the reports from the first one on; it is called at
-    // each start, from which their times count. The device must outlive the part.
+    // `reports` is called whenever playing starts. It creates a function that returns the reports,
+    // beginning with the first one; their times count from the start. The device must outlive the
+    // part.
     ReportPart(sim::KernelDevice& device, std::function<NextReport()> reports);
 
     void begin(Timestamp now) override;
@@ -56,30 +58,30 @@ private:
     std::function<NextReport()> reports_;
     NextReport next_report_;
     std::optional<drivers::RawReport> next_;
-    Result<void> read_ {}; // Outcome of reading the next report.
+    Result<void> read_ {}; // Success, or the error in reading the next report.
     std::optional<Timestamp> begin_ {};
     Timestamp next_knock_ {};
 };
 
-// All devices and parts that are played together.
+// All emulated devices and parts that are played together.
 struct PlaybackSet {
-    std::vector<sim::KernelDevice*> devices {}; // All devices to serve.
+    std::vector<sim::KernelDevice*> devices {}; // All devices whose requests are served.
     std::vector<DevicePart*> parts {};
 
-    // Called when all devices have a reader for the first time; may be empty.
+    // Called once, when every device has a reader; may be empty.
     std::function<void()> on_begin {};
 
     enum class Then {
-        Leave,  // Ends when the reports have been fetched.
-        Stay,   // Continues to exist until asked to stop.
-        Repeat, // Starts over until asked to stop.
+        Leave,  // Playing ends once readers have fetched the reports.
+        Stay,   // The devices continue to exist until asked to stop.
+        Repeat, // Playing starts again, until asked to stop.
     };
     Then then = Then::Leave;
 };
 
 // Waits until each device has a reader, then plays all parts to their ends, or until `stop` is set
 // (by a signal handler, for example). Sleeps while there is nothing to do. Fails as soon as a
-// device or a part does.
+// device or a part fails.
 Result<void> play_parts(PlaybackSet const& play, std::atomic<bool> const& stop);
 
 } // namespace tractus::play

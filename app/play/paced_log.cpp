@@ -43,9 +43,10 @@ public:
 
 private:
     std::shared_ptr<drivers::Log const> log_;
-    drivers::LogSource source_; // Source of the log's reports for this device.
+    drivers::LogSource source_; // Returns the device's reports from the log.
     Pace pace_;
-    std::optional<drivers::RawReport> next_; // The next report, whose time has not come yet.
+    // The next report, read early; its time has not come yet.
+    std::optional<drivers::RawReport> next_;
 };
 
 } // namespace

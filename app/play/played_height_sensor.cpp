@@ -9,10 +9,10 @@ namespace tractus::play {
 
 namespace {
 
-// Readings that are due for longer than this, because the computer slept, are skipped.
+// Readings that are late by more than this, as after the computer has slept, are skipped.
 constexpr Duration kLongestDelay = std::chrono::seconds(1);
 
-// Converts a time to the sensor's clock, which has 32 bits.
+// Converts a time to the sensor's clock, which counts microseconds in 32 bits.
 std::uint32_t device_us(Timestamp time)
 {
     auto const since = std::chrono::floor<std::chrono::microseconds>(time.time_since_epoch());

@@ -11,13 +11,13 @@
 
 namespace tractus::play {
 
-// Emulates our own height sensor (firmware-notes/height-sensor-protocol.md) as a function of a USB
-// gadget; it measures the heights of a recording. Answers the host's requests, and sends frames
-// while the host asks for them. Its clock is this computer's.
+// Emulates the program's own height sensor (firmware-notes/height-sensor-protocol.md) as a function
+// of a USB gadget. The sensor measures the heights of a recording. It answers the host's requests,
+// and sends frames while the host asks for them. Its time is this computer's clock.
 class PlayedHeightSensor final : public DevicePart {
 public:
-    // Adds the sensor to `gadget`, which must not be plugged in yet and must outlive it. Fails like
-    // FunctionFsDevice::add_to().
+    // Adds the sensor to `gadget`, which must not be plugged in yet and must outlive the sensor.
+    // Fails like FunctionFsDevice::add_to().
     static Result<std::unique_ptr<PlayedHeightSensor>> add_to(sim::UsbGadget& gadget,
                                                               sim::HeightCurve heights);
 
@@ -38,7 +38,7 @@ private:
     sim::HeightSensorModel model_;
     std::unique_ptr<sim::FunctionFsDevice> device_;
     std::optional<Timestamp> begin_ {};
-    Timestamp next_reading_ {}; // Time of the next reading while the host asks for frames.
+    Timestamp next_reading_ {}; // Time of the next reading, while the host asks for frames.
 };
 
 } // namespace tractus::play

@@ -16,10 +16,10 @@ namespace tractus::play {
 struct SimulatedHand::Shared {
     std::shared_ptr<drivers::Log const> log;
     std::function<Timestamp()> now;
-    // Clock time at which the recording started; no value before that.
+    // Clock time at which the recording started; no value before begin().
     std::optional<Timestamp> begun {};
 
-    // Time of the clock for a moment of the recording. Only after begin().
+    // Returns the time of the clock for a time in the recording. Only valid after begin().
     Timestamp real_time(Timestamp recorded) const { return *begun + (recorded - log->begin()); }
 };
 
@@ -35,7 +35,7 @@ drivers::RawReport as_report(drivers::Log const& log, drivers::LogRecord const& 
     return report;
 }
 
-// Source of a device's recorded reports, when their time has come.
+// Source that returns a device's recorded reports as soon as they are due.
 class HandSource : public drivers::ReportSource {
 public:
     HandSource(std::shared_ptr<SimulatedHand::Shared> shared, std::size_t device)
@@ -60,12 +60,12 @@ public:
     }
 
 protected:
-    // Report to send while the recording has not begun or is over.
+    // Returns the report to send before the recording begins or after it ends, if there is one.
     virtual std::optional<drivers::RawReport> rest() { return std::nullopt; }
 
     drivers::Log const& log() const { return *shared_->log; }
     SimulatedHand::Shared const& shared() const { return *shared_; }
-    // For rest(): true after the recording, false before it.
+    // When rest() is called: true after the recording, false before it.
     bool is_over() const { return shared_->begun.has_value(); }
 
 private:
@@ -74,9 +74,9 @@ private:
     std::size_t next_ = 0; // Index of the next record in the log.
 };
 
-// Height source that continues before and after the recording with its first or last readings. It
-// alternates between two different readings, as a sensor without any noise would be diagnosed as
-// broken.
+// Source of a height sensor that also sends before and after the recording. It repeats the
+// recording's first or last reading, alternating with another reading near it, as a sensor without
+// noise would be diagnosed as broken.
 class HeightSource final : public HandSource {
 public:
     HeightSource(std::shared_ptr<SimulatedHand::Shared> shared, std::size_t device)
@@ -93,7 +93,7 @@ public:
 
 private:
     static constexpr Duration kPeriod = std::chrono::milliseconds(5);
-    // Limits the number of readings that are made up after the program stalled.
+    // After a stall of the program, readings are made up for at most this time.
     static constexpr Duration kLongestCatchUp = std::chrono::seconds(1);
 
     using Readings = std::array<std::optional<drivers::LogRecord>, 2>;
@@ -131,7 +131,7 @@ private:
 
     Readings first_ {};
     Readings last_ {};
-    bool rests_after_ = false; // True after the recording, false before it.
+    bool rests_after_ = false; // True if the current readings are those after the recording.
     bool is_second_ = false;
     std::optional<Timestamp> due_ {}; // Time of the next reading.
 };

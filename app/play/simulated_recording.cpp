@@ -16,8 +16,8 @@ namespace tractus::play {
 
 namespace {
 
-// An axis as shown by the selection view, without its ends: at the base the pen would touch the
-// parent first, and beyond the tip nothing.
+// Returns an axis as the selection view shows it, without its two ends. At its base the pen would
+// touch the parent first, and beyond its tip nothing.
 Result<std::vector<Vec2>> shown_axis(Plant const& plant, Vec2 const& tablet_size_mm,
                                      std::size_t rank)
 {
@@ -57,12 +57,14 @@ void write_reports(drivers::LogWriter& log, sim::SimulatedRun const& run, sim::H
                        tools::print_min_extents(tools::usual_min_extents(tools)));
     auto gesture = script.gestures.begin();
     std::size_t stroke = 0;
-    // Actions without a stroke take place when the hand selects the tool of the stroke that
-    // follows.
+    // An action without a stroke is written at the time at which the hand selects the tool of the
+    // next stroke.
     auto const write_tools_until = [&](Timestamp time) {
         for (; stroke < hand.strokes().size() && hand.strokes()[stroke].chosen <= time; ++stroke) {
             if (stroke > 0 && hand.is_dab(stroke - 1))
-                continue; // The dab was made with this stroke's tool.
+                // The previous stroke was a dab, made with the tool of this stroke; no tool was
+                // selected between them.
+                continue;
             for (bool draws = false; !draws; ++gesture) {
                 draws = !std::holds_alternative<sim::AtOnce>(gesture->path);
                 write_tool(hand.strokes()[stroke].chosen, *gesture);

@@ -11,7 +11,7 @@ namespace tractus::render {
 
 // Share of the picture that the framed shape may fill; the rest is margin.
 static constexpr double kFill = 0.94;
-// Least distance from the eye to the framed shape, as a share of its radius.
+// Minimum distance from the eye to the framed shape, as a share of the shape's radius.
 static constexpr double kMinClearance = 0.3;
 
 Eigen::Matrix4f T_camera_world(Camera const& camera)
@@ -50,8 +50,8 @@ Eigen::Matrix4f projection_matrix(Camera const& camera, double aspect)
 
 namespace {
 
-// Extent of the upright elliptic cylinder inscribed in `box` along a direction, which need not be a
-// unit vector.
+// Returns how far the upright elliptic cylinder inscribed in `box` extends along a direction, which
+// need not be a unit vector.
 double reach(Bounds const& box, Vec3 const& direction)
 {
     Vec3 const half = (box.max_mm - box.min_mm) / 2;
@@ -69,7 +69,7 @@ Bounds not_empty(Bounds box)
     return box;
 }
 
-// Unit vectors of a view's axes.
+// Unit vectors along the axes of a view.
 struct ViewAxes {
     explicit ViewAxes(ViewAngles const& angles)
         : back(std::sin(angles.azimuth_rad) * std::cos(angles.elevation_rad),
@@ -85,7 +85,7 @@ struct ViewAxes {
     Vec3 up;
 };
 
-// Slopes of the view pyramid's sides, reduced by the margin.
+// Slopes of the view pyramid's sides, with the margin already subtracted.
 struct Slopes {
     explicit Slopes(double aspect)
         : up(std::tan(Camera().field_of_view_rad / 2) * kFill)
@@ -97,7 +97,7 @@ struct Slopes {
     double right;
 };
 
-// Outward normals of the view pyramid's four planes, and the direction to the eye.
+// Returns the outward normals of the view pyramid's four sides, and the direction to the eye.
 std::array<Vec3, 5> pyramid(ViewAxes const& axes, Slopes const& slopes)
 {
     return { axes.back * slopes.up + axes.up, axes.back * slopes.up - axes.up,
@@ -105,9 +105,9 @@ std::array<Vec3, 5> pyramid(ViewAxes const& axes, Slopes const& slopes)
              axes.back };
 }
 
-// Moves the view pyramid's four planes outwards until each touches the framed shape, whose extents
-// along their normals are `reach`. The eye is centred between opposite planes, as far back as the
-// wider pair requires, and at least kMinClearance away from the shape.
+// Returns the camera whose view pyramid touches the framed shape with all four sides. `reach`
+// contains the shape's extents along the sides' normals. The eye is centred between opposite sides,
+// as far back as the wider pair requires, and at least kMinClearance away from the shape.
 Camera touching_camera(ViewAngles const& angles, double aspect, std::array<double, 5> const& reach,
                        Bounds const& box)
 {

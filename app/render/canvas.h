@@ -14,16 +14,17 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
 
-    // Directs drawing to this canvas until another framebuffer is bound.
+    // Binds this canvas as the framebuffer. It receives all drawing until another one is bound.
     void bind() const;
 
-    // Averages the samples of each pixel. Call it after drawing, before texture() or image().
+    // Averages the samples of each pixel. Call this after drawing and before texture() or image().
     void resolve() const;
 
-    // The resolved picture as a texture, rows from bottom to top. Valid as long as the canvas.
+    // Returns the resolved picture as a texture, with rows from bottom to top. Valid as long as the
+    // canvas.
     GLuint texture() const { return texture_.name(); }
 
-    // The resolved picture as an image in memory.
+    // Returns the resolved picture as an image in memory.
     Image image() const;
 
 private:

@@ -1,6 +1,6 @@
 #include "app/render/font.h"
 
-// The assembler embeds the file at TRACTUS_FONT between two labels.
+// The assembler embeds the font file, whose path is TRACTUS_FONT, between two labels.
 __asm__(".section .rodata\n"
         ".balign 16\n"
         ".global tractus_font_begin\n"

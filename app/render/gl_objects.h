@@ -6,8 +6,8 @@
 
 namespace tractus::render::gl {
 
-// Unique owner of an OpenGL object's name. It must be created, used and destroyed with the same
-// context current.
+// Unique owner of an OpenGL object's name. Create, use and destroy it while the same OpenGL context
+// is current.
 template<typename Kind> class Object {
 public:
     Object() { Kind::create(&name_); }
@@ -59,7 +59,7 @@ using Texture = Object<TextureKind>;
 using Renderbuffer = Object<RenderbufferKind>;
 using Framebuffer = Object<FramebufferKind>;
 
-// Copies `values` into the buffer, and leaves it bound to `target`.
+// Copies `values` into the buffer, and leaves the buffer bound to `target`.
 template<typename Value>
 void upload(Buffer const& buffer, GLenum target, std::span<Value const> values)
 {
@@ -68,7 +68,7 @@ void upload(Buffer const& buffer, GLenum target, std::span<Value const> values)
                  GL_STATIC_DRAW);
 }
 
-// Offset of a member in a vertex, as the pointer that glVertexAttribPointer expects.
+// Converts the offset of a vertex's member to the pointer that glVertexAttribPointer expects.
 inline void const* offset(std::size_t bytes)
 {
     return reinterpret_cast<void const*>(bytes);

@@ -6,7 +6,7 @@ namespace tractus::render {
 
 namespace {
 
-// Vertex data of one end of a segment, as the shader reads it.
+// Data of one end of a segment, in the layout that the curve shader reads.
 struct EndVertex {
     Vec3f position_mm = Vec3f::Zero();
     Vec3f color = Vec3f::Zero();
@@ -16,14 +16,15 @@ struct EndVertex {
 struct SegmentVertex {
     EndVertex begin {};
     EndVertex end {};
-    Vec2f traits = Vec2f::Zero(); // x: 1 if widths are in millimetres; y: sum of the flags below.
+    // x: 1 if widths are in millimetres, otherwise 0. y: sum of kRound, kHead and kFades.
+    Vec2f traits = Vec2f::Zero();
 };
 
-// Width of an arrow head's base in line widths; kArrowLength is its length.
+// Width of an arrow head's base, as a multiple of the line's width. kArrowLength is its length.
 constexpr float kArrowWidth = 4.5f;
 constexpr float kArrowLength = 7.0f;
 
-// Flags of a segment, summed in SegmentVertex::traits.y.
+// Flags of a segment; their sum is SegmentVertex::traits.y.
 constexpr float kRound = 1;
 constexpr float kHead = 2;
 constexpr float kFades = 4;
@@ -33,8 +34,8 @@ EndVertex vertex(Curve::Point const& point)
     return { point.position_mm, point.color, point.width };
 }
 
-// A cone beyond the last point. If widths are in pixels the shader computes its length; here its
-// end only gives the direction.
+// Returns a cone beyond the last point. For widths in pixels the shader computes the cone's length,
+// and the end stored here only gives the direction.
 SegmentVertex arrow_head(Curve const& curve, Vec2f const& traits)
 {
     auto const& last = curve.points.back();

@@ -8,15 +8,16 @@
 
 namespace tractus::render {
 
-// Curves uploaded to the GPU: created once, drawn many times. Must not outlive the OpenGL context.
+// Curves uploaded to the GPU. Create them once and draw them often. They must not outlive the
+// OpenGL context.
 class GpuCurves {
 public:
     explicit GpuCurves(std::span<Curve const> curves);
 
-    // Bounding box of all points; empty if there are none.
+    // Bounding box of all points of the curves; empty if there are no points.
     Bounds const& bounds() const { return bounds_; }
 
-    // Draws every segment as one strip of four corners. The curve shader must be in use.
+    // Draws each segment as a strip of four corners. The curve shader must be in use.
     void draw() const;
 
 private:

@@ -14,17 +14,18 @@ namespace tractus::render {
 
 namespace {
 
-constexpr float kRhombusBelow_px = 11; // Organs shorter than this are drawn as rhombi.
-// Rhombi with a smaller area than this are drawn larger but fewer.
+// Organs shorter than this on the screen are drawn as rhombi.
+constexpr float kRhombusBelow_px = 11;
+// Where rhombi would have a smaller area than this on the screen, fewer and larger ones are drawn.
 constexpr float kSmallestArea_px = 2.5f;
-constexpr float kSmallestShare = 0.02f; // Least share of the rhombi that is drawn.
-// First of five texture units for pictures; lower ones belong to the sun's shadow.
+constexpr float kSmallestShare = 0.02f; // Minimum share of an organ's rhombi that is drawn.
+// First of the five texture units for pictures; the sun's shadow uses the lower ones.
 constexpr int kPictureUnit = 2;
 constexpr std::uint32_t kShuffleStream = 0x72656e64;
 
 struct InstanceVertex {
     Vec3f translation_mm = Vec3f::Zero();
-    std::array<float, 4> rotation {}; // Quaternion x, y, z, w.
+    std::array<float, 4> rotation {}; // Rotation as a quaternion x, y, z, w.
     Vec3f scale = Vec3f::Ones();
     float sky = 1;
 };
@@ -35,7 +36,7 @@ void float_attribute(GLuint index, GLint size, GLsizei stride, std::size_t offse
     glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, stride, gl::offset(offset_bytes));
 }
 
-// Uploads one value per vertex into a new buffer of the part, as attribute `index`.
+// Uploads one value per vertex as the attribute `index`, into a new buffer that the part keeps.
 template<typename Values>
 void add_vertex_values(GpuMesh::Part& part, GLuint index, Values const& values)
 {
@@ -44,7 +45,7 @@ void add_vertex_values(GpuMesh::Part& part, GLuint index, Values const& values)
     float_attribute(index, static_cast<GLint>(sizeof(Value) / sizeof(float)), 0, 0);
 }
 
-// Uploads triangles to a vertex array, which stays bound; the part keeps the buffers.
+// Uploads triangles to a vertex array, which stays bound. The part keeps the buffers.
 void add_triangles(GpuMesh::Part& part, gl::VertexArray const& vertex_array,
                    mesh::TriangleMesh const& triangles)
 {
@@ -65,9 +66,9 @@ bool is_flat(mesh::TriangleMesh const& mesh, std::size_t first_index)
         && mesh.normals[mesh.indices[first_index + 2]] == normal;
 }
 
-// Number of a surface's indices that belong to tubes, whose inner sides are never visible.
-// make_mesh() puts two-sided polygons after the tubes. Surfaces of unknown origin count as having
-// no tubes.
+// Returns how many of a surface's first indices belong to tubes, whose inner sides are never
+// visible. make_mesh() puts two-sided polygons, which have flat normals, after the tubes. Only bark
+// and stems have tubes.
 GLsizei tube_index_count(Material const& material, mesh::TriangleMesh const& surface)
 {
     if (material.kind != Material::Kind::Bark && material.kind != Material::Kind::Stem)
@@ -78,7 +79,8 @@ GLsizei tube_index_count(Material const& material, mesh::TriangleMesh const& sur
     return static_cast<GLsizei>(count);
 }
 
-// Sets up a buffer of instances, which vertex arrays may share, as attributes of one of them.
+// Binds a buffer of instances to the instance attributes of a vertex array. Several vertex arrays
+// may share the buffer.
 void use_instances(gl::VertexArray const& vertex_array, GLuint instances)
 {
     glBindVertexArray(vertex_array.name());
@@ -93,7 +95,7 @@ void use_instances(gl::VertexArray const& vertex_array, GLuint instances)
     glBindVertexArray(0);
 }
 
-// Returns the instances in random order, so that the first ones are representative of all.
+// Returns the instances in random order, so that the first of them represent all of them.
 std::vector<InstanceVertex> shuffled_instances(mesh::InstancedMesh const& organ,
                                                SkyVisibility const& sky)
 {
@@ -140,7 +142,7 @@ void draw_from_afar(GpuMesh::Part const& part, Shader const& shader, float pixel
     auto const& rhombus = *part.rhombus;
     float const area_px = rhombus.length_mm * rhombus.width_mm / (2 * pixel_mm * pixel_mm);
     float const share = std::clamp(area_px / kSmallestArea_px, kSmallestShare, 1.0f);
-    // Narrow organs are only widened; lengthened, they would stick out of the plant.
+    // Narrow organs grow only in width; if they grew in length, they would stick out of the plant.
     bool const narrow = rhombus.width_mm < 0.25f * rhombus.length_mm;
     float const across = narrow ? 1 / share : 1 / std::sqrt(share);
     shader.set("instance_growth", Vec3f(across, narrow ? 1 : across, narrow ? across : 1));
@@ -152,7 +154,7 @@ void draw_from_afar(GpuMesh::Part const& part, Shader const& shader, float pixel
                             std::min(count, part.instance_count));
 }
 
-// Whether organs are drawn with their pictures or in the pictures' mean colour.
+// Whether organs are drawn with their colour picture or in the mean colour of that picture.
 enum class Picture { Drawn, Mean };
 
 // Sets the uniforms of a picture: its sampler, and its strength, which is 0 if there is no picture.
@@ -160,14 +162,15 @@ void set_picture(Shader const& shader, int index, SurfacePicture const* picture,
                  char const* strength_name, float strength)
 {
     shader.set(strength_name, picture ? strength : 0.0f);
-    // Every sampler gets a unit of its own, as samplers of different types must not share one.
+    // Each sampler has a texture unit of its own, as samplers of different types must not share a
+    // unit.
     shader.set(name, kPictureUnit + index);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(kPictureUnit + index));
     glBindTexture(GL_TEXTURE_2D, picture ? picture->texture.name() : 0);
     glActiveTexture(GL_TEXTURE0);
 }
 
-// Sets the uniforms base_color and linear, and those of the material's pictures.
+// Sets the uniforms base_color and linear, and the uniforms of the material's pictures.
 void set_pictures(GpuMesh::Part const& part, Shader const& shader, Picture how)
 {
     auto const& textures = part.material.textures;
@@ -190,7 +193,7 @@ void set_pictures(GpuMesh::Part const& part, Shader const& shader, Picture how)
     set_picture(shader, 4, seen(part.translucency), "passings", "passing", 1);
 }
 
-// A failed check is a bug in the mesh, not a bad file: readers check their indices.
+// If this check fails, the mesh was made wrongly; readers of files check the indices themselves.
 Material const& material_of(mesh::Mesh const& mesh, mesh::TriangleMesh const& triangles)
 {
     CHECK(triangles.material < mesh.materials.size());

@@ -12,39 +12,41 @@
 
 namespace tractus::render {
 
-// A mesh uploaded to the GPU: created once, drawn many times. Must not outlive the OpenGL context.
+// A mesh uploaded to the GPU. Create it once and draw it often. It must not outlive the OpenGL
+// context.
 class GpuMesh {
 public:
-    // Whether the sky's visibility is traced, which takes time, or assumed to be open, which is
-    // enough without lighting.
+    // Traced: the visibility of the sky is computed for each place, which takes time. Open: the
+    // whole sky is visible everywhere, which is enough for pictures without lighting.
     enum class Sky { Traced, Open };
     explicit GpuMesh(mesh::Mesh const& mesh, Sky sky = Sky::Traced);
 
-    // Bounding box of everything drawn, in the plant frame. Empty for an empty mesh.
+    // Bounding box of all surfaces and organs, in the plant frame. Empty for an empty mesh.
     Bounds const& bounds() const { return bounds_; }
 
-    // One draw call: the triangles of one material, drawn once or as many instances.
+    // The triangles of one material, drawn by one draw call: once, or as many instances.
     struct Part {
         Material material;
-        // The material's pictures; null for those that it does not have.
+        // The material's pictures; null for pictures that the material does not have.
         SurfacePicture const* picture = nullptr;
         SurfacePicture const* normal = nullptr;
         SurfacePicture const* occlusion = nullptr;
         SurfacePicture const* roughness = nullptr;
         SurfacePicture const* translucency = nullptr;
         GLsizei index_count = 0;
-        // Number of leading indices that belong to tubes; of these only outer sides are drawn.
+        // Number of first indices that belong to tubes. Only the outer sides of tubes are drawn.
         GLsizei tube_index_count = 0;
         GLsizei instance_count = 0; // Number of instances; 0: drawn once, without instancing.
         gl::VertexArray vertex_array;
         std::vector<gl::Buffer> buffers;
 
-        // Simplified shape of thin organs seen from afar: a rhombus of the same length and area, or
-        // two crossed ones.
+        // Simplified shape of thin organs seen from afar: a rhombus with the same length and area
+        // as the organ, or two such rhombi that cross.
         struct Rhombus {
             gl::VertexArray vertex_array;
             GLsizei index_count = 0;
-            float length_mm = 0; // Mean over the instances, as is width_mm.
+            // Mean length of the organ's instances; width_mm is the mean width.
+            float length_mm = 0;
             float width_mm = 0;
         };
         std::optional<Rhombus> rhombus;
@@ -54,14 +56,14 @@ public:
     // Draws one part with `shader`, which must be in use. Vertex attributes: 0 position, 1 normal,
     // 2 texture coordinate, 3 sky visibility. Instance attributes: 4 translation, 5 rotation (a
     // quaternion, scalar last), 6 scale, 7 sky visibility. Uniforms: instance_growth, is_instanced,
-    // and those of the material's colour and pictures. `pixel_mm` is the size of a pixel. Organs a
-    // few pixels in size are drawn as rhombi; where these would be smaller than pixels, a random
-    // subset is drawn, enlarged accordingly (Cook, Halstead, Planck, Ryu 2007, "Stochastic
-    // simplification of aggregate detail").
+    // and those of the material's colour and pictures. `pixel_mm` is the size of a pixel at the
+    // plant. Organs of a few pixels are drawn as rhombi. Where rhombi would be smaller than pixels,
+    // a random subset is drawn, enlarged so that the total area stays the same (Cook, Halstead,
+    // Planck, Ryu 2007, "Stochastic simplification of aggregate detail").
     void draw(Part const& part, Shader const& shader, float pixel_mm) const;
 
-    // Sky visibility of the ground below the plant: a single-channel texture, and the rectangle
-    // that it covers.
+    // Visibility of the sky from the ground below the plant: ground_texture() has a single channel
+    // and covers the rectangle given by the corner and size.
     GLuint ground_texture() const { return ground_texture_.name(); }
     Vec2f const& ground_corner_mm() const { return ground_corner_mm_; }
     Vec2f const& ground_size_mm() const { return ground_size_mm_; }

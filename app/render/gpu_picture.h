@@ -5,7 +5,7 @@
 
 namespace tractus::render {
 
-// A picture uploaded to the GPU, filtered smoothly at any size. Must not outlive the OpenGL
+// A picture uploaded to the GPU and filtered smoothly at any size. It must not outlive the OpenGL
 // context.
 class GpuPicture {
 public:

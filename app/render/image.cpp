@@ -52,7 +52,7 @@ void paste(Image& onto, Image const& picture, int x, int y)
 
 namespace {
 
-// The source pixels that one destination pixel covers along one axis, with weights.
+// The source pixels that one destination pixel covers along one axis, with their weights.
 struct Coverage {
     int first = 0;
     std::vector<float> weights; // Weight of each source pixel; their sum is 1.

@@ -20,13 +20,14 @@ struct Color {
     bool operator==(Color const&) const = default;
 };
 
-// Makes a colour from components in 0 to 1, which are clamped and rounded.
+// Returns the colour with these components, 0 to 1. They are clamped and rounded.
 Color color_from(Vec3f const& srgb);
 
-// Linear light of an sRGB colour, 0 to 1, with the shaders' approximation: the power of 2.2.
+// Converts an sRGB colour to linear light, 0 to 1. Uses the same approximation as the shaders, the
+// power of 2.2.
 Vec3f linear_light(Vec3f const& srgb);
 
-// An image in memory: rows from top to bottom, pixels from left to right.
+// An image in memory. Rows go from top to bottom, pixels from left to right.
 class Image {
 public:
     Image() = default;
@@ -38,7 +39,7 @@ public:
     Color& at(int x, int y) { return pixels_[index(x, y)]; }
     Color const& at(int x, int y) const { return pixels_[index(x, y)]; }
 
-    // All pixels, row after row: 4 bytes each, red first.
+    // All pixels, row after row. Each has 4 bytes, red first.
     std::vector<Color>& pixels() { return pixels_; }
     std::vector<Color> const& pixels() const { return pixels_; }
 
@@ -52,14 +53,15 @@ private:
     std::vector<Color> pixels_;
 };
 
-// Copies `picture` into `onto` with its upper left corner at (x, y). Parts outside are clipped.
+// Copies `picture` into `onto`, with its upper left corner at (x, y). Parts outside `onto` are
+// clipped.
 void paste(Image& onto, Image const& picture, int x, int y);
 
-// The image upside down, for OpenGL, whose rows go from bottom to top.
+// Returns the image upside down, for OpenGL, whose rows go from bottom to top.
 Image flipped(Image const& picture);
 
-// The image in another size; each pixel is the mean of the area that it covers. Meant for reducing;
-// enlarged pixels become blocks.
+// Returns the image in another size. Each pixel is the mean of the area that it covers in
+// `picture`. This is meant for reducing: in an enlarged image, each old pixel becomes a block.
 Image resized(Image const& picture, int width, int height);
 
 // Writes a PNG file (ISO/IEC 15948) with 8 bits per channel: RGB if every pixel is opaque,

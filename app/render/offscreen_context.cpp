@@ -10,7 +10,7 @@ namespace tractus::render {
 
 struct OffscreenContext::Handles {
     EGLDisplay display = EGL_NO_DISPLAY;
-    // A pixel buffer, only on systems where a context requires a surface.
+    // A buffer of pixels, created only on systems where a context requires a surface.
     EGLSurface surface = EGL_NO_SURFACE;
     EGLContext context = EGL_NO_CONTEXT;
 
@@ -70,8 +70,8 @@ bool make_current(EGLDisplay display, EGLContext context, EGLConfig config, EGLS
 {
     if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
         return true;
-    // Without EGL_KHR_surfaceless_context a surface is required. The smallest one is enough, since
-    // everything is drawn into framebuffers of our own.
+    // Without EGL_KHR_surfaceless_context, a context requires a surface. The smallest one is
+    // enough, as everything is drawn into framebuffers that the program creates.
     constexpr std::array<EGLint, 5> kSmall { EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE };
     surface = eglCreatePbufferSurface(display, config, kSmall.data());
     return surface != EGL_NO_SURFACE && eglMakeCurrent(display, surface, surface, context);

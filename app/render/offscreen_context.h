@@ -6,9 +6,9 @@
 
 namespace tractus::render {
 
-// An OpenGL 3.3 core context without window or display, current on the creating thread until it is
-// destroyed. It needs neither a graphics card nor a display server: Mesa's software renderer
-// suffices.
+// An OpenGL 3.3 core context without a window or display. It is current on the thread that created
+// it until it is destroyed. Mesa's software renderer suffices; neither a graphics card nor a
+// display server is needed.
 class OffscreenContext {
 public:
     // Fails with a user error if the system has no EGL or no OpenGL 3.3; the message names the

@@ -14,8 +14,8 @@ namespace tractus::render {
 
 namespace {
 
-// Orientation that a JPEG's camera recorded, 1 to 8 (Exif 2.32, section 4.6.4, "Orientation").
-// Defaults to 1, upright.
+// Returns the orientation that the camera stored in a JPEG, 1 to 8 (Exif 2.32, section 4.6.4,
+// "Orientation"). Returns 1, upright, if there is none.
 int orientation_of(std::string_view bytes)
 {
     std::unique_ptr<ExifData, void (*)(ExifData*)> const data(
@@ -30,8 +30,8 @@ int orientation_of(std::string_view bytes)
     return orientation >= 1 && orientation <= 8 ? orientation : 1;
 }
 
-// Turns an image upright. Orientations 5 to 8 swap rows and columns. Of each four orientations, the
-// second and third are mirrored horizontally, the third and fourth vertically.
+// Turns an image upright. For orientations 5 to 8, rows and columns are swapped. For 2, 3, 6 and 7,
+// the stored image is mirrored horizontally; for 3, 4, 7 and 8, vertically.
 Image upright(Image picture, int orientation)
 {
     if (orientation == 1)
@@ -52,7 +52,8 @@ Image upright(Image picture, int orientation)
     return turned;
 }
 
-static_assert(sizeof(Color) == 4); // Both libraries write pixels of this layout.
+// Both libraries, for PNG and for JPEG, write pixels of this layout.
+static_assert(sizeof(Color) == 4);
 
 constexpr std::int64_t kMaxPixels = 100'000'000;
 
@@ -71,8 +72,8 @@ Result<Image> read_png(std::string_view bytes)
     return image;
 }
 
-// Decodes a JPEG. Warnings of the library are ignored: many cameras and programs write files that
-// cause them, for example with stray bytes between segments.
+// Decodes a JPEG. Warnings of the library are ignored, as the files of many cameras and programs
+// cause them, for example by stray bytes between segments.
 Result<Image> read_jpeg(std::string_view bytes)
 {
     std::unique_ptr<void, int (*)(void*)> const decoder(tjInitDecompress(), tjDestroy);

@@ -19,7 +19,7 @@ Result<Shader> surface_shader(std::string_view name, std::string_view kind)
                              shaders::kSurfaceFragment } });
 }
 
-// Side of the shadow map: about two of its pixels for each pixel of the picture.
+// Returns the side of the shadow map: about two of its pixels for each pixel of the picture.
 int shadow_map_side(Canvas const& canvas)
 {
     int const longest = std::max(canvas.width(), canvas.height());
@@ -40,14 +40,14 @@ struct Renderer::Parts {
     SunShadow shadow;
     gl::VertexArray no_vertices {};
 
-    // State shared by the passes of one picture.
+    // State of one picture, shared by its rendering passes.
     struct View {
         Stage const& stage;
         Camera const& camera;
         Canvas const& canvas;
         Bounds box {};
         Eigen::Matrix4f T_clip_world = Eigen::Matrix4f::Identity();
-        float pixels_per_mm = 1;           // Scale of the picture where clip w is 1.
+        float pixels_per_mm = 1;           // Scale of the picture where the clip coordinate w is 1.
         Vec2f depth_terms = Vec2f::Zero(); // Elements (2, 2) and (2, 3) of the projection matrix.
     };
 
@@ -120,7 +120,8 @@ void Renderer::draw(Stage const& stage, Camera const& camera, Canvas const& canv
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     parts_->draw_backdrop(view);
-    // The following passes use alpha for coverage; the picture itself stays opaque.
+    // Passes after the backdrop use alpha as coverage. Alpha is not written, so that the picture
+    // stays opaque.
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     if (stage.picture)
         parts_->draw_picture(view);
@@ -247,11 +248,12 @@ void Renderer::Parts::draw_meshes(View const& view) const
         shader->set("sun_strength", view.stage.sun.strength);
         shader->set("is_lit", view.stage.lighting == Stage::Lighting::Lit ? 1.0f : 0.0f);
     }
-    // Size of a pixel at the target; organs closer to the camera use the same level of detail.
+    // Size of a pixel at the camera's target. Organs at other distances use the same level of
+    // detail.
     bool const perspective = view.camera.projection == Camera::Projection::Perspective;
     float const pixel_mm
         = (perspective ? static_cast<float>(view.camera.distance_mm()) : 1.0f) / view.pixels_per_mm;
-    // Smooths the edges of alpha-masked pictures, like those of curves.
+    // Smooths the edges of pictures that are masked by alpha.
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     for (auto const& placed : view.stage.meshes) {
         float const scale = placed.T_world_plant.linear().col(0).norm();
@@ -264,8 +266,8 @@ void Renderer::Parts::draw_meshes(View const& view) const
             shader.set("metalness", material.metalness);
             shader.set("translucency", material.translucency);
             shader.set("veins", material.kind == Material::Kind::Leaf ? 1.0f : 0.0f);
-            // The shader's own veins need texture coordinates in the unit square, which leaves with
-            // pictures lack.
+            // Veins drawn by the shader need texture coordinates in the unit square. Leaves with
+            // pictures do not have such coordinates.
             shader.set("drawn_veins", material.textures.base_color ? 0.0f : 1.0f);
             placed.mesh->draw(part, shader, pixel_mm / scale);
         }
@@ -277,7 +279,7 @@ void Renderer::Parts::draw_curves(View const& view) const
 {
     if (view.stage.curves.empty())
         return;
-    // Multisample coverage gives smooth edges while every sample keeps a depth of its own.
+    // Coverage by alpha smooths the curves' edges, while every sample keeps a depth of its own.
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     curve.use();
     curve.set("T_clip_world", view.T_clip_world);

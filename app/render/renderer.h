@@ -9,12 +9,12 @@
 
 namespace tractus::render {
 
-// Draws stages, in a window or off screen. It needs an OpenGL 3.3 core context, current on the
-// calling thread from create() to the renderer's destruction, and changes no state that others rely
-// on except the bound framebuffer. Lighting: a sun with a soft shadow, ambient light from the sky
-// that is attenuated inside a plant (sky_visibility.h), and light that shines through leaves and
-// petals. Materials show their colour picture and its mask; without pictures, bark and leaf veins
-// are procedural. Rendering is deterministic.
+// Draws stages, in a window or off screen. It needs an OpenGL 3.3 core context that is current on
+// the calling thread from create() until the renderer is destroyed. Other users of the context must
+// expect that the bound framebuffer changes, but no other state. Lighting: a sun with a soft
+// shadow, ambient light from the sky that is attenuated inside a plant (sky_visibility.h), and
+// light that shines through leaves and petals. Materials show their colour picture, masked by its
+// alpha; without pictures, bark and leaf veins are procedural. Rendering is deterministic.
 class Renderer {
 public:
     // Fails with an internal error if the driver rejects the shaders.
@@ -24,10 +24,10 @@ public:
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
-    // Draws over the whole canvas and resolves it.
+    // Draws the stage over the whole canvas and resolves the canvas.
     void draw(Stage const& stage, Camera const& camera, Canvas const& canvas);
 
-    // Renders to an image. Width and height are in pixels, at least 1.
+    // Renders the stage to an image. `width` and `height` are in pixels, at least 1.
     Image picture(Stage const& stage, Camera const& camera, int width, int height);
 
 private:

@@ -47,7 +47,7 @@ Result<Shader> Shader::build(ShaderSource const& source)
     auto const fragment = compile(GL_FRAGMENT_SHADER, source.name, source.fragment);
     Shader shader(glCreateProgram());
     glAttachShader(shader.program_, vertex);
-    glDeleteShader(vertex); // The program keeps a reference to the shader.
+    glDeleteShader(vertex); // The program keeps the shader until it is deleted itself.
     if (!fragment)
         return tl::unexpected(fragment.error());
     glAttachShader(shader.program_, *fragment);

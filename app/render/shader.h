@@ -9,17 +9,17 @@
 
 namespace tractus::render {
 
-// GLSL sources of a program; each list is joined in order after "#version 330".
+// GLSL sources of a shader program. Each list is joined, in order, after the line "#version 330".
 struct ShaderSource {
-    std::string_view name; // Name in error messages.
+    std::string_view name; // Name of the program in error messages.
     std::initializer_list<std::string_view> vertex;
     std::initializer_list<std::string_view> fragment;
 };
 
-// A linked shader program. It must be created, used and destroyed with the same context current.
+// A linked shader program. Create, use and destroy it while the same OpenGL context is current.
 class Shader {
 public:
-    // Fails with an internal error that contains the driver's message if the source does not
+    // Fails with an internal error, which contains the driver's message, if the source does not
     // compile.
     static Result<Shader> build(ShaderSource const& source);
 
@@ -29,8 +29,8 @@ public:
 
     void use() const { glUseProgram(program_); }
 
-    // Sets a uniform; call use() first. Unknown names are ignored, since compilers remove unused
-    // uniforms.
+    // Sets a uniform of the program, which must be in use(). Unknown names are ignored, as
+    // compilers remove unused uniforms.
     void set(char const* name, int value) const;
     void set(char const* name, float value) const;
     void set(char const* name, Vec2f const& value) const;

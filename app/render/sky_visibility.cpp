@@ -11,11 +11,12 @@ namespace tractus::render {
 
 namespace {
 
-constexpr int kLongestSide = 28; // Length of the grid's longest side in cells.
-// Margin around the plant for the ground's shade, as a share of the longest side.
+constexpr int kLongestSide = 28; // Number of cells along the grid's longest side.
+// Margin of the grid around the plant, as a share of the plant's longest side. The ground's shade
+// falls into it.
 constexpr float kMargin = 0.2f;
 
-// On average, a randomly oriented surface hides light over half of its area.
+// On average, a randomly oriented surface hides light on half of its area.
 constexpr float kExtinction = 0.5f;
 
 struct Patch {
@@ -23,7 +24,8 @@ struct Patch {
     float area_mm2 = 0;
 };
 
-// The triangles of a prototype, merged into one patch if the prototype is smaller than a cell.
+// Returns the triangles of a prototype as patches. If the prototype is smaller than a cell, all its
+// triangles form one patch.
 std::vector<Patch> surface_patches(mesh::TriangleMesh const& prototype, float cell_mm)
 {
     std::vector<Patch> patches;
@@ -44,7 +46,8 @@ std::vector<Patch> surface_patches(mesh::TriangleMesh const& prototype, float ce
     return { whole };
 }
 
-// The zenith and two rings of four directions, weighted by the cosine of the zenith angle.
+// Returns the zenith and two rings of four directions each, weighted by the cosine of the zenith
+// angle.
 std::array<Vec3f, 9> sky_directions()
 {
     std::array<Vec3f, 9> result;
@@ -68,7 +71,7 @@ SkyVisibility::SkyVisibility(mesh::Mesh const& mesh)
     box.add(Vec3((box.min_mm.x() + box.max_mm.x()) / 2, (box.min_mm.y() + box.max_mm.y()) / 2, 0));
     Vec3f extent = (box.max_mm - box.min_mm).cast<float>();
     if (!extent.allFinite())
-        // Leaves the grid empty: coordinates from a file may be finite and yet too far apart.
+        // The grid stays empty: coordinates from a file may be finite and yet too far apart.
         return;
     float const margin = std::max(1.0f, extent.maxCoeff() * kMargin);
     corner_mm_ = box.min_mm.cast<float>() - Vec3f(margin, margin, 0);
@@ -88,7 +91,7 @@ std::size_t SkyVisibility::index(Eigen::Vector3i const& cell) const
 
 void SkyVisibility::add_area(Vec3f const& position_mm, float area_mm2)
 {
-    // Distributes the area among the eight nearest cells, which interpolates between them.
+    // Distributes the area among the eight nearest cells, weighted as in linear interpolation.
     Vec3f const place = (position_mm - corner_mm_) / cell_mm_ - Vec3f::Constant(0.5f);
     Eigen::Vector3i const low = place.array().floor().cast<int>();
     Vec3f const share = place - low.cast<float>();
@@ -110,7 +113,8 @@ void SkyVisibility::deposit(mesh::Mesh const& mesh)
             auto const& b = surface.positions_mm[surface.indices[i + 1]];
             auto const& c = surface.positions_mm[surface.indices[i + 2]];
             add_area((a + b + c) / 3,
-                     // Half of the area, as the other side belongs to the same branch.
+                     // Only half of a tube's area counts, as the other half lies behind it on the
+                     // same branch.
                      mesh::triangle_area(a, b, c) / 2);
         }
     for (auto const& organ : mesh.organs) {
@@ -124,7 +128,7 @@ void SkyVisibility::deposit(mesh::Mesh const& mesh)
 
 float SkyVisibility::transmitted(Vec3f from, Vec3f const& direction) const
 {
-    // `from` is in cells. The first cell counts half, as half of it lies behind the point.
+    // `from` is in units of cells. The first cell counts half, as half of it lies behind the point.
     float depth = 0;
     Vec3f const limit = size_.cast<float>();
     for (bool first = true; (from.array() >= 0).all() && (from.array() < limit.array()).all();
@@ -163,7 +167,7 @@ float SkyVisibility::at(Vec3f const& position_mm) const
 {
     if (visibility_.empty())
         return 1;
-    // Trilinear interpolation between cell centres, clamped at the border.
+    // Trilinear interpolation between the cells' centres, with places clamped to the grid.
     Vec3f const place = (position_mm - corner_mm_) / cell_mm_ - Vec3f::Constant(0.5f);
     Vec3f const limit = (size_ - Eigen::Vector3i::Ones()).cast<float>();
     Vec3f const inside = place.cwiseMax(0.0f).cwiseMin(limit);

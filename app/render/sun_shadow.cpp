@@ -12,7 +12,7 @@ namespace tractus::render {
 
 namespace {
 
-// Mipmap levels of the ground map; coarser ones would be only a few pixels wide.
+// Number of mipmap levels of the ground map; coarser levels would be only a few pixels wide.
 constexpr int kGroundLevels = 8;
 
 void set_filter(GLenum minifying, GLenum magnifying)
@@ -73,7 +73,7 @@ void SunShadow::draw(Stage const& stage, Bounds const& box, int side)
 {
     CHECK(side >= 64 && side <= 2048);
     resize(side);
-    // Orthographic view around the bounding sphere of everything.
+    // Orthographic view of the bounding sphere of the whole stage.
     Vec3 const center = (box.min_mm + box.max_mm) / 2;
     double const radius_mm = std::max(1.0, (box.max_mm - box.min_mm).norm() / 2 * 1.03);
     sun_ = stage.sun.direction.normalized();
@@ -130,7 +130,7 @@ void SunShadow::draw_ground(Stage const& stage)
     glDisable(GL_DEPTH_TEST);
     ground_shader_.use();
     apply(ground_shader_);
-    // The shader compares depths itself, so the map is read as plain numbers.
+    // The shader compares depths itself, so the texture unit must return the depths as they are.
     glActiveTexture(GL_TEXTURE0);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_NONE);
     ground_shader_.set("T_world_clip", Eigen::Matrix4f(T_clip_world_.inverse()));

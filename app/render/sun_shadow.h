@@ -6,20 +6,21 @@
 
 namespace tractus::render {
 
-// The sun's view: a depth map for shadows on plants, and derived from it a map of how much of the
-// ground is in shadow and how distant the occluder is. Coarser levels of the second map blur the
-// ground's shadow more the farther its occluder is. Must not outlive the OpenGL context.
+// The stage as seen from the sun. A depth map gives the shadows on plants. From it, a second map is
+// made of how much of the ground is in shadow and how far away the occluder is. With a more distant
+// occluder, a coarser level of the second map is used, so that the ground's shadow is more blurred.
+// Must not outlive the OpenGL context.
 class SunShadow {
 public:
     // Fails with an internal error if the driver rejects the shaders.
     static Result<SunShadow> create();
 
-    // Renders the stage from the sun into a map of `side` pixels, 64 to 2048. Binds a framebuffer
-    // of its own.
+    // Renders the stage as seen from the sun, into a map of `side` pixels, 64 to 2048. Leaves
+    // another framebuffer bound.
     void draw(Stage const& stage, Bounds const& box, int side);
 
-    // Sets a shader's maps (texture units 0 depth, 1 ground) and the transforms for looking up
-    // places in them.
+    // Sets a shader's maps (texture unit 0: depth, 1: ground), and the transforms from a place to
+    // its coordinates in the maps.
     void apply(Shader const& shader) const;
 
 private:

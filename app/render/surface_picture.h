@@ -12,18 +12,18 @@ namespace tractus::render {
 // A picture uploaded to the GPU, with mipmaps and rows in texture coordinate order.
 struct SurfacePicture {
     gl::Texture texture;
-    // Linear mean of pixels with an alpha of at least half; only for colour pictures.
+    // Mean of the pixels with an alpha of at least half, in linear light; only for colour pictures.
     Vec3f mean_color = Vec3f::Ones();
 };
 
-// The pictures of a mesh's materials, each uploaded once. Must not outlive the OpenGL context.
+// The pictures of a mesh's materials; each is uploaded once. Must not outlive the OpenGL context.
 class SurfacePictures {
 public:
-    // Content of a picture: sRGB colours, or plain numbers.
+    // What a picture's pixels contain: sRGB colours, or plain numbers.
     enum class Meaning { Color, Numbers };
 
-    // Returns the picture in a slot. Null if the slot is empty or its bytes cannot be decoded; the
-    // surface is then drawn without a picture.
+    // Returns the picture of a texture slot. Null if the slot is empty or its bytes cannot be
+    // decoded; the surface is then drawn without this picture.
     SurfacePicture const* find_or_add(TextureSlot const& slot, Meaning meaning);
 
 private:

@@ -11,7 +11,8 @@ namespace tractus::render {
 
 namespace {
 
-// Removes and returns the next character of UTF-8 text (RFC 3629). Malformed bytes become U+FFFD.
+// Removes the first character of a UTF-8 text (RFC 3629) and returns its code point. Malformed
+// bytes become U+FFFD.
 int next_code_point(std::string_view& text)
 {
     auto const lead = static_cast<unsigned char>(text.front());
@@ -55,7 +56,7 @@ struct GizmoPlace {
     double x_px = 0; // Distance of the glyph's origin from the line's left end.
 };
 
-// Kerned positions of a line's glyphs, and the line's width.
+// Positions of a line's glyphs, with kerning, and the line's width.
 struct Line {
     std::vector<GizmoPlace> glyphs;
     double width_px = 0;

@@ -14,10 +14,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// How long to wait for another program that is reading or just closing the file.
+// Waiting time for another program that is reading or just closing the file.
 constexpr int kPatience_ms = 500;
 
-// The path as an SQLite URI.
+// Returns the path as a URI for SQLite.
 std::string uri_of(fs::path const& path)
 {
     std::string uri = "file:";
@@ -37,7 +37,7 @@ bool is_there(fs::path const& path)
     return fs::exists(path, ignored);
 }
 
-// True if another program's write-ahead log lies beside the file: its contents belong to the file.
+// True if a journal or write-ahead log, which contains a part of the data, lies beside the file.
 bool has_journal(fs::path const& path)
 {
     return is_there(path.string() + "-wal") || is_there(path.string() + "-journal");
@@ -144,7 +144,7 @@ Database::Database(fs::path path, sqlite3* database)
 {
 }
 
-// Virtual-machine instructions between two calls of the progress handler.
+// Number of virtual-machine instructions between two calls of the progress handler.
 static constexpr int kInstructionsCounted = 10'000;
 
 static int give_up_after_many(void* instructions)
@@ -154,7 +154,7 @@ static int give_up_after_many(void* instructions)
     return count > Database::kMaxInstructions ? 1 : 0;
 }
 
-// Applies the advice of www.sqlite.org/security.html for files that may be malicious.
+// Follows the advice of www.sqlite.org/security.html for files that may be malicious.
 void Database::harden_connection()
 {
     auto* const handle = database_.get();
@@ -185,7 +185,7 @@ void Database::harden_connection()
 Result<Database> Database::open(fs::path const& path, Access access)
 {
     std::error_code ignored;
-    // SQLite may interpret a relative name as something else, such as ":memory:".
+    // A relative path such as ":memory:" would have a special meaning for SQLite.
     auto const whole_path = fs::absolute(path, ignored);
     if (access != Access::Create && !fs::is_regular_file(whole_path, ignored))
         return fail(Fault::User,
@@ -194,8 +194,8 @@ Result<Database> Database::open(fs::path const& path, Access access)
     int const flags = access == Access::Read ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI
         : access == Access::Write            ? SQLITE_OPEN_READWRITE
                                              : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-    // Without a journal nobody is writing, so the file can be read as immutable, even in a folder
-    // without write permission.
+    // Without a journal, no program is writing to the file. It can then be read as immutable, even
+    // in a folder without write permission.
     bool const is_still = access == Access::Read && !has_journal(whole_path);
     auto const name = access == Access::Read ? uri_of(whole_path) + (is_still ? "?immutable=1" : "")
                                              : whole_path.string();
@@ -294,7 +294,7 @@ tl::unexpected<Error> Database::error(int code) const
     case SQLITE_TOOBIG:
         return sentence(fmt::format("cannot write {}: one edit has more than 512 MiB", name));
     default:
-        // SQLITE_CORRUPT, or tables that do not have the expected form.
+        // SQLITE_CORRUPT, or a table without the expected columns or types.
         return sentence(
             fmt::format("{0} is damaged ({1}): \"tractus session repair {0} -o NEW.tractus\" "
                         "brings back what is whole",

@@ -14,7 +14,8 @@ struct sqlite3_stmt;
 
 namespace tractus::session {
 
-// A prepared statement of a Database, which must outlive it. Parameters and columns count from 0.
+// A prepared statement of a Database. The database must outlive the statement. Parameters and
+// columns count from 0.
 class Statement {
 public:
     Statement(Statement&&) noexcept;
@@ -24,22 +25,24 @@ public:
     Statement& bind_text(int parameter, std::string_view text);
     Statement& bind_blob(int parameter, std::string_view bytes);
 
-    // Advances to the next row; false after the last one. Fails like the database.
+    // Advances to the next row of the result; returns false after the last row. Fails with a
+    // Database error.
     Result<bool> step();
 
-    // Runs a statement that returns no rows. Afterwards it may be bound and run again.
+    // Runs a statement that returns no rows. Afterwards, new values can be bound and the statement
+    // run again.
     Result<void> run();
 
-    // Rewinds to before the first row, so that new values can be bound.
+    // Rewinds the statement to before the first row of its result, so that new values can be bound.
     void reset();
 
-    // True if the row's values have these types, one letter each: i for integer, t for text, b for
-    // blob.
+    // True if the values of the current row have these types, one letter for each column: i for
+    // integer, t for text, b for blob.
     bool has_types(std::string_view types) const;
 
     // Values of the current row.
     std::int64_t whole(int column) const;
-    std::string bytes(int column) const; // Text or blob; empty for null.
+    std::string bytes(int column) const; // Bytes of a text or blob; empty for null.
 
 private:
     friend class Database;
@@ -47,20 +50,21 @@ private:
 
     sqlite3_stmt* statement_;
     Database const* database_;
-    int error_ = 0; // Error code of the last bind.
+    int error_ = 0; // SQLite error codes of the bind functions so far, combined; 0: no error.
 };
 
-// An SQLite file, possibly from an untrusted source: its triggers, views and functions do not run,
-// and statements that run too long are stopped. Errors are sentences that name the file and say
-// what to do if it is not a database, damaged, locked by another program, not writable, or its disk
-// is full.
+// An SQLite file, possibly from an untrusted source: the file's triggers, views and functions do
+// not run, and statements that run too long are stopped. Error messages are sentences that name the
+// file. They say what to do if the file is not a database, is damaged, is locked by another
+// program, is not writable, or if its disk is full.
 class Database {
 public:
-    // Limit of virtual-machine instructions per row; reading or writing a row takes a few hundred.
+    // Maximum number of instructions of SQLite's virtual machine per row; a row takes a few
+    // hundred.
     static constexpr std::uint64_t kMaxInstructions = 50'000'000;
 
     enum class Access {
-        Read,  // Writes nothing, not even journal files beside the file.
+        Read,  // Writes nothing, not even journal files beside the database.
         Write, // Reads and writes a file that must exist.
         Create,
     };
@@ -69,19 +73,20 @@ public:
 
     Result<Statement> prepare(char const* sql) const;
 
-    // Runs statements that return no rows, one after the other.
+    // Runs statements that return no rows; `sql` may have several, separated by semicolons.
     Result<void> execute(std::string const& sql) const;
 
-    // The first column of the first row, an integer.
+    // Runs a query and returns the integer in the first column of the first row.
     Result<std::int64_t> whole(char const* sql) const;
 
-    // Copies the whole database to a file, which appears complete and replaces an older one.
+    // Copies the whole database to a file. The file appears only when complete, and replaces an
+    // older one.
     Result<void> back_up(std::filesystem::path const& copy) const;
 
-    // True between "BEGIN" and the end of its transaction; an error may end it.
+    // True from "BEGIN" to the end of that transaction. An error may also end a transaction.
     bool is_in_transaction() const;
 
-    // The error sentence for an SQLite result code.
+    // The error with the sentence for an SQLite result code.
     tl::unexpected<Error> error(int code) const;
 
 private:
@@ -96,8 +101,8 @@ private:
     void reset_instruction_count() const { *instructions_ = 0; }
 
     std::filesystem::path path_;
-    std::unique_ptr<std::uint64_t> instructions_; // Count since reset_instruction_count(), on the
-                                                  // heap because SQLite holds its address.
+    // Instructions since reset_instruction_count(); on the heap, as SQLite keeps the address.
+    std::unique_ptr<std::uint64_t> instructions_;
     std::unique_ptr<sqlite3, Close> database_;
 };
 

@@ -13,11 +13,11 @@ namespace tractus::session {
 namespace {
 
 constexpr char const* kBytes = "bytes";
-constexpr std::size_t kTipSize = 5 * 8 + 1; // Bytes of a tip without its tilt.
+constexpr std::size_t kTipSize = 5 * 8 + 1; // Bytes that store a tip without its tilt.
 constexpr std::size_t kTiltSize = 2 * 8;
 constexpr std::size_t kLineSize = 6 * 8;
 
-// Flags of a tip, as bits.
+// Flags of a stored tip, one bit each.
 constexpr int kTouching = 1;
 constexpr int kEraser = 2;
 constexpr int kExtrapolated = 4;
@@ -25,7 +25,8 @@ constexpr int kOutside = 8;
 constexpr int kTilted = 16;
 constexpr int kAllFlags = 31;
 
-// True if JSON can hold the text unchanged: valid UTF-8, without overlong forms or surrogates.
+// True if JSON can hold the text unchanged: the text is valid UTF-8, without overlong forms or
+// surrogates.
 bool is_utf8(std::string const& text)
 {
     auto const without_others = Json(text).dump(-1, ' ', false, Json::error_handler_t::ignore);
@@ -47,7 +48,8 @@ std::string utf8_of_bytes(std::string const& bytes)
     return text;
 }
 
-// Converts characters U+0000 to U+00FF to one byte each; nullopt for any other character.
+// Converts each character from U+0000 to U+00FF to one byte; nullopt if there is any other
+// character.
 std::optional<std::string> bytes_of_utf8(std::string const& text)
 {
     std::string bytes;
@@ -56,9 +58,8 @@ std::optional<std::string> bytes_of_utf8(std::string const& text)
         if (first < 0x80) {
             bytes += text[i];
         } else if (first == 0xc2 || first == 0xc3) {
-            auto const second = static_cast<unsigned char>(text[++i]); // The JSON parser has
-                                                                       // checked that the text is
-                                                                       // valid UTF-8.
+            // A second byte exists, because the JSON parser has checked that the text is UTF-8.
+            auto const second = static_cast<unsigned char>(text[++i]);
             bytes += static_cast<char>((first << 6) | (second & 0x3f));
         } else {
             return std::nullopt;
@@ -84,7 +85,7 @@ void put(std::string& bytes, Vec3 const& value)
         put(bytes, value[i]);
 }
 
-// Reads numbers in the order in which put() wrote them. The caller checks that enough bytes are
+// Reads numbers in the order in which put() wrote them. Callers must check that enough bytes are
 // left.
 class NumberReader {
 public:

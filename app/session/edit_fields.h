@@ -16,7 +16,7 @@
 
 namespace tractus::session {
 
-// JSON form of an edit's fields; see EditRecord. Keys keep their order.
+// JSON form of an edit's fields (EditRecord::fields). Keys keep their order.
 using Json = nlohmann::ordered_json;
 
 Json written(bool value);
@@ -43,7 +43,8 @@ template<typename T> Json written(std::vector<T> const& values)
     return list;
 }
 
-// Inverse of written(); false if the JSON has another type or the value is out of range.
+// The inverse of written(). Returns false if the JSON has another type or its value is out of
+// range.
 bool read(Json const& json, bool& value);
 bool read(Json const& json, int& value);
 bool read(Json const& json, std::uint32_t& value);
@@ -72,17 +73,17 @@ template<typename T> bool read(Json const& json, std::vector<T>& values)
     return true;
 }
 
-// Converts bulk numbers to and from bytes; see EditRecord::numbers.
+// Convert the bulk numbers of an edit to and from the bytes of EditRecord::numbers.
 std::string written_tips(Stroke const& stroke);
 std::string written_lines(std::vector<SkeletonPiece> const& lines);
 bool read_tips(std::string_view bytes, Stroke& stroke);
 bool read_lines(std::string_view bytes, std::vector<SkeletonPiece>& lines);
 
-// Shortens absolute paths to file names in the fields that name a plant's files: "model_name",
-// "view_name" and, with `with_name`, "name". Returns true if there was an absolute path.
+// Shortens absolute paths to file names in those fields that name a plant's files: "model_name",
+// "view_name" and, if `with_name`, "name". Returns true if there was an absolute path.
 bool leave_out_folders(Json& fields, bool with_name);
 
-// Writes an edit's fields to JSON, one after the other.
+// Converts an edit's fields to JSON, and its bulk numbers to bytes.
 class FieldWriter final : public scene::Fields {
 public:
     void field(char const* name, scene::FieldRef value) override;
@@ -105,10 +106,10 @@ private:
     std::string numbers_;
 };
 
-// Reads the fields that FieldWriter wrote; a field that is missing in the JSON keeps its value.
+// Reads the fields that a FieldWriter wrote. A field that is missing in the JSON keeps its value.
 class FieldReader final : public scene::Fields {
 public:
-    // Keeps references to both arguments, which must outlive the reader.
+    // Keeps references to both arguments, which must outlive this object.
     FieldReader(Json const& json, std::string_view numbers)
         : json_(json)
         , numbers_(numbers)
@@ -128,7 +129,8 @@ public:
         take_numbers(true);
     }
 
-    // Fails if any field had the wrong form or is unknown. Call it after the last field.
+    // Fails if a field had the wrong form, or if the JSON has an unknown field. Call it after the
+    // last field.
     Result<void> finish() const;
 
 private:
@@ -139,7 +141,7 @@ private:
     Json const& json_;
     std::string_view numbers_;
     std::set<std::string> known_;
-    std::string complaint_; // Message about the first bad field; empty: none.
+    std::string complaint_; // Message about the first field of the wrong form; empty: none.
 };
 
 } // namespace tractus::session

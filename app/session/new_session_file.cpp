@@ -20,10 +20,10 @@ static tl::unexpected<Error> already_there(fs::path const& path)
                             path.string()));
 }
 
-// Gives a complete file its final name, unless that name is taken.
+// Gives the complete file `made` its final name `path`. Fails if a file with that name exists.
 static Result<void> appear(fs::path const& made, fs::path const& path)
 {
-    // A hard link fails if the name is taken; renaming would overwrite it.
+    // Creating a hard link fails if the name is taken, while renaming would overwrite the file.
     bool const is_linked = ::link(made.c_str(), path.c_str()) == 0;
     int const reason = errno;
     std::error_code ignored;
@@ -52,7 +52,7 @@ Result<void> make_session_file(fs::path const& path,
         TRY(make_folder(path.parent_path()));
     auto const made = unfinished_path(path);
     if (auto const written = write(made); !written) {
-        // Removes SQLite's auxiliary files, too.
+        // Removes the unfinished file and SQLite's files beside it.
         for (auto const* const ending : { "", "-wal", "-shm" })
             fs::remove(made.string() + ending, ignored);
         return fail(

@@ -15,9 +15,10 @@ using Kind = FoundColumn::Kind;
 using State = FoundRow::State;
 
 constexpr std::size_t kEditColumns = 7;
-constexpr std::size_t kEditColumnsOfFormat1 = 5; // Format 1 has no time and no checksum.
+constexpr std::size_t kEditColumnsOfFormat1
+    = 5; // Number of columns of the table "edits" in format 1.
 constexpr std::size_t kMetaColumns = 2;
-constexpr std::size_t kMetaCopyColumns = 3; // Rows of meta_copies have a checksum, too.
+constexpr std::size_t kMetaCopyColumns = 3; // Columns of meta_copies: key, value and checksum.
 
 bool has_kinds(FoundRow const& row, std::initializer_list<Kind> kinds)
 {
@@ -26,7 +27,8 @@ bool has_kinds(FoundRow const& row, std::initializer_list<Kind> kinds)
                       [](Kind kind, FoundColumn const& column) { return column.kind == kind; });
 }
 
-// Converts a found row to an edit's row, if it is one and its checksum is right.
+// Converts a row that was found to a row of the table "edits"; nullopt if it is not one or is
+// damaged.
 std::optional<EditRow> edit_row(FoundRow&& found, scene::EditKinds kinds)
 {
     bool const has_checksum = has_kinds(
@@ -41,7 +43,7 @@ std::optional<EditRow> edit_row(FoundRow&& found, scene::EditKinds kinds)
                   .record = { std::move(found.columns[2].bytes), std::move(found.columns[3].bytes),
                               std::move(found.columns[4].bytes) } };
     row.place.checksum = checksum_of(row);
-    if (has_none) // Without a checksum, only the edit's form can show whether the row is intact.
+    if (has_none) // Without a checksum, only the edit's form shows whether it is intact.
         return edit_of(row.record, kinds) ? std::optional(std::move(row)) : std::nullopt;
     row.made = std::chrono::sys_seconds(std::chrono::seconds(found.columns[5].whole));
     return found.columns[6].whole == row.place.checksum ? std::optional(std::move(row))
@@ -77,8 +79,9 @@ public:
                 last_listed = number;
         std::chrono::sys_seconds newest {};
         for (auto& [number, candidate] : edits_) {
-            // Listed edit numbers have no gaps: an unlisted edit between listed ones was lost, not
-            // deleted, unless it is older than the edit before it.
+            // The numbers of edits in the table have no gaps. So an edit that no page lists,
+            // although an edit with a higher number is listed, was lost rather than deleted, unless
+            // it is older than the edit before it.
             bool const was_deleted = candidate.standing != State::Listed
                 && (candidate.row.made < newest
                     || (candidate.standing == State::Deleted && number > last_listed));
@@ -106,11 +109,12 @@ private:
             best = { std::move(row), standing };
     }
 
-    // A value found for a key of the meta table. Candidates that a page lists rank first; among
-    // these, candidates with a valid checksum do. A copy with a wrong checksum is not a candidate.
+    // A value found for a key of the meta table. A value that a page lists is preferred; among
+    // equals, one from meta_copies with a valid checksum. Values with a wrong checksum are ignored.
     struct MetaCandidate {
         std::string text;
-        std::pair<bool, bool> rank {}; // Whether a page lists it, and whether it has a checksum.
+        // Whether a page lists the value, and whether it has a checksum.
+        std::pair<bool, bool> rank {};
     };
 
     void take_meta(FoundRow const& found)
@@ -144,8 +148,8 @@ ScannedSession scan_pages(std::string_view file, std::string_view log, scene::Ed
         return columns == kEditColumns || columns == kEditColumnsOfFormat1
             || columns == kMetaColumns || columns == kMetaCopyColumns;
     };
-    // Tries the page size in the file's header and SQLite's usual one first, and others only if
-    // these find nothing.
+    // First tries the page size in the file's header and SQLite's default size. Other sizes are
+    // tried only if no edit is found with these.
     constexpr std::size_t kUsualPageBytes = 4096;
     Scan best(kinds);
     std::size_t tried = 0;

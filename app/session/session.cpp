@@ -15,23 +15,25 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Opens the file with a write-ahead log beside it that is synced at each commit.
+// Opens a session's file for writing. Commits are synced to its write-ahead log.
 Result<Database> open_to_write(fs::path const& path)
 {
     auto database = TRY(open_session(path, Database::Access::Write));
     TRY(database.execute("PRAGMA synchronous = FULL"));
-    TRY(database.execute("PRAGMA cache_size = -256")); // In KiB; small, as the file is seldom read.
+    // In KiB. Small, because the file is seldom read.
+    TRY(database.execute("PRAGMA cache_size = -256"));
     TRY(database.execute("BEGIN IMMEDIATE")); // Keeps other programs from writing from now on.
     return database;
 }
 
-// Returns a reader of the store's steps, valid until the store is moved or destroyed.
+// Returns a function that reads the store's steps. It is valid until the store is moved or
+// destroyed.
 ReadStep read_from(SessionStore const& store)
 {
     return [&store](std::size_t step) { return store.read_step(step); };
 }
 
-// Returns a reader of steps in memory; the first element is step 1.
+// Returns a function that reads the steps of a session in memory; the first element is step 1.
 ReadStep read_from(std::vector<std::vector<scene::Edit>> const& steps)
 {
     return [&steps](std::size_t step) -> Result<std::vector<SessionEdit>> {
@@ -42,7 +44,7 @@ ReadStep read_from(std::vector<std::vector<scene::Edit>> const& steps)
     };
 }
 
-// True if a plant, or a part of one, was made by a model.
+// True if a model made one of the plants or a part of one.
 bool has_models(scene::DocumentState const& state)
 {
     auto const& plants = state.plants;
@@ -54,8 +56,9 @@ bool has_models(scene::DocumentState const& state)
     });
 }
 
-// Returns the edits with the ids that they receive when applied to the scene `before`. Stored ids
-// keep their meaning even if a repair removes earlier edits from the file.
+// Returns the edits with the ids that they get when they are applied to the scene `before`. With
+// stored ids, later edits refer to the same objects even after a repair has removed edits from the
+// file.
 std::vector<scene::Edit> with_ids(std::span<scene::Edit const> edits, scene::Scene const& before)
 {
     std::vector<scene::Edit> given;
@@ -183,7 +186,7 @@ Result<void> Session::keep(Prepared prepared)
         steps_.push_back(std::move(prepared.stored.edits));
     }
     history_.push(std::move(prepared.scene.state));
-    // Drops the tips from memory: the file has them now.
+    // Builds the scene again without the new strokes' tips in memory: they are in the file now.
     scene_ = TRY(builder_.build(history_.state()));
     return {};
 }

@@ -22,7 +22,8 @@ std::string session_name(fs::path const& path)
 Result<void> copy_session(fs::path const& path, fs::path const& copy, std::string const& name)
 {
     return make_session_file(copy, [&](fs::path const& made) -> Result<void> {
-        // SQLite cannot back up through a connection with an open write transaction.
+        // A new connection, because SQLite cannot back up through one that has an open write
+        // transaction.
         auto const original = TRY(open_session(path, Database::Access::Read));
         TRY(original.back_up(made));
         auto const copied = TRY(Database::open(made, Database::Access::Write));

@@ -17,10 +17,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Largest edit, in bytes, that is stored twice. Plants and strokes are far smaller than this.
+// Maximum size, in bytes, of an edit of which the file has a copy. Plants and strokes are far
+// smaller.
 constexpr std::size_t kMaxCopied = std::size_t { 16 } << 20;
 
-// CRC-32 of the parts and their lengths, so that bytes moved from one part to the next change it.
+// CRC-32 of the parts with a zero byte after each, so that moving bytes from one part to the next
+// changes the sum.
 std::int64_t checksum_of_parts(std::initializer_list<std::string_view> parts)
 {
     auto sum = crc32(0, nullptr, 0);
@@ -38,8 +40,8 @@ std::int64_t checksum(std::size_t step, EditRecord const& record)
 
 constexpr char const* kColumns = "number, step, kind, fields, numbers, made, checksum";
 
-// Reads a row of the table edits, with the columns of kColumns; in format 1 the last two are
-// missing.
+// Reads a row of the table "edits", with the columns kColumns. In format 1, the last two columns do
+// not exist.
 EditRow row_of(Statement const& rows, std::int64_t format)
 {
     EditRow row;
@@ -55,7 +57,8 @@ EditRow row_of(Statement const& rows, std::int64_t format)
     return row;
 }
 
-// Calls `take` with each row in order. Fails if a value has an unexpected type.
+// Calls `take` with each row of the table "edits" in order. Fails if a value has an unexpected
+// type.
 Result<void> for_each_row(Database const& database, std::int64_t format,
                           std::function<Result<void>(EditRow&&)> const& take)
 {
@@ -70,13 +73,14 @@ Result<void> for_each_row(Database const& database, std::int64_t format,
     return {};
 }
 
-// A callback that receives each edit, and the kinds of edits that are known.
+// The kinds of edits that are known, and a callback that receives each edit.
 struct EditReader {
     scene::EditKinds kinds;
     std::function<void(SessionEdit&&)> take;
 };
 
-// Reads all edits and returns the number of the last step.
+// Reads all edits of the database and returns the number of the last step. Fails if any is damaged
+// or missing.
 Result<std::size_t> read_edits(Database const& database, std::string const& name,
                                EditReader const& reader)
 {
@@ -135,8 +139,9 @@ Result<SessionSummary> read_all(Database const& database, std::string const& nam
     return summary;
 }
 
-// The lowest number of an edit of this or a later step; if there is no such edit, the last edit's
-// number plus one. Steps are in the order of their edits' numbers.
+// Returns the lowest number of an edit that belongs to the step `step` or a later one; if there is
+// no such edit, the last edit's number plus one. Edits with higher numbers never belong to earlier
+// steps.
 Result<std::int64_t> first_number(Database const& database, std::size_t step)
 {
     std::int64_t first = 1;
@@ -242,7 +247,8 @@ std::int64_t checksum_of_meta(std::string const& key, std::string const& value)
 Result<SessionContents> read_session(std::filesystem::path const& path, scene::EditKinds kinds)
 {
     auto const database = TRY(open_session(path, Database::Access::Read));
-    TRY(database.execute("BEGIN")); // One consistent state, even while another program writes.
+    // Makes all reads see one consistent state, even while another program writes.
+    TRY(database.execute("BEGIN"));
     SessionContents contents;
     auto const take = [&](SessionEdit&& edit) { contents.edits.push_back(std::move(edit)); };
     auto summary = TRY(read_all(database, path.string(), { kinds, take }));
@@ -257,7 +263,7 @@ Result<SessionSummary> check_session(Database const& database, std::string const
     return read_all(database, name, { kinds, [](SessionEdit&&) {} });
 }
 
-// Writes tables, rows and origin in one transaction.
+// Writes the tables of a new session with its rows and origin in a single transaction.
 static Result<void> write_tables(Database const& database, SessionOrigin const& origin,
                                  std::span<EditRow const> rows, std::size_t step)
 {
@@ -354,8 +360,8 @@ Result<scene::Edit> read_edit(Database const& database, EditPlace const& place,
     return checked_edit(row, kinds);
 }
 
-// Updates rows of older formats: adds checksums, which format 1 lacked; adds copies and removes
-// folders from file names, both new in format 5. Damaged rows are left unchanged.
+// Updates the rows of an older format: adds checksums, which format 1 lacked. Adds copies of edits
+// and removes folders from file names, both new in format 5. Damaged rows are left unchanged.
 static Result<void> update_rows(Database const& database, std::int64_t format)
 {
     auto update
@@ -374,7 +380,7 @@ static Result<void> update_rows(Database const& database, std::int64_t format)
     return for_each_row(database, kSessionFormat, bring_up_to_date);
 }
 
-// Copies the table meta, whose values are integers or text, to meta_copies.
+// Writes the contents of the table meta to meta_copies. The values are integers or text.
 static Result<void> copy_meta(Database const& database)
 {
     auto rows = TRY(database.prepare("SELECT key, value FROM meta"));
@@ -398,7 +404,7 @@ Result<void> migrate(Database const& database, std::filesystem::path const& path
     auto const format = TRY(read_format(database, path.string()));
     if (format == kSessionFormat)
         return {};
-    // A second connection, because SQLite cannot back up through one with an open write
+    // A new connection, because SQLite cannot back up through one that has an open write
     // transaction.
     auto const as_it_was = TRY(open_session(path, Database::Access::Read));
     TRY(as_it_was.back_up(path.string() + ".bak"));

@@ -11,10 +11,10 @@
 
 namespace tractus::session {
 
-// Which states are kept: the kNear steps around the current one, and every kEvery-th step up to
-// kFar away. Not all, since each state has a list of all strokes (the strokes themselves are
-// shared), but enough that an undo repeats only a few steps, some of which take 0.1 s on large
-// plants.
+// Which states are cached: those of the kNear steps before and after the current step, and that of
+// every kEvery-th step up to kFar steps away. Not all states are cached, since each has a list of
+// all strokes (the strokes themselves are shared). There are enough that undo repeats only a few
+// steps, some of which take 0.1 s on large plants.
 static constexpr std::size_t kNear = 16;
 static constexpr std::size_t kEvery = 16;
 static constexpr std::size_t kFar = 192;
@@ -41,7 +41,7 @@ static std::string described(BeginAgain const&)
 constexpr scene::EditKind BeginAgain::kKind
     = scene::make_edit_kind<BeginAgain, list, applied, described>("");
 
-// Frees the tips of strokes that can be read again from the file.
+// Frees the tips of those strokes that can be read again from the file.
 static void park_tips(scene::DocumentState& state)
 {
     auto const is_in_both = [](auto const& tips) { return tips.source() && tips.is_in_memory(); };
@@ -87,7 +87,7 @@ Result<scene::DocumentState> SessionHistory::apply(scene::DocumentState state,
 {
     if (edit.get<BeginAgain>()) {
         auto beginning = kept_.at(0);
-        beginning.last_edit += state.last_edit; // So that no edit number is used twice.
+        beginning.last_edit += state.last_edit; // So that no two edits have the same number.
         return beginning;
     }
     return scene::apply_edit(std::move(state), edit, builder);
@@ -106,7 +106,7 @@ Result<scene::DocumentState> SessionHistory::at(std::size_t wanted, ReadStep con
                                                 scene::SceneBuilder& builder)
 {
     CHECK(wanted <= last_step());
-    // Starts from the nearest earlier state that is cached; step 0 is always cached.
+    // Starts from the nearest earlier state that is cached. Step 0 is always cached.
     auto const& [kept_step, kept_state] = *std::prev(kept_.upper_bound(wanted));
     if (step() <= wanted && step() >= kept_step)
         return fold(state_, step() + 1, wanted, read, builder);
@@ -121,7 +121,7 @@ Result<scene::DocumentState> SessionHistory::fold(scene::DocumentState state, st
         auto const edits = TRY(read(next));
         state = next == 0 ? TRY(begin_document(edits, builder))
                           : apply_step(std::move(state), edits, builder);
-        // Frees tips only at some steps, because doing so visits all strokes.
+        // Tips are freed only after some of the steps, because doing so visits all strokes.
         if (is_worth_keeping(next) || next % kEvery == 0 || next == last)
             park_tips(state);
         if (is_worth_keeping(next))
@@ -142,7 +142,7 @@ Result<scene::DocumentState> begin_document(std::span<SessionEdit const> edits,
             return fail(applied.error().fault,
                         fmt::format("edit {}: {}", place.number, applied.error().message));
         else
-            // A failed edit is counted, too, because a program that knows it counts it.
+            // A failed edit is counted as well, because a program that knows the edit counts it.
             ++state.last_edit;
     }
     return state;
@@ -157,8 +157,9 @@ Result<scene::Scene> build_scene(scene::SceneBuilder& builder, scene::DocumentSt
     return scene;
 }
 
-// Applies a step. If the step needs something that was lost, or is unknown, it changes nothing and
-// stays in the file; but its edits are counted, as a program that knows them counts them.
+// Applies a step. If something that the step needs is lost or unknown, the step has no effect and
+// stays in the file. Its edits are counted nevertheless, because a program that knows them counts
+// them.
 scene::DocumentState SessionHistory::apply_step(scene::DocumentState state,
                                                 std::span<SessionEdit const> edits,
                                                 scene::SceneBuilder& builder) const
@@ -196,8 +197,8 @@ void SessionHistory::keep(std::size_t step, scene::DocumentState state)
     std::erase_if(kept_, [&](auto const& entry) { return !is_worth_keeping(entry.first); });
 }
 
-// True if the state after a step should be cached. Step 0 is always cached: a drawing without a
-// file needs it to begin again.
+// True if the state after a step is to be cached. The state after step 0 is always cached: a
+// drawing without a file needs it to begin again.
 bool SessionHistory::is_worth_keeping(std::size_t step) const
 {
     auto const away = distance(step, extent_.step);

@@ -35,7 +35,7 @@ std::string text_of(ScannedSession const& scanned, char const* key, char const* 
     return found == scanned.meta.end() ? otherwise : found->second;
 }
 
-// Edit numbers missing between the session's first number and the last one found.
+// Numbers of the edits that are missing before the last intact one.
 std::vector<std::int64_t> missing_numbers(std::vector<EditRow> const& rows)
 {
     constexpr std::size_t kMax = 1'000'000;
@@ -49,8 +49,8 @@ std::vector<std::int64_t> missing_numbers(std::vector<EditRow> const& rows)
     return missing;
 }
 
-// Uses the edit's number as the id of the object that the edit creates, before the edit is
-// renumbered: old formats stored no ids.
+// Stores the edit's number as the id of the object that the edit creates, before the edit is
+// numbered anew. Old formats stored no ids.
 void give_id(EditRow& row, scene::EditKinds kinds)
 {
     auto const edit = edit_of(row.record, kinds);
@@ -58,7 +58,8 @@ void give_id(EditRow& row, scene::EditKinds kinds)
         row.record = record_of(scene::with_id(*edit, static_cast<std::uint64_t>(row.place.number)));
 }
 
-// The rows with numbers and steps without gaps, after `first` edits of a new beginning.
+// Returns the intact rows, with edits and steps numbered without gaps, to follow the `first` edits
+// of a new beginning.
 std::vector<EditRow> numbered_anew(SalvagedSession const& session, std::size_t first)
 {
     auto rows = session.rows;
@@ -67,8 +68,8 @@ std::vector<EditRow> numbered_anew(SalvagedSession const& session, std::size_t f
     for (std::size_t i = 0; i < rows.size(); ++i) {
         auto const old_step = rows[i].step;
         bool const is_first = i == 0;
-        // After a new beginning the steps start at 1; without one, the first remaining step becomes
-        // 0.
+        // After a new beginning, the intact steps start at 1. Without one, the first intact step
+        // becomes step 0.
         if (is_first)
             step = first > 0 && old_step > 0 ? 1 : 0;
         give_id(rows[i], session.kinds);
@@ -81,7 +82,7 @@ std::vector<EditRow> numbered_anew(SalvagedSession const& session, std::size_t f
     return rows;
 }
 
-// The current step in the new numbering.
+// Returns the number of the current step after numbering the steps anew.
 std::size_t step_anew(SalvagedSession const& session, std::vector<EditRow> const& anew)
 {
     std::size_t step = 0;

@@ -11,29 +11,30 @@
 
 namespace tractus::session {
 
-// What could be read of a session that may be damaged anywhere.
+// What could be read of a session's file, any part of which may be damaged.
 struct SalvagedSession {
     scene::EditKinds kinds {}; // Kinds of edits that the program knows.
     SessionOrigin origin {};
-    std::vector<EditRow> rows {};         // Intact rows in order; at least one.
-    std::vector<std::int64_t> missing {}; // Numbers of lost edits among the intact ones.
-    std::optional<std::size_t> step {};   // The current step; nullopt if it was lost.
+    std::vector<EditRow> rows {};         // Intact edits in order; at least one.
+    std::vector<std::int64_t> missing {}; // Numbers of lost edits before the last intact one.
+    std::optional<std::size_t> step {};   // The current step; nullopt if its number was lost.
 
-    // Number of steps that lost some of their edits but not all.
+    // Number of intact steps beside a gap in the edits' numbers; each may have lost some edits.
     std::size_t broken_steps = 0;
 };
 
-// Reads every intact edit of a session, wherever it is in the file, even if SQLite calls the file
-// malformed; changes nothing. Fails with a user error if there is none, or if the file cannot
-// be read or is larger than 4 GiB.
+// Reads every intact edit of a session, wherever in the file it is, even if SQLite calls the file
+// malformed. The file is not changed. Fails with a user error if there is no intact edit, or if the
+// file cannot be read or is larger than 4 GiB.
 Result<SalvagedSession> salvage_session(std::filesystem::path const& path, scene::EditKinds kinds);
 
-// Makes the contents of a session from the salvaged edits, renumbered without gaps. Edits that this
-// program does not know become UnknownEdits.
+// Makes the contents of a session from the salvaged edits, numbered anew without gaps. Edits that
+// this program does not know become UnknownEdits.
 SessionContents contents_of(SalvagedSession const& session);
 
-// Writes the salvaged edits as a new session, created atomically, after the edits of `beginning`,
-// which replace a lost plant. Fails with a user error if the file exists or cannot be written.
+// Writes the edits of `beginning`, which replace a lost plant, and then the salvaged edits as a new
+// session's file, created atomically. Fails with a user error if the file exists or cannot be
+// written.
 Result<void> write_repaired(SalvagedSession const& session,
                             std::vector<scene::Edit> const& beginning,
                             std::filesystem::path const& path);

@@ -23,7 +23,7 @@ constexpr std::string_view kEdits
 constexpr std::string_view kEditsOfFormat1
     = "CREATE TABLE edits (number INTEGER PRIMARY KEY, step INTEGER NOT NULL, kind TEXT NOT NULL, "
       "fields TEXT NOT NULL, numbers BLOB NOT NULL)";
-// SQL of the table edits in files that were created in format 1 and updated since.
+// SQL of the table "edits" in files that were created in format 1 and have been updated since.
 constexpr std::string_view kUpdatedEdits
     = "CREATE TABLE edits (number INTEGER PRIMARY KEY, step INTEGER NOT NULL, kind TEXT NOT NULL, "
       "fields TEXT NOT NULL, numbers BLOB NOT NULL, made INTEGER NOT NULL DEFAULT 0, checksum "
@@ -35,7 +35,7 @@ constexpr std::string_view kCopies
       "fields TEXT NOT NULL, numbers BLOB NOT NULL, made INTEGER NOT NULL, checksum INTEGER NOT "
       "NULL)";
 
-// A row that the schema is allowed to have.
+// A row that SQLite's table sqlite_schema may have in a session's file.
 struct SchemaRow {
     std::string_view type;
     std::string_view name;
@@ -70,8 +70,8 @@ tl::unexpected<Error> not_ours(std::string const& name, std::string const& what)
                             name, what, name));
 }
 
-// Checks that the schema holds a session's tables and nothing else, and that no two tables share a
-// root page, as they would overwrite each other.
+// Checks that the database has a session's tables and nothing else. No two tables may share a root
+// page, because they would overwrite each other.
 Result<void> check_schema(Database const& database, std::string const& name, std::int64_t format)
 {
     auto rows = TRY(database.prepare(
@@ -94,8 +94,9 @@ Result<void> check_schema(Database const& database, std::string const& name, std
     return {};
 }
 
-// Inserts two large empty rows, so that the table has leaf pages of its own from the first edit on.
-// These stay in place while it grows, so a truncated file still has the copies of all its edits.
+// Inserts two large empty rows into the table "copies", so that its rows are on separate leaf pages
+// from the first edit on. These pages stay where they are while the table grows, so a truncated
+// file still has the copies of all its edits.
 Result<void> reserve_leaves(Database const& database)
 {
     return database.execute("INSERT INTO copies VALUES (-2, 0, '', '', zeroblob(2200), 0, 0), "

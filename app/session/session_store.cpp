@@ -12,7 +12,8 @@ namespace tractus::session {
 
 using Tips = SharedVector<TipSample>;
 
-// The database, shared with the sources of strokes: any thread may read while one writes.
+// The session's database, shared with the sources of strokes. Any thread may read it while one
+// thread writes.
 class SessionStore::File {
 public:
     File(std::filesystem::path path, Database database, scene::EditKinds kinds)
@@ -23,9 +24,9 @@ public:
     }
 
     std::filesystem::path const& path() const { return path_; }
-    scene::EditKinds kinds() const { return kinds_; } // Known kinds of edits.
+    scene::EditKinds kinds() const { return kinds_; } // Kinds of edits that are known.
 
-    // Ends writing; the file can still be read.
+    // Ends writing. The file can still be read, through new connections.
     void close()
     {
         std::lock_guard const lock(mutex_);
@@ -44,14 +45,15 @@ public:
     Result<void> commit(std::function<Result<void>(Database const&)> const& write)
     {
         std::lock_guard const lock(mutex_);
-        if (!database_->is_in_transaction()) // An error may have ended the transaction.
+        // An error may have ended the transaction that was open.
+        if (!database_->is_in_transaction())
             TRY(database_->execute("BEGIN IMMEDIATE"));
         auto done = write(*database_);
         if (done)
             done = database_->execute("COMMIT");
         if (!done && database_->is_in_transaction())
             (void)database_->execute("ROLLBACK");
-        // If this fails, the next commit tries again.
+        // If beginning the next transaction fails, the next commit tries again.
         (void)database_->execute("BEGIN IMMEDIATE");
         return done;
     }
@@ -60,12 +62,12 @@ private:
     std::filesystem::path path_;
     mutable std::mutex mutex_;
     scene::EditKinds kinds_;
-    std::optional<Database> database_; // nullopt once the store is gone.
+    std::optional<Database> database_; // nullopt after close().
 };
 
 namespace {
 
-// Finds the tips of an edit's stroke, and attaches a source to them if one is given.
+// Finds the tips of an edit's stroke. If a source is given, attaches it to these tips.
 class StrokeVisitor final : public scene::Fields {
 public:
     explicit StrokeVisitor(Tips::Source source = nullptr)
@@ -94,7 +96,7 @@ private:
 
 } // namespace
 
-// Source of a stroke's tips: an edit in the file.
+// Source of a stroke's tips: reads them from an edit in the file.
 class SessionStore::StoredStroke final : public ElementSource<TipSample> {
 public:
     StoredStroke(std::shared_ptr<File const> file, EditPlace const& place)
@@ -113,7 +115,7 @@ public:
                                     edit.error().message));
         StrokeVisitor visitor;
         edit->show(visitor);
-        CHECK(visitor.tips().has_value()); // The checksum is that of an edit with a stroke.
+        CHECK(visitor.tips().has_value()); // The checksum shows that the edit has a stroke.
         return visitor.tips()->vector();
     }
 

@@ -14,33 +14,34 @@
 
 namespace tractus::session {
 
-// The file of a session that is being drawn in. Strokes read from it know their place in it
+// The file of a session that is being drawn in. Strokes read from it know their place in the file
 // (SharedVector::source()), so their tips need not stay in memory. The tips are read again on use,
-// on any thread, even after the store is destroyed, as long as the file exists.
+// on any thread, as long as the file exists, even after the store is destroyed.
 //
-// The store itself is used by one thread.
+// The functions of the store itself must be called from the same thread.
 class SessionStore {
 public:
-    // Takes a database with an open write transaction.
+    // Takes over a database that has an open write transaction.
     SessionStore(std::filesystem::path path, Database database, scene::EditKinds kinds);
     SessionStore(SessionStore&&) noexcept = default;
     SessionStore& operator=(SessionStore&& other) noexcept;
-    ~SessionStore(); // Ends the transaction, so that other programs can write.
+    ~SessionStore(); // Ends the write transaction, so that other programs can write.
 
     std::filesystem::path const& path() const;
 
-    // Reads the edits of a step. Fails if the file was damaged since it was checked.
+    // Reads the edits of a step. Fails if the file was damaged after it was checked.
     Result<std::vector<SessionEdit>> read_step(std::size_t step) const;
 
-    // A new step as rows for the file, and its edits as read_step() will return them.
+    // A new step: its rows for the file, and its edits as read_step() will return them.
     struct NewStep {
         std::vector<EditRow> rows;
         std::vector<scene::Edit> edits;
     };
     Result<NewStep> prepare(SessionStep const& step) const;
 
-    // Each of these writes one transaction, which is on disk on return, and begins the next one, to
-    // keep other programs from writing. They fail like the database.
+    // Each of these functions commits a transaction with one change, which is on disk when the
+    // function returns. It then begins the next transaction, to keep other programs from writing.
+    // Fails with a Database error.
     Result<void> write(NewStep const& step);
     Result<void> write_cursor(std::size_t step);
     Result<void> write_name(std::string const& name);

@@ -28,7 +28,8 @@ std::uint64_t big_endian(std::string_view bytes, std::size_t at, std::size_t siz
     return value;
 }
 
-// Reads a variable-length integer and advances `at`; false if the bytes end before it does.
+// Reads a variable-length integer at `at` and advances `at`. Returns false if the bytes end too
+// early.
 bool read_varint(std::string_view bytes, std::size_t& at, std::uint64_t& value)
 {
     value = 0;
@@ -47,7 +48,8 @@ bool read_varint(std::string_view bytes, std::size_t& at, std::uint64_t& value)
     return true;
 }
 
-// The size in bytes of a value with this serial type; nullopt for the two reserved types.
+// The size in bytes of a value with this serial type; nullopt for the types 10 and 11, which are
+// reserved.
 std::optional<std::uint64_t> column_bytes(std::uint64_t type)
 {
     constexpr std::uint64_t kSizes[] { 0, 1, 2, 3, 4, 6, 8, 8, 0, 0 };
@@ -95,7 +97,7 @@ SqlitePages::SqlitePages(std::string_view file, std::string_view log, std::size_
     : page_size_(page_size)
 {
     for (std::size_t at = 0; at < file.size(); at += page_size) {
-        auto const bytes = file.substr(at, page_size); // The last page may be truncated.
+        auto const bytes = file.substr(at, page_size); // The last page may be incomplete.
         pages_.push_back({ bytes, static_cast<std::uint32_t>(pages_.size() + 1), true });
         oldest_.push_back(bytes);
     }
@@ -104,20 +106,21 @@ SqlitePages::SqlitePages(std::string_view file, std::string_view log, std::size_
     find_free_pages();
 }
 
-// Frames from an earlier use of the log, which have other salts, and of an uncommitted transaction
-// are searched, too, but their rows rank last.
+// Adds the pages in the log's frames. Frames from an earlier use of the log, which have other
+// salts, and frames of an uncommitted transaction are added too, but not as current versions of
+// their pages.
 void SqlitePages::add_log(std::string_view log)
 {
     auto const frame_bytes = kFrameHeaderBytes + page_size_;
     std::uint64_t const salts = big_endian(log, 16, 8);
-    std::size_t committed = 0; // Number of committed frames.
+    std::size_t committed = 0; // Number of frames up to the last commit.
     std::size_t count = 0;
     for (auto at = kLogHeaderBytes; at + frame_bytes <= log.size(); at += frame_bytes) {
         ++count;
         if (big_endian(log, at + 4, 4) != 0 && big_endian(log, at + 8, 8) == salts)
             committed = count;
     }
-    // Maps a page number - 1 to the index in pages_ of its newest version.
+    // For each page (its number minus 1), the index in pages_ of its newest version.
     constexpr auto kUnseen = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> newest_at(newest_.size());
     std::iota(newest_at.begin(), newest_at.end(), std::size_t { 0 });
@@ -169,7 +172,7 @@ void SqlitePages::find_free_pages()
         is_free_ = std::move(free);
 }
 
-// For each offset in the page, the state of a row that begins there.
+// Returns, for each offset in the page, the state of a row that would begin there.
 std::vector<FoundRow::State> SqlitePages::states_of_rows(Page const& page) const
 {
     std::size_t const begin = page.number == 1 ? kFileHeaderBytes : 0;
@@ -229,8 +232,8 @@ std::optional<SqlitePages::Header> SqlitePages::header_at(std::string_view page,
     return place == end && total == header.payload_bytes ? std::optional(header) : std::nullopt;
 }
 
-// Reads a payload that extends over a chain of overflow pages (section 1.6, "Cell payload overflow
-// pages").
+// Reads a row's payload, which may continue in a chain of overflow pages (section 1.6, "Cell
+// payload overflow pages").
 std::optional<std::string> SqlitePages::payload(Page const& page, Header const& header,
                                                 std::vector<std::string_view> const& pages) const
 {

@@ -11,32 +11,32 @@
 
 namespace tractus::session {
 
-// A column of a row that was found.
+// A column's value in a row that was found.
 struct FoundColumn {
     enum class Kind { Null, Whole, Real, Text, Blob } kind = Kind::Null;
     std::int64_t whole = 0;
     std::string bytes {}; // Content of Text and Blob.
 };
 
-// Bytes that look like a row of a table.
+// Bytes that look like a row of a table, wherever they were found.
 struct FoundRow {
     std::int64_t id = 0;
     std::vector<FoundColumn> columns;
 
-    // Whether a page of the database still refers to the row.
+    // Whether a page of the database still lists the row.
     enum class State {
-        Deleted, // The row's page is intact and does not list it, or is free.
+        Deleted, // The row's page is free, or is intact and does not list the row.
         Unknown, // The row's page is damaged.
-        Listed,  // A page in use lists the row.
+        Listed,  // The row's page is in use and lists the row.
     };
     State standing = State::Unknown;
 };
 
-// The pages of an SQLite file and its write-ahead log, for a given page size. The bytes may be
+// The pages of an SQLite file and its write-ahead log, if pages have a given size. The bytes may be
 // damaged anywhere; nothing is read out of bounds.
 class SqlitePages {
 public:
-    // Rows with more columns are skipped.
+    // Rows with more columns than this are skipped.
     static constexpr std::size_t kMaxColumns = 8;
 
     // `file` and `log` are not copied and must outlive this object.
@@ -45,8 +45,9 @@ public:
     // Page sizes that the file may have, most likely first.
     static std::vector<std::size_t> likely_page_sizes(std::string_view file);
 
-    // Calls `take` for each place that may be a row whose number of columns `accepts` allows. A row
-    // with overflow pages is reported once for each version of these pages in the log.
+    // Calls `take` for each place in the pages that may be a row and for whose number of columns
+    // `accepts` returns true. If pages in the log differ from the file's, a row is reported up to
+    // twice: with the newest overflow pages, and with those of the file.
     void find_rows(std::function<bool(std::size_t columns)> const& accepts,
                    std::function<void(FoundRow&&)> const& take) const;
 
@@ -54,7 +55,7 @@ private:
     struct Page {
         std::string_view bytes;
         std::uint32_t number = 0;
-        bool is_current = false; // True if no later version of the page exists.
+        bool is_current = false; // True if no newer version of the page exists.
     };
     struct Header {
         std::uint64_t payload_bytes = 0;

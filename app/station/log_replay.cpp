@@ -54,8 +54,8 @@ Result<calib::Rig> choose_rig(drivers::Log const& log, LogPen const& pen,
     return rig;
 }
 
-// Returns the scripted height of a scenario that begins and ends with the log's first and last pen
-// sample.
+// Returns the heights of a scenario that is played from the time of the log's first pen sample to
+// that of the last.
 Result<calib::ScriptedHeight> script_height(drivers::Log const& log, LogPen const& pen,
                                             calib::HeightScenario const& scenario)
 {
@@ -101,8 +101,8 @@ Result<LogReplay> LogReplay::create(drivers::Log const& log, ReplayOptions const
     return LogReplay(log, *std::move(station), std::move(lines), std::move(left_out));
 }
 
-// Reads the lines about tools and steps. Lines with unknown names come from a program with more
-// tools; the strokes drawn with these are left out.
+// Reads the log's lines about tools, minimum extents and steps. A line with an unknown name comes
+// from a program with more tools; strokes drawn with such a tool are left out.
 Result<std::vector<LogReplay::Line>> LogReplay::read_lines(drivers::Log const& log,
                                                            tools::Methods const& methods,
                                                            std::vector<std::string>& left_out)
@@ -155,8 +155,8 @@ void LogReplay::push_lines()
             station_.set_min_extents(*extents);
 }
 
-// Each step is handed over after the same number of strokes as in the original session: the step's
-// line may come later in the log than the reports of later strokes.
+// Hands each step over after as many strokes as preceded it in the original session. The step's
+// line may be later in the log than the reports of later strokes.
 void LogReplay::replay_into(document::Document& document)
 {
     auto const hand_steps_over = [&](std::size_t end, std::size_t strokes_before) {

@@ -36,7 +36,7 @@ static bool has_options(tools::ToolKind const& kind)
         || !tools::number_settings(tools::Tool(kind)).empty();
 }
 
-// Kinds used by the pen's other end with the options last chosen for them.
+// Kinds of tools that the pen's other end uses with the options last chosen for the kind.
 static std::vector<tools::ToolKind const*> kinds_to_remember(tools::ToolKinds tools)
 {
     std::vector<tools::ToolKind const*> kinds;
@@ -173,7 +173,7 @@ void Station::use_pen(Pen& pen, drivers::PenSample const& decoded)
     ++counts_.pen_samples;
     pen_in_range_ = sample.in_range;
     if (!is_height_there_)
-        return; // Ignores the sample, as without the sensor the height is unknown.
+        return; // The sample is ignored: without the height sensor, the pen's height is unknown.
     pen.fuser.set_may_leave_silently(pen.decoder->silence_limit().has_value());
     auto const tip = pen.fuser.push(sample);
     follow_surface(pen); // Applies height readings up to this pen sample.
@@ -187,16 +187,16 @@ void Station::use_pen(Pen& pen, drivers::PenSample const& decoded)
     take_settled(pen);
 }
 
-// Time for a tool change that must precede this tip: an arrival time, as for all tool changes. If
-// sample times are smoothed, it lies half-way between two tips, since a recording rounds it to
-// microseconds.
+// Time stamp for a tool change that must precede this tip. Like that of all tool changes, it is a
+// time of arrival. If sample times are smoothed, it is half-way between this tip and the last one,
+// so that a recording can round it to microseconds.
 Timestamp Station::change_before(TipSample const& tip, std::optional<Timestamp> last_tip) const
 {
     bool const is_exact = sample_times_ == calib::SampleTimes::AsArrived || !last_tip;
     return (is_exact ? tip.time : *last_tip + (tip.time - *last_tip) / 2) + tablet_latency_;
 }
 
-// Decides at the start of a touch whether it draws or operates controls.
+// Decides at the start of a touch whether the touch draws or operates the window's controls.
 void Station::follow_touch(Pen& pen, TipSample const& tip)
 {
     auto const began = change_before(tip, std::exchange(pen.last_tip, tip.time));
@@ -224,7 +224,7 @@ void Station::convert_touch_to_press()
 
 void Station::keep_moment(Pen const& pen, drivers::PenSample const& sample, TipSample const& tip)
 {
-    // Drops the older half if nobody fetches the moments often enough.
+    // If nobody fetches the moments often enough, the older half of them is dropped.
     if (moments_.size() == kMaxMoments)
         moments_.erase(moments_.begin(), moments_.begin() + kMaxMoments / 2);
     moments_.push_back({ .in_range = sample.in_range,
@@ -271,7 +271,7 @@ void Station::push_height(Timestamp received, std::span<std::byte const> report)
         take_settled(pen);
 }
 
-// Moves a pen that touches without sending reports along with the surface.
+// Moves a touching pen along with the surface while the pen sends no reports.
 void Station::follow_surface(Pen& pen)
 {
     for (auto const& tip : pen.fuser.take_live()) {
@@ -282,8 +282,8 @@ void Station::follow_surface(Pen& pen)
     }
 }
 
-// Handles the loss of the height sensor: unfinished strokes end with its last readings, and further
-// pen samples are ignored, as their height is unknown.
+// Handles the loss of the height sensor. Unfinished strokes end with the sensor's last readings.
+// Further pen samples are ignored, because their height is unknown.
 void Station::end_with_height()
 {
     if (!is_height_measured_)
@@ -343,7 +343,8 @@ bool Station::pen_rests() const
 
 calib::FuserCounts Station::fuser_counts() const
 {
-    // Starts with the counts of the first pen; all pens have received the same heights.
+    // Counts of height readings are taken from the first pen, because all pens receive the same
+    // heights.
     auto sum = pens_.front().fuser.counts();
     for (std::size_t i = 1; i < pens_.size(); ++i) {
         auto const& counts = pens_[i].fuser.counts();
@@ -367,14 +368,14 @@ void Station::set_tool(Timestamp time, tools::Tool const& tool)
         selected_tool_ = tool;
     bool const touch_goes_on = std::any_of(
         pens_.begin(), pens_.end(), [](Pen const& pen) { return pen.touches_since.has_value(); });
-    // A tool chosen by pressing a control takes effect when the press ends.
+    // A tool that was chosen by pressing a control takes effect when the press ends.
     if (is_press || !is_pressing() || !touch_goes_on)
         change_tool(time, tool);
 }
 
 void Station::change_tool(Timestamp time, tools::Tool const& tool)
 {
-    // Removes old tool changes; after hours of drawing only recent ones can still affect a stroke.
+    // Removes tool changes that are too old to affect an unfinished stroke.
     constexpr Duration kLongestStroke = std::chrono::hours(1);
     while (tool_changes_.size() > 1 && tool_changes_[1].time < time - kLongestStroke) {
         forget(tool_changes_.front().tool);
@@ -418,7 +419,8 @@ std::vector<tools::Tool> Station::remembered() const
 {
     std::vector<tools::Tool> tools;
     for (auto const* const kind : remembered_kinds_) {
-        // A kind that was never selected must not make its group show that kind's method.
+        // If no tool of this kind was ever selected, the tool bar must not show the kind's method
+        // as the one last used in its group.
         bool const was_selected
             = std::any_of(tool_changes_.begin(), tool_changes_.end(),
                           [&](ToolChange const& change) { return &change.tool.kind() == kind; })
@@ -440,13 +442,14 @@ std::vector<tools::Tool> Station::tools_for_continuation() const
     return tools;
 }
 
-// A stroke belongs to the tool that was selected when it began, although its end becomes known
-// later.
+// A stroke belongs to the tool that was selected when the stroke began, although its end becomes
+// known later.
 tools::Tool Station::meaning_of(std::vector<TipSample> const& tips) const
 {
     if (tips.empty())
         return selected_tool_;
-    // Tool changes have arrival times, while tips have the tablet's latency subtracted.
+    // Tool changes have times of arrival, while tips have earlier times: without the tablet's
+    // latency.
     auto const after = std::upper_bound(
         tool_changes_.begin() + 1, tool_changes_.end(), tips.front().time + tablet_latency_,
         [](Timestamp value, ToolChange const& change) { return value < change.time; });

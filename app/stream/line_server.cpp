@@ -16,7 +16,7 @@
 
 namespace tractus::stream {
 
-// An owned file descriptor, closed by the destructor.
+// Owner of a file descriptor, which the destructor closes.
 class SocketDescriptor {
 public:
     explicit SocketDescriptor(int number)
@@ -44,7 +44,7 @@ private:
     int number_;
 };
 
-// A connected reader and its queue.
+// A connected reader, with the data that it has not received yet.
 class LineReader {
 public:
     LineReader(SocketDescriptor socket, std::string greeting, Timestamp now)
@@ -68,7 +68,7 @@ public:
             is_gone_ = true;
     }
 
-    // Sends as much as possible without blocking.
+    // Sends as much of the waiting data as possible without blocking.
     void send(Timestamp now)
     {
         bool has_taken = sent_ == waiting_.size();
@@ -91,11 +91,11 @@ public:
         is_stalled_ = now - last_taken_ >= LineServer::kPatience;
     }
 
-    // True if the reader has fetched nothing for kPatience although data is waiting.
+    // True if data is waiting but the reader has fetched none for kPatience.
     bool is_stalled() const { return is_stalled_; }
 
-    // True if the reader has disconnected. A half-closed connection, as shells create it, can still
-    // read.
+    // True if the reader has disconnected. A reader whose connection is half closed, as by shells,
+    // can still read and does not count.
     bool is_gone() const
     {
         pollfd state { .fd = socket_.number(), .events = 0, .revents = 0 };
@@ -105,7 +105,8 @@ public:
     std::size_t waiting_bytes() const { return waiting_.size() - sent_; }
 
 private:
-    // Frees sent data. Done only now and then, as the rest has to be moved.
+    // Removes sent data from the queue, but only once it is at least half of the queue, as the rest
+    // must be moved.
     void forget_sent()
     {
         if (sent_ < waiting_.size() / 2)
@@ -116,9 +117,9 @@ private:
 
     SocketDescriptor socket_;
     std::string waiting_;
-    std::size_t sent_ = 0; // Length of the part of waiting_ that was sent.
+    std::size_t sent_ = 0; // Number of bytes at the beginning of waiting_ that have been sent.
     std::size_t left_out_ = 0;
-    Timestamp last_taken_; // Time at which the reader last fetched data or had none waiting.
+    Timestamp last_taken_; // Time at which the reader last fetched data, or had no data waiting.
     bool is_stalled_ = false;
     bool is_gone_ = false;
 };
@@ -144,7 +145,7 @@ Result<sockaddr_un> socket_address(std::filesystem::path const& path)
     return address;
 }
 
-// Removes the socket that a terminated program has left behind.
+// Removes the socket file that a terminated program has left behind.
 Result<void> make_room(std::filesystem::path const& path, sockaddr_un const& address)
 {
     struct stat there { };
@@ -189,7 +190,7 @@ Result<LineServer> LineServer::listen(std::filesystem::path const& path, std::st
     auto const address = TRY(socket_address(path));
     TRY(make_room(path, address));
     auto socket = new_socket();
-    // Restricts the permissions before the socket gets its name, so that other users can never
+    // The permissions are restricted before the socket gets its name, so that other users can never
     // connect.
     if (socket.number() < 0 || ::fchmod(socket.number(), S_IRUSR | S_IWUSR) != 0
         || ::bind(socket.number(), reinterpret_cast<sockaddr const*>(&address), sizeof address) != 0

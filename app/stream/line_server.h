@@ -12,46 +12,49 @@
 namespace tractus::stream {
 
 // A local stream socket (AF_UNIX) from which up to kMaxReaders programs read the same lines. It
-// never blocks: unsent data is queued for each reader, and readers that disconnect are removed. It
-// has no thread, so serve() has to be called regularly. Not thread-safe.
+// never blocks: data that cannot be sent at once is queued for each reader, and readers that
+// disconnect are removed. It has no thread, so serve() must be called regularly. Not thread-safe.
 class LineServer {
 public:
     static constexpr std::size_t kMaxReaders = 64;
-    // Queue length above which a reader gets no more lines of Importance::LeaveOut.
+    // Size of a reader's queue, in bytes, above which lines with Importance::LeaveOut are dropped
+    // for it.
     static constexpr std::size_t kMaxWaiting = std::size_t { 1 } << 20;
-    // Queue length above which a reader is disconnected.
+    // Size of a reader's queue, in bytes, above which the reader is disconnected.
     static constexpr std::size_t kMaxKept = std::size_t { 64 } << 20;
-    // A reader that fetches nothing for this long is no longer waited for until it reads again.
+    // A reader that fetches nothing for this long no longer counts in waiting_bytes(), until it
+    // reads again.
     static constexpr Duration kPatience = std::chrono::seconds(5);
 
-    // Listens on a socket file that only its owner may use; a stale socket of a terminated program
-    // is replaced. Each reader first receives `greeting`. Fails with a user error if another
-    // program listens there, if the file is something else, or if the path is too long for a socket
-    // (107 bytes).
+    // Listens on a socket file that only its owner may use. A socket that a terminated program has
+    // left there is replaced. Each reader first receives `greeting`. Fails with a user error if
+    // another program listens there, if the file is not a socket, or if the path is too long for a
+    // socket (107 bytes).
     static Result<LineServer> listen(std::filesystem::path const& path, std::string greeting);
 
     LineServer(LineServer&&) noexcept;
     LineServer& operator=(LineServer&&) noexcept;
     ~LineServer(); // Closes the socket and removes its file.
 
-    // The treatment of a line if a reader is too slow.
+    // What happens to a line for a reader that is too slow.
     enum class Importance {
-        // The line is dropped; a line with the number of dropped lines precedes the next kept one.
+        // The line is dropped. Before the reader's next line, it receives the number of dropped
+        // lines.
         LeaveOut,
-        Keep, // The line is queued.
+        Keep, // The line is queued until the reader fetches it.
     };
 
-    // Sends a line to all current readers.
+    // Adds a line to the queues of all current readers; serve() sends it.
     void publish(std::string_view line, Importance importance);
 
-    // Accepts new readers, sends queued data, and removes readers that have disconnected. `now` may
-    // come from any clock but must not decrease.
+    // Accepts new readers, sends queued data, and removes readers that have disconnected. `now` is
+    // the time of any clock, but must not decrease from call to call.
     void serve(Timestamp now);
 
     std::size_t reader_count() const;
 
-    // Length of the longest queue in bytes, ignoring readers that have fetched nothing for
-    // kPatience.
+    // Size of the longest queue in bytes. Readers that have fetched nothing for kPatience do not
+    // count.
     std::size_t waiting_bytes() const;
 
 private:

@@ -12,14 +12,15 @@ using namespace std::chrono_literals;
 
 static constexpr Duration kStreamRest = 2ms;
 
-// Passes the station's output on. Strokes are not kept, so plants always grow on an empty sheet.
+// Writes the station's new output. Strokes are not applied to any drawing, so plants that grow
+// along strokes always grow on an empty sheet.
 static Result<void> take(station::Station& station, StreamOutput& output)
 {
     static scene::Scene const sheet;
     return output.take(station, sheet);
 }
 
-// Serves readers until a condition holds or `stop` is set.
+// Serves readers until `holds` returns true or `stop` is set.
 template<typename Condition>
 static void serve_until(StreamOutput& output, play::Pace const& pace, std::atomic<bool> const& stop,
                         Condition const& holds)
@@ -31,7 +32,7 @@ static void serve_until(StreamOutput& output, play::Pace const& pace, std::atomi
     }
 }
 
-// Streams all reports with the next time stamp of the log.
+// Streams all reports of the log that have its next time stamp.
 static Result<void> stream_moment(station::LogReplay& replay, StreamOutput& output)
 {
     auto const time = replay.next_time();
@@ -67,7 +68,7 @@ Result<void> stream_log(station::LogReplay& replay, StreamOutput& output,
     return replay.outcome();
 }
 
-// Gives readers a second to fetch the remaining data.
+// Serves readers for at most a second, so that they can fetch the remaining data.
 static void serve_rest(StreamOutput& output, devices::LiveRecordingOptions const& options)
 {
     auto const end = options.now() + Duration(1s);

@@ -21,7 +21,7 @@ std::string millimetres_text(double length_mm)
     return decimals_text(length_mm, 3);
 }
 
-// Formats seconds to the nanosecond, which exceeds the precision of a double.
+// Formats a time in seconds to the nanosecond; a double would not be precise enough.
 std::string seconds_text(Timestamp time)
 {
     constexpr std::int64_t kPerSecond = 1'000'000'000;

@@ -56,7 +56,7 @@ Result<void> StreamOutput::tell(std::span<station::PenMoment const> moments,
     return {};
 }
 
-// Writes the growth steps of a stroke. Skipped if no tips were added, as there can be no new steps.
+// Writes the new growth steps of a stroke. If the stroke has no new tips, it has no new steps.
 Result<void> StreamOutput::tell_steps(Stroke const& stroke, tools::Tool const& tool,
                                       scene::Scene const& scene)
 {

@@ -14,14 +14,14 @@
 
 namespace tractus::stream {
 
-// Destination of a stream's lines: standard output, which blocks, or a local socket, which does not
-// (line_server.h).
+// Destination of a stream's lines: either standard output, where writing blocks, or a local socket,
+// where it does not (line_server.h).
 class StreamOutput {
 public:
-    // Which parts of a drawing are written.
+    // Parts of a drawing that are written: all lines, or strokes only.
     enum class What { All, Strokes };
 
-    // Writes a line like print_out(), and fails like it.
+    // A function that writes a line as print_out() does, and fails like print_out().
     using Write = std::function<Result<void>(std::string_view line)>;
     static Result<StreamOutput> open(Write write, Bounds const& volume_mm, What what);
 
@@ -29,35 +29,36 @@ public:
     static Result<StreamOutput> open_socket(std::filesystem::path const& path,
                                             Bounds const& volume_mm, What what);
 
-    // Takes and writes everything the station has produced since the last call, in order. Plants
-    // that grow along strokes grow in `scene`. Fails like the output's `write`.
+    // Takes and writes everything that the station has produced since the last call, in order.
+    // `scene` is the scene in which plants grow along strokes. Fails like `write`.
     Result<void> take(station::Station& station, scene::Scene const& scene);
 
-    // Writes moments that the caller has taken from the station, and the station's new strokes; the
-    // caller takes those before the next call.
+    // Writes pen moments that the caller has taken from the station, and the station's new strokes.
+    // The caller must take those strokes from the station before the next call.
     Result<void> tell(std::span<station::PenMoment const> moments, station::Station const& station,
                       scene::Scene const& scene);
 
     // Accepts readers and sends queued data; see LineServer::serve().
     void serve(Timestamp now);
 
-    // Writes the end of the stream. Fails like the output's `write`.
+    // Writes the last line of the stream. Fails like `write`.
     Result<void> end();
 
-    // False for a socket without readers.
+    // False for a socket without readers; always true for standard output.
     bool has_readers() const { return !server_ || server_->reader_count() > 0; }
 
-    // Bytes waiting for readers; see LineServer::waiting_bytes().
+    // Size of the longest queue of a reader in bytes; see LineServer::waiting_bytes().
     std::size_t waiting_bytes() const { return server_ ? server_->waiting_bytes() : 0; }
 
 private:
     StreamOutput(Write write, std::optional<LineServer> server, What what);
 
-    // An unfinished stroke along which something grows, identified by the time of its first tip.
+    // An unfinished stroke along which a plant grows, identified by the time of its first tip.
     struct Growing {
         Timestamp began {};
         std::size_t reported_steps = 0;
-        std::size_t tips = 0; // Number of the stroke's tips when its steps were last written.
+        // Number of the stroke's tips when its growth steps were last written.
+        std::size_t tips = 0;
     };
 
     Result<void> tell_steps(Stroke const& stroke, tools::Tool const& tool,
@@ -68,7 +69,7 @@ private:
     std::optional<LineServer> server_;
     What what_;
     std::size_t stroke_count_ = 0;
-    // Unfinished strokes along which something grows, at most one for each pen.
+    // Unfinished strokes along which a plant grows, at most one for each pen.
     std::vector<Growing> growing_;
 };
 

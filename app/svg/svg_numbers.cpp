@@ -18,7 +18,7 @@ std::optional<double> SvgNumbers::number()
     if (text.starts_with('+'))
         text.remove_prefix(1);
     auto const digits = text.substr(text.starts_with('-') ? 1 : 0);
-    if (digits.empty() || digits.find_first_of("0123456789.") != 0) // Refuses "inf" and "nan".
+    if (digits.empty() || digits.find_first_of("0123456789.") != 0) // "inf" and "nan" are refused.
         return std::nullopt;
     double value = 0;
     auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -5,8 +5,8 @@
 
 namespace tractus::svg {
 
-// Reads the numbers in an SVG attribute one after another. Numbers are separated by spaces and
-// commas, or by nothing if a sign or a second decimal point begins the next one.
+// Reads the numbers of an SVG attribute one after another. Numbers are separated by spaces and
+// commas. No separator is needed before a sign or before a number's second decimal point.
 class SvgNumbers {
 public:
     explicit SvgNumbers(std::string_view text)
@@ -14,16 +14,16 @@ public:
     {
     }
 
-    // The next finite number, or no value if something else or the end follows.
+    // Returns the next finite number. No value if something else follows, or the end of the text.
     std::optional<double> number();
 
-    // The next 0 or 1, which needs no separator after it.
+    // Returns the next digit 0 or 1 as a flag, which needs no separator after it.
     std::optional<bool> flag();
 
-    // The next letter or bracket, or no value at the end.
+    // Returns the next letter or bracket; no value at the end.
     std::optional<char> symbol();
 
-    // The remaining text without leading spaces and commas.
+    // Returns the remaining text without spaces and commas at its beginning.
     std::string_view rest();
 
 private:

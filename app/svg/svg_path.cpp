@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kCurvePieces = 24;
 
-// Parameters of an arc command, except its end point.
+// Parameters of an arc command without its end point.
 struct ArcShape {
     Vec2 radii = Vec2::Zero();
     double turn = 0; // Rotation of the ellipse in radians.
@@ -22,7 +22,7 @@ struct ArcShape {
     bool sweep = false;
 };
 
-// Returns the points of an arc after its start, computed from the ellipse's centre and angles (SVG
+// Returns the points of an arc except its start, computed from the ellipse's centre and angles (SVG
 // 2, appendix B.2.4).
 std::vector<Vec2> arc_points(Vec2 const& from, Vec2 const& to, ArcShape const& shape)
 {
@@ -31,7 +31,7 @@ std::vector<Vec2> arc_points(Vec2 const& from, Vec2 const& to, ArcShape const& s
         return { to };
     Eigen::Rotation2Dd const turn(shape.turn);
     Vec2 const half = turn.inverse() * ((from - to) / 2);
-    // Radii that are too small are enlarged until the arc can reach its end.
+    // Radii that are too small are enlarged just enough for the arc to reach its end point.
     radii *= std::max(1.0, half.cwiseQuotient(radii).norm());
     Vec2 const unit = half.cwiseQuotient(radii);
     double const apart = unit.squaredNorm();
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    // Reads a command letter, or keeps the previous command if numbers follow.
+    // Reads a command letter. If a number follows instead, the previous command is repeated.
     bool read_command()
     {
         char const next = numbers_.rest().front();
@@ -92,7 +92,7 @@ private:
 
     bool draw(char kind)
     {
-        if (closed_) { // After a closed line, the next line begins at its start.
+        if (closed_) { // After a line was closed, the next line begins at that line's start.
             lines_.push_back({ at_ });
             closed_ = false;
         }
@@ -144,7 +144,8 @@ private:
         return true;
     }
 
-    // Closes the line. The command needs its letter each time; numbers cannot repeat it.
+    // Closes the current line. The command has no numbers, so it cannot be repeated without its
+    // letter.
     bool close(char letter)
     {
         if (letter != command_)
@@ -175,8 +176,8 @@ private:
         return true;
     }
 
-    // The control point of a smooth curve: the previous curve's control point mirrored, if that
-    // curve is of the same kind.
+    // Returns the control point of a smooth curve: the previous curve's control point, mirrored at
+    // the current point, if the previous curve is of the same kind; otherwise the current point.
     Vec2 mirrored_control(char kind, char short_kind) const
     {
         bool const goes_on = last_kind_ == kind || last_kind_ == short_kind;

@@ -20,12 +20,13 @@ namespace tractus::svg {
 namespace {
 
 constexpr double kPixel_mm = 25.4 / 96;
-// Word for another stem; a label may begin with it, such as "another stem".
+// Role of a line that is an additional stem. As for every role, a label only has to begin with it,
+// such as "another stem".
 constexpr char const* kAnotherStem = "another";
 
-// State inherited by an element's children.
+// State of an element that its children inherit.
 struct Surroundings {
-    // Transforms the element's units to the drawing's.
+    // Transform from the element's units to those of the drawing.
     Eigen::Affine2d to_sheet = Eigen::Affine2d::Identity();
     std::string role;
     bool is_drawn = true;
@@ -37,7 +38,7 @@ struct Drawing {
     std::vector<Surroundings> open;
     std::vector<SvgLine> lines;
     double unit_mm = kPixel_mm;
-    std::string fault; // Error message; if not empty, reading has stopped.
+    std::string fault; // Error message. If it is not empty, reading has stopped.
 
     void stop(std::string sentence)
     {
@@ -72,7 +73,7 @@ private:
     char const** pairs_;
 };
 
-// The role with which a word begins, or an empty text.
+// Returns the role with which a word begins, or an empty text if there is none.
 std::string role_in(std::string_view word, std::vector<std::string> const& roles)
 {
     std::string lower(word);
@@ -93,7 +94,7 @@ std::string role_of(Attributes const& attributes, std::vector<std::string> const
     return {};
 }
 
-// Length of an attribute such as "210mm"; 0 if it is missing or in unknown units.
+// Converts an attribute such as "210mm" to a length. 0 if it is empty or in unknown units.
 double length_mm(std::string_view text)
 {
     constexpr std::array<std::pair<std::string_view, double>, 5> kUnits {
@@ -108,7 +109,8 @@ double length_mm(std::string_view text)
     return 0;
 }
 
-// Millimetres on paper per unit of the drawing, from its width and viewBox.
+// Returns the millimetres on paper per unit of the drawing, from its width and viewBox; by default
+// the size of a CSS pixel.
 double unit_of(Attributes const& svg)
 {
     auto const box = parse_svg_points(svg.find("viewBox").value_or(""));
@@ -136,7 +138,7 @@ std::optional<std::vector<std::vector<Vec2>>> lines_of(std::string_view element,
     return std::vector<std::vector<Vec2>> { *std::move(points) };
 }
 
-// True for elements that only define content, which is drawn where other elements refer to it.
+// True for elements whose content is drawn only where other elements refer to it.
 bool is_stored(std::string_view element)
 {
     constexpr std::array<std::string_view, 6> kStores { "defs",   "clipPath", "mask",
@@ -187,7 +189,7 @@ void end_element(void* data, char const* /*name*/)
         drawing.open.pop_back();
 }
 
-// Refuses entity declarations: drawings need none, and they can be used to expand without limit.
+// Refuses entity declarations. Drawings do not need them, and their expansion can be unlimited.
 void refuse_entity(void* data, char const* /*name*/, int /*is_parameter*/, char const* /*value*/,
                    int /*length*/, char const* /*base*/, char const* /*system*/,
                    char const* /*public_id*/, char const* /*notation*/)
@@ -249,7 +251,8 @@ Result<std::vector<SvgLine>> read_svg_lines(std::string_view text,
     if (drawing.lines.empty())
         return fail(Fault::User,
                     "it has no path, polyline or line: draw the sketch's lines as paths");
-    for (auto& line : drawing.lines) // Flips the drawing upright and converts it to millimetres.
+    // Turns the drawing's y axis upwards and converts its units to millimetres.
+    for (auto& line : drawing.lines)
         for (auto& point : line.points_mm)
             point = drawing.unit_mm * Vec2(point.x(), -point.y());
     return std::move(drawing.lines);

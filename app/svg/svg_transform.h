@@ -7,8 +7,8 @@
 
 namespace tractus::svg {
 
-// Parses the SVG attribute "transform"; transforms apply from right to left. No value if it is
-// invalid.
+// Parses the SVG attribute "transform". Of several transforms, the last one applies first. No value
+// if the text is invalid.
 std::optional<Eigen::Affine2d> parse_svg_transform(std::string_view text);
 
 } // namespace tractus::svg

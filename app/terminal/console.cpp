@@ -18,13 +18,13 @@ void prepare_console()
 {
     for (int const stream : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
         if (::fcntl(stream, F_GETFD) == -1)
-            // open() returns the lowest free number, which is this one. The access mode is the
-            // opposite of the stream's, so that using the stream still fails.
+            // open() returns the lowest free descriptor, which is that of the closed stream. It is
+            // opened for the opposite access, so that using the stream still fails.
             (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
-// True if the text is printable ASCII with tabs and line breaks.
+// True if the text contains only printable ASCII characters, tabs and line breaks.
 static bool is_plain(std::string_view text)
 {
     return std::all_of(text.begin(), text.end(), [](char character) {

@@ -6,16 +6,17 @@
 
 namespace tractus::terminal {
 
-// Makes it safe to print and to write files, however the program was started. A closed standard
-// stream stays unusable, rather than becoming the next opened file, and exceeding a file size limit
-// is an error instead of a fatal signal. Call it once, first of all.
+// Makes it safe to print and to write files, however the program was started. A standard stream
+// that is closed stays unusable; otherwise the next opened file would take its place. Exceeding a
+// limit on file sizes becomes an error instead of a fatal signal. Call this first of all, once.
 void prepare_console();
 
-// Writes to standard output without buffering. Fails with a user error if it is closed or full.
+// Writes to standard output without buffering. Fails with a user error if the stream is closed or
+// its disk is full.
 Result<void> print_out(std::string_view text);
 
-// Writes to standard error without buffering. Errors are ignored, as there is nowhere to report
-// them.
+// Writes to standard error without buffering. Errors are ignored, as they cannot be reported
+// anywhere.
 void print_error(std::string_view text);
 
 } // namespace tractus::terminal

@@ -18,7 +18,8 @@ namespace tractus::terminal {
 namespace {
 
 constexpr std::size_t kMaxShownBytes = std::size_t { 16 } << 20;
-// Most characters of a shown line; a longer one is cut to a part around the column.
+// Maximum length of a shown line, in characters. A longer line is cut to the part around the
+// column.
 constexpr std::size_t kMaxLine = 160;
 
 constexpr std::string_view kBold = "\033[1m";
@@ -40,15 +41,15 @@ char const* prefix(Fault fault)
     return "error";
 }
 
-// A place FILE:LINE:COLUMN at the start of a message.
+// A place FILE:LINE:COLUMN at the beginning of a message.
 struct Place {
     std::string file;
     std::size_t line = 0;
     std::size_t column = 0;
-    std::size_t length = 0; // Length of the place's text in the message.
+    std::size_t length = 0; // Length of the place's own text in the message.
 };
 
-// Parses a number at `at` and the colon that follows; 0 if there is none.
+// Parses a number at `at` and the colon after it. Returns 0 if they are not there.
 std::size_t take_number(std::string_view text, std::size_t& at)
 {
     std::size_t value = 0;
@@ -76,7 +77,8 @@ std::optional<Place> find_place(std::string_view message)
     return std::nullopt;
 }
 
-// The line at the place, without its line break. No value if the file or the line does not exist.
+// Returns the line of the file at the place, without its line break. No value if the file or the
+// line does not exist.
 std::optional<std::string> read_line(Place const& place)
 {
     std::error_code ignored;
@@ -95,19 +97,20 @@ std::optional<std::string> read_line(Place const& place)
     return std::string(rest.substr(0, rest.find_first_of("\r\n")));
 }
 
-// The message with control characters escaped, as it may quote files from untrusted sources.
+// Returns the message with its control characters escaped, as it may quote files from untrusted
+// sources.
 std::string for_terminal(std::string_view message)
 {
     return printable(message, "\n\t");
 }
 
-// The line and a caret below the column. Control characters become question marks.
+// Returns the line, and below it a caret at the column. Control characters become question marks.
 std::string excerpt(std::string line, std::size_t column, bool is_colored)
 {
     for (auto& c : line)
         if ((static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f')
             c = '?';
-    // Replaces UTF-8 encoded C1 control characters.
+    // Replaces C1 control characters, which are encoded in UTF-8.
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
         if (line[i] == '\xc2' && static_cast<unsigned char>(line[i + 1]) < 0xa0)
             line[i] = line[i + 1] = '?';
@@ -150,7 +153,7 @@ ErrorStyle error_style()
     char const* const terminal = std::getenv("TERM");
     // NOLINTEND(concurrency-mt-unsafe)
     bool const is_dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
-    // The convention is described at no-color.org.
+    // The convention of NO_COLOR is described at no-color.org.
     bool const refuses = no_color != nullptr && *no_color != '\0';
     return is_dumb || refuses ? ErrorStyle::Excerpt : ErrorStyle::Colored;
 }

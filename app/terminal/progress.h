@@ -17,13 +17,14 @@ public:
     Progress(Progress const&) = delete;
     Progress& operator=(Progress const&) = delete;
 
-    // Starts a stage and ends the one before. `total` is the number of its steps, or 0 if unknown.
+    // Ends the current stage and starts another. `total` is the number of its steps, or 0 if
+    // unknown.
     void begin(std::string stage, std::size_t total = 0);
 
-    // Counts a step of the stage as done.
+    // Counts a step of the current stage as done.
     void step();
 
-    // Ends the last stage.
+    // Ends the current stage.
     void finish();
 
     struct StageTime {

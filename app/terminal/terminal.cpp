@@ -8,7 +8,7 @@
 
 namespace tractus::terminal {
 
-// State that ncurses keeps for the terminal.
+// ncurses's state for the terminal.
 struct Terminal::Screen {
     explicit Screen(SCREEN* opened)
         : curses(opened)

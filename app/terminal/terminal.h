@@ -13,7 +13,8 @@ namespace tractus::terminal {
 // True if standard output is a terminal whose user can press keys.
 bool is_terminal();
 
-// The terminal in full-screen mode; the destructor restores it. At most one can exist at a time.
+// The terminal in full-screen mode. The destructor restores the terminal. At most one object can
+// exist at a time.
 class Terminal {
 public:
     // Fails with a user error if the terminal type ($TERM) is unknown.
@@ -25,10 +26,10 @@ public:
 
     std::size_t width() const;
 
-    // Shows these lines from the top, and `status` in the last line.
+    // Shows `lines` from the top of the screen, and `status` in its last line.
     void show(std::vector<std::string> const& lines, std::string const& status);
 
-    // The next pressed key, or no value if there is none. Does not wait.
+    // Returns the next pressed key, or no value if none is waiting. Does not block.
     std::optional<char> key();
 
 private:

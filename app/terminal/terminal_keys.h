@@ -5,9 +5,9 @@
 
 namespace tractus::terminal {
 
-// Reads single keys from standard input. On a terminal they arrive without Enter and without echo
-// until this object is destroyed; signals such as Ctrl-C keep working. Pipes and files are read by
-// characters.
+// Reads single keys from standard input. Until this object is destroyed, a terminal delivers keys
+// without Enter and without echo; signals such as Ctrl-C keep working. Pipes and files are read
+// character by character.
 class TerminalKeys {
 public:
     TerminalKeys();
@@ -15,15 +15,15 @@ public:
     TerminalKeys(TerminalKeys const&) = delete;
     TerminalKeys& operator=(TerminalKeys const&) = delete;
 
-    // The next key, or no value if none is waiting. Does not wait. After the end of input it keeps
-    // returning '\4'.
+    // Returns the next key, or no value if none is waiting. Does not block. After the end of input,
+    // each call returns '\4'.
     std::optional<char> read();
 
     bool is_terminal() const;
 
 private:
     struct Before;
-    // Settings of the terminal to restore; null if input is not a terminal.
+    // Settings of the terminal before this object changed them; null if input is not a terminal.
     std::unique_ptr<Before> before_;
 };
 

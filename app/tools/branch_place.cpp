@@ -11,11 +11,12 @@ namespace tractus::tools {
 namespace {
 
 constexpr double kFinger_mm = 10;
-// Tolerance along the line of sight: roughly how well a hand hits the branch's height.
+// Maximum distance of a touched branch along the line of sight: a hand does not hit the branch's
+// height more precisely.
 constexpr double kDepth_mm = 30;
 
-// A plant drawn within this distance of the branch keeps its place; a more distant one moves to the
-// branch.
+// A plant whose base was drawn within this distance of the branch stays there; otherwise the plant
+// is moved to the branch.
 constexpr double kJoined_mm = 10;
 
 scene::BuiltPlant const& plant_with(scene::Scene const& scene, scene::ItemId id)
@@ -27,7 +28,7 @@ scene::BuiltPlant const& plant_with(scene::Scene const& scene, scene::ItemId id)
 struct TouchedBranch {
     scene::BuiltPlant const* plant = nullptr;
     SegmentId segment = 0;
-    // True if the touch is closer to the segment's start than to its end.
+    // True if the touched place is closer to the segment's start than to its end.
     bool is_near_begin = false;
     double distance_mm = std::numeric_limits<double>::infinity();
 };
@@ -94,8 +95,8 @@ std::vector<scene::Edit> graft_edits(scene::Scene const& scene, BranchPlace cons
         return parent.rest->addresses.address_of(*parent.base, segment);
     };
     std::vector<scene::Edit> edits;
-    // Stores the document's scale, which so far is the first plant's, as that plant may now become
-    // a part of another.
+    // Stores the scale in the document. Until now it was that of the first plant, which may now
+    // become a part of another plant.
     if (!scene.state.scale)
         edits.push_back(scene::SetScale { parent.placement.scale });
     if (place.hidden)

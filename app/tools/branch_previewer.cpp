@@ -38,18 +38,19 @@ private:
     Reads reads_;
     // Scene for which lay() was last called; shared with the window.
     std::shared_ptr<scene::Scene const> scene_;
-    // Copy of the scene with the tips of all shaping strokes in memory.
+    // Copy of scene_ with the tips of all shaping strokes in memory.
     std::optional<scene::Scene> readable_;
     scene::SceneShaper shaper_;
     std::vector<Vec3> before_mm_;
-    std::vector<Vec3> after_mm_; // Nodes after the stroke; a member so that its memory is reused.
+    // Node positions after the stroke; a member so that its memory is reused.
+    std::vector<Vec3> after_mm_;
 };
 
 void BranchPreviewer::lay(std::shared_ptr<scene::Scene const> scene)
 {
     scene_ = std::move(scene);
     readable_.reset();
-    // The result can be ignored: each stroke was checked when it was drawn.
+    // The result can be ignored: each stroke of the scene was checked when it was drawn.
     (void)shaper_.set_plant(*scene_);
     variation::place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), before_mm_);
 }
@@ -77,7 +78,8 @@ scene::Scene const& BranchPreviewer::readable_scene()
                     auto shaping = plant.strokes[number];
                     auto& tips = shaping.what.stroke.tips;
                     if (auto read = tips.in_memory())
-                        tips = *std::move(read); // If reading fails, the stroke reports the error.
+                        // If reading fails, the finished stroke reports the error.
+                        tips = *std::move(read);
                     plant.strokes.replace(number, std::move(shaping));
                 }
             });

@@ -6,13 +6,13 @@
 
 namespace tractus::tools {
 
-// Preview for tools that reshape branches: shows each branch that the stroke moves, as a whole and
-// in its new place. Each update recomputes only the branches that the stroke touches and their
-// descendants.
+// Creates a preview for tools that reshape branches: it shows each branch that the stroke moves, in
+// full and in its new position. Each update recomputes only the branches that the stroke touches
+// and their descendants.
 std::unique_ptr<StrokePreviewer> branch_previewer();
 
-// Like branch_previewer(), for a tool that needs the tips of all shaping strokes on every update;
-// they are read only once.
+// Like branch_previewer(), but for a tool that reads the tips of the plant's existing strokes on
+// every update. The preview loads these tips into memory once per scene.
 std::unique_ptr<StrokePreviewer> stroke_reading_previewer();
 
 } // namespace tractus::tools

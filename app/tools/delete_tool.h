@@ -4,7 +4,7 @@
 
 namespace tractus::tools {
 
-// Deletes the last stroke of the selected branches.
+// Deletes the newest of the strokes that shape the selected branches.
 struct DeleteTool {
     static ToolKind const kKind;
 };

@@ -11,8 +11,9 @@
 
 namespace tractus::tools {
 
-// The branch that the next stroke shapes. There is one association per stroke, so their number
-// shows which axis is next; the trunk follows the last axis. Empty for a plant without branches.
+// The branch that the next stroke shapes; empty for a plant without branches. Each stroke adds one
+// association, so the number of associations shows which axis is next. After the last axis, drawing
+// starts again with the trunk.
 static std::vector<SegmentId> next_branch(scene::Scene const& scene)
 {
     auto const& order = scene.rest->drawing_order;

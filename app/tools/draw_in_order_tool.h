@@ -5,7 +5,7 @@
 
 namespace tractus::tools {
 
-// Each stroke shapes the next axis in drawing order, starting with the trunk.
+// Each stroke shapes the next axis in the plant's drawing order, starting with the trunk.
 struct DrawInOrderTool {
     static ToolKind const kKind;
 

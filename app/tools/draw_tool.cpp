@@ -25,8 +25,8 @@ constexpr std::array<OptionWord, 3> kFitWords { {
     { "world", "As it lies" },
 } };
 
-// Option words, in the order of the enumeration StrokeLaying. Logs from before the second law
-// existed lack the option.
+// Option words, in the order of the enumeration StrokeLaying. Logs that are older than "heading"
+// lack the option and mean "least_twist".
 constexpr std::array<OptionWord, 2> kLayingWords { {
     { "least_twist", "Least twist" },
     { "heading", "By heading" },

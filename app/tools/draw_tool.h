@@ -5,7 +5,7 @@
 
 namespace tractus::tools {
 
-// Shapes the selected branches like the stroke.
+// Gives the selected branches the shape of the stroke.
 struct DrawTool {
     static ToolKind const kKind;
 
@@ -14,8 +14,8 @@ struct DrawTool {
     variation::StrokeLaying laying = variation::StrokeLaying::HeadingAndPitch;
 };
 
-// Visits the two options that control how a stroke is laid along a branch. The second has no
-// button.
+// Visits the options for how a stroke is laid along a branch: `fit`, whose words are offered as
+// `offered` says, and `laying`, which has no button.
 void visit_laying(OptionVisitor& visitor, WordOption::Offered offered, variation::StrokeFit& fit,
                   variation::StrokeLaying& laying);
 

@@ -33,14 +33,15 @@ void visit(OptionVisitor& visitor, EraseTool& tool)
     visitor.choice({ kErasingWords }, tool.erasing);
 }
 
-// A line up to kSeenAbove_mm above the surface is still visible. The eraser also erases parts of
-// the same stroke down to kEraserDepth_mm below the highest tip under it. This is the eraser's
-// width, so that erasing the top of a vertical stroke does not erase all of it.
+// The eraser touches lines below the surface, and up to kSeenAbove_mm above it, as these are
+// visible. Of a touched stroke it erases the parts down to kEraserDepth_mm below the stroke's
+// highest point under the eraser. This depth is the eraser's width, so that erasing the top of a
+// vertical stroke does not erase all of it.
 constexpr double kSeenAbove_mm = 1;
 constexpr double kEraserDepth_mm = 2 * kRadius_mm;
 
-// Height of a polyline where it passes under the eraser: the highest one that is not above the
-// surface, or no value if the line passes beside the eraser.
+// Finds the greatest height of a polyline under the eraser, ignoring parts that are above the
+// surface; no value if the line passes beside the eraser.
 class UnderEraser {
 public:
     explicit UnderEraser(Vec3 const& eraser_mm)
@@ -82,15 +83,15 @@ std::optional<double> height_under(Vec3 const& eraser_mm,
     return under.height_mm();
 }
 
-// A stroke that can be erased: its index in the scene, its tips (in memory while erasing), and the
-// area in which the eraser can touch it.
+// A stroke that can be erased: its index among the scene's associations, its tips (in memory while
+// erasing), and the area in which the eraser can touch it.
 struct SeenStroke {
     std::size_t number = 0;
     SharedVector<TipSample> tips;
     Eigen::AlignedBox2d reach_mm;
 };
 
-// Strokes visible on the tablet. Fails if the tips of one cannot be read.
+// Strokes visible on the tablet. Fails if the tips of any of these strokes cannot be read.
 Result<std::vector<SeenStroke>> strokes_on_pad(scene::Scene const& scene)
 {
     std::vector<SeenStroke> strokes;
@@ -108,14 +109,14 @@ Result<std::vector<SeenStroke>> strokes_on_pad(scene::Scene const& scene)
     return strokes;
 }
 
-// The items that the eraser has touched: associations by their index in the scene, each with the
-// touched tips, and indices of indicators.
+// What the eraser has touched: associations by their index in the scene, each with a flag for every
+// tip, and indices of indicators.
 struct Touched {
     std::map<std::size_t, std::vector<bool>> associations;
     std::vector<std::size_t> indicators;
 };
 
-// Path of the eraser, sampled so densely that a fast stroke skips nothing.
+// Path of the eraser, sampled so densely that a fast eraser skips nothing.
 std::vector<Vec3> way_of(Stroke const& eraser)
 {
     std::vector<Vec3> way_mm;
@@ -132,7 +133,8 @@ std::vector<Vec3> way_of(Stroke const& eraser)
     return way_mm;
 }
 
-// Marks the stroke's tips under the eraser, where the highest point of its line is at `top_mm`.
+// Marks the tips of a stroke that are under the eraser and at most kEraserDepth_mm below `top_mm`,
+// the height of the stroke's highest point there.
 void touch_tips(Vec3 const& eraser_mm, double top_mm, std::vector<TipSample> const& tips,
                 std::vector<bool>& touched)
 {
@@ -147,9 +149,9 @@ void touch_tips(Vec3 const& eraser_mm, double top_mm, std::vector<TipSample> con
     }
 }
 
-// Erases only the topmost of several lines above each other, like ink on paper, however long the
-// eraser stays. A stroke that shapes several branches is in the scene once for each; all copies
-// lose the same tips.
+// Marks what the eraser touches at one place: of several lines above each other, only the topmost,
+// like ink on paper, however long the eraser stays. A stroke that shapes several branches is in the
+// scene once for each branch; all these copies lose the same tips.
 void touch(Vec3 const& eraser_mm, scene::Scene const& scene, std::span<SeenStroke const> strokes,
            Touched& touched)
 {
@@ -192,8 +194,9 @@ std::vector<TipRange> ranges_of(std::vector<bool> const& touched)
     return ranges;
 }
 
-// True if the remainder of an association's stroke still shapes its branches. Pieces smaller than
-// the eraser do not count: they were not left on purpose, and their direction is random.
+// True if the stroke of an association still shapes its branches without the tips in `ranges`. A
+// remainder shorter than the eraser's radius does not count: it was not left on purpose, and its
+// direction is random.
 Result<bool> shapes_without(scene::Scene const& scene, variation::Association association,
                             std::span<TipRange const> ranges)
 {
@@ -208,8 +211,8 @@ Result<bool> shapes_without(scene::Scene const& scene, variation::Association as
     return variation::check_association(*scene.base, association).has_value();
 }
 
-// Edits for the touched strokes: one for all that lose the same tips, then one for those that are
-// deleted.
+// Edits for the touched strokes: first an edit for each group of strokes that lose the same tips,
+// then one edit that deletes the strokes to be erased whole.
 Result<std::vector<scene::Edit>>
 stroke_edits_of(Touched const& touched, EraseTool::EraseExtent erasing, scene::Scene const& scene)
 {
@@ -220,7 +223,7 @@ stroke_edits_of(Touched const& touched, EraseTool::EraseExtent erasing, scene::S
         auto const id = scene.associations[number].id;
         if (erasing == EraseTool::EraseExtent::Whole) {
             whole.strokes.ids.push_back(id);
-        } else if (ranges.empty()) { // No tip to remove: the eraser touched between two tips.
+        } else if (ranges.empty()) { // The eraser passed between two tips, so no tip is erased.
             continue;
         } else if (!TRY(shapes_without(scene, scene.associations[number].what, ranges))) {
             whole.strokes.ids.push_back(id);

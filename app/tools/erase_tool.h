@@ -4,12 +4,12 @@
 
 namespace tractus::tools {
 
-// Erases strokes and indicators, or parts of strokes, that the eraser crosses as they are shown on
-// the tablet.
+// Erases strokes and indicators that the eraser crosses as seen on the tablet, or only the crossed
+// parts of strokes.
 struct EraseTool {
     static ToolKind const kKind;
 
-    // Radius of the eraser around its path.
+    // Radius of the eraser around the path of its stroke.
     static constexpr double kRadius_mm = 4;
 
     // How much of a stroke is erased. Indicators are always erased whole.

@@ -20,15 +20,15 @@ struct LayerStyle {
 };
 
 // Lines shown with the active plant, on the tablet and with the skeleton: drawn for the plant, or
-// inferred from the drawing. Layers are entries of a list; views do not know any by name.
+// inferred from the drawing. Views show the layers of a list and know none of them by name.
 struct Layer {
     char const* label; // Name in the skeleton's legend, in lower case: "leaning".
     LayerStyle style {};
     // Returns the lines, each of at least two points, in the world frame. Called when the plant has
     // changed.
     std::vector<std::vector<Vec3f>> (*lines)(scene::BuiltPlant const& plant);
-    // When the layer is visible: always, for some seconds after a change, or only while the current
-    // tool asks for it.
+    // When the layer is visible: always, for some seconds after its lines have changed, or only
+    // while the current tool asks for it.
     enum class Seen { Always, AWhile, WhenAskedFor } seen = Seen::Always;
     // True while the current tool asks for the layer. Null: never.
     bool (*is_asked_for)(Tool const& in_hand) = nullptr;

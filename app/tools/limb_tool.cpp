@@ -18,10 +18,10 @@ namespace tractus::tools {
 
 namespace {
 
-// Maximum distance of a limb's start from a branch, as a share of the plant's height.
+// Maximum distance of a limb's start from a branch's bark, as a share of the plant's height.
 constexpr double kLimbReach = 0.25;
 
-// Maximum distance of an erasing touch from the limb: horizontal, and vertical.
+// Maximum distance of an erasing touch from the limb, horizontally and vertically.
 constexpr double kBesideLimb_mm = 10;
 constexpr double kAboveLimb_mm = 30;
 
@@ -45,7 +45,7 @@ struct AxisPoint {
     double distance_mm = std::numeric_limits<double>::infinity();
 };
 
-// Distance of the given place (see AxisPoint) from the bark; negative inside the wood.
+// Distance of a place from the bark, if `point` is the nearest AxisPoint; negative inside the wood.
 double off_wood_mm(scene::BuiltPlant const& plant, AxisPoint const& point)
 {
     auto const node = nodes_of(*plant.base, point.segment);
@@ -65,7 +65,7 @@ AxisPoint point_of(BentPlant const& bent, SegmentId segment, Vec3 const& near_mm
     return { segment, share, place_mm, (place_mm - near_mm).norm() };
 }
 
-// The axis point of the plant whose bark is nearest to a place. The plant has at least one segment.
+// Of all axis points, the one whose bark is nearest to `near_mm`. The plant must have a segment.
 AxisPoint nearest_wood(scene::BuiltPlant const& plant, BentPlant const& bent, Vec3 const& near_mm)
 {
     AxisPoint nearest;
@@ -126,7 +126,7 @@ scene::BuiltPlant const& plant_with_limb(scene::Scene const& scene, scene::DrawL
     return *scene.plants[*scene::find_plant(scene.state, limb.plant)];
 }
 
-// Shows the limb with its twigs while it is drawn.
+// Previews the limb, with its twigs, while the user draws it.
 class LimbPreviewer final : public StrokePreviewer {
 public:
     std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
@@ -184,7 +184,7 @@ private:
         return lines;
     }
 
-    // Shared with the document, which may continue with a newer scene.
+    // Scene for which limb_ was found; shared with the document, which may go on to a newer scene.
     std::shared_ptr<scene::Scene const> scene_;
     Vec3 begin_mm_ = Vec3::Zero();
     double thickness_ = 0;

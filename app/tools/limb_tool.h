@@ -5,16 +5,16 @@
 
 namespace tractus::tools {
 
-// A stroke that begins on a branch, or in the air near one, becomes a new limb of the plant.
+// Turns a stroke that begins on a branch, or in the air near one, into a new limb of the plant.
 struct LimbTool {
     static ToolKind const kKind;
 
     enum class Does {
         Draw,
-        Erase, // Erases the touched limb, if it was drawn.
+        Erase, // Erases the touched limb, if it was drawn with this tool.
     } does
         = Does::Draw;
-    double thickness = 1; // Thickness of the limb divided by the width of the ink.
+    double thickness = 1; // Thickness of the limb as a multiple of the ink's width.
 };
 
 // Returns the limb that a stroke draws. It is joined to the nearest branch of all visible plants,

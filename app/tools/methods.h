@@ -17,12 +17,13 @@ namespace tractus::tools {
 
 struct Methods;
 
-// Adds a subcommand to the command line. Its callback sets the action to run.
+// Adds a subcommand to the command line. When parsed, the subcommand stores in `action` what to
+// run.
 using AddCommand
     = void (*)(CLI::App& root, std::function<Result<void>()>& action, Methods const& methods);
 
-// Everything the sketching methods contribute to the program. Created at startup and passed down;
-// what the lists refer to lives as long as the program.
+// Everything the sketching methods contribute to the program. Created at startup and passed down.
+// The lists refer to objects that live as long as the program.
 struct Methods {
     scene::EditKinds edits {};
     ToolKinds tools {};

@@ -4,7 +4,7 @@
 
 namespace tractus::tools {
 
-// Redraws a part of the newest stroke of the selected branches.
+// Redraws a part of the newest of the strokes that shape the selected branches.
 struct OversketchTool {
     static ToolKind const kKind;
 };

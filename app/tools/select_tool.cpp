@@ -75,7 +75,8 @@ bool selects_path(Tool const& tool)
         || selecting == SelectionMode::Take;
 }
 
-// Options of the pen's other end: over the skeleton there is nothing to erase, so it deselects.
+// Options of the tool at the pen's other end. The skeleton's picture has nothing to erase, so that
+// end deselects.
 std::shared_ptr<void> taking()
 {
     return std::make_shared<SelectTool>(SelectTool { SelectionMode::Take });

@@ -10,7 +10,7 @@ namespace tractus::tools {
 // none.
 Result<scene::Items> selected_strokes(scene::Scene const& scene);
 
-// The newest stroke that shapes the selected branches. Fails like selected_strokes().
+// The newest stroke that shapes the selected branches. Fails with a user error if there is none.
 Result<scene::Items> newest_selected_stroke(scene::Scene const& scene);
 
 } // namespace tractus::tools

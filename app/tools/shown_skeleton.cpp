@@ -10,8 +10,8 @@ namespace tractus::tools {
 // a hand.
 static constexpr variation::PickOptions kPick { .line_half_width = 0.4, .finger = 2.5 };
 
-// The parts of a bent plant that picking needs. Strokes were checked when they were drawn; if one
-// cannot be read now, the plant stays at rest.
+// The parts of a bent plant that picking needs. Each stroke was checked when it was drawn; if a
+// stroke cannot be read now, the plant stays at rest.
 static Plant bent_skeleton(scene::BuiltPlant const& plant)
 {
     Plant bent;

@@ -14,23 +14,24 @@
 
 namespace tractus::tools {
 
-// A plant's skeleton as shown by the selection view on the tablet, for interpreting strokes over
-// it. World frame: x and y of tips are millimetres of the tablet.
+// A plant's skeleton as the selection view shows it on the tablet, for interpreting strokes drawn
+// over it. Strokes are in the world frame: x and y of a tip are millimetres on the tablet.
 class ShownSkeleton {
 public:
-    // Shows the plant at rest, even if the angle asks for the bent plant.
+    // Shows the plant at rest, regardless of `angle.shape`.
     explicit ShownSkeleton(Plant const& plant, scene::SelectionAngle const& angle = {});
 
-    // Shows the plant at rest or as bent by its strokes, depending on the angle.
+    // Shows the plant at rest or as bent by its strokes, as `angle.shape` says.
     ShownSkeleton(scene::BuiltPlant const& plant, scene::SelectionAngle const& angle);
 
-    // The paths that a stroke selects. Fails with a user error if it touches no branch.
+    // The paths of branches that a stroke selects. Fails with a user error if the stroke touches no
+    // branch.
     Result<variation::Selection> paths_under(Stroke const& stroke) const;
 
-    // The segment under a tip. Fails with a user error if there is none.
+    // The segment under a tip. Fails with a user error if the tip is beside the skeleton.
     Result<SegmentId> segment_under(TipSample const& tip) const;
 
-    // What an unfinished stroke has selected so far.
+    // The segments that an unfinished stroke has touched so far.
     struct Touched {
         std::vector<SegmentId> selected {};
         // Touched segments that the finished stroke may or may not select.

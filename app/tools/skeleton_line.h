@@ -6,15 +6,15 @@
 
 namespace tractus::tools {
 
-// A piece of a plant's skeleton with a single state: an axis or part of one. In the frame of the
-// active plant.
+// A line of a plant's skeleton whose branch is in a single state: an axis or a part of one. In the
+// frame of the active plant.
 struct SkeletonLine {
     enum class State {
         Unselected,
         Undetermined, // Touched; the finished stroke may or may not select it.
         Selected,
         Assigned, // Shaped by a stroke.
-        Next,     // About to be shaped by the next stroke.
+        Next,     // Will be shaped by the next stroke.
         Other,    // Belongs to a plant that is not active.
     };
 

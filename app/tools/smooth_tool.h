@@ -4,7 +4,7 @@
 
 namespace tractus::tools {
 
-// Smooths the strokes of the selected branches, removing the hand's tremor.
+// Smooths the strokes that shape the selected branches, removing the hand's tremor.
 struct SmoothTool {
     static ToolKind const kKind;
 };

@@ -19,7 +19,7 @@ struct UnfinishedStroke {
     std::shared_ptr<scene::Scene const> scene; // Immutable; shared with the window.
     Tool const& tool;
     std::span<TipSample const> ink;
-    std::uint32_t orders = 0; // Only branches of orders below this are shown.
+    std::uint32_t orders = 0; // Only branches of an order below this number are shown.
 };
 
 // Previews what a stroke would do if it ended now. It may cache data between calls.
@@ -27,11 +27,11 @@ class StrokePreviewer {
 public:
     virtual ~StrokePreviewer() = default;
 
-    // Lines of the preview; empty for a stroke that would be refused.
+    // Lines of the preview; empty if the tool would refuse the stroke.
     virtual std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) = 0;
 
-    // A sentence for the user about the last preview, for example on what it leaves out; may be
-    // empty.
+    // A sentence for the user about the last preview, for example on what the preview leaves out;
+    // may be empty.
     virtual std::string note() const { return {}; }
 };
 

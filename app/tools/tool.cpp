@@ -97,7 +97,7 @@ public:
     }
     void number(NumberOption const&, double&) override { }
 
-    // Side effect of the word that was set; null if it has none.
+    // Side effect of the option that was set; null if it has none.
     auto goes_with() const { return goes_with_; }
 
 private:
@@ -156,7 +156,7 @@ private:
     std::vector<std::string> known_;
 };
 
-// Writes a log's words for all options that differ from their defaults.
+// Writes the words by which a log gives all options that differ from their defaults.
 class ArgumentWriter final : public OptionVisitor {
 public:
     explicit ArgumentWriter(std::vector<double> plain)
@@ -383,8 +383,7 @@ ToolKind const* find_tool_kind(ToolKinds kinds, std::string_view word)
     return found == kinds.end() ? nullptr : *found;
 }
 
-// This may differ from the tool that a user selects, if the kind has gained options that older logs
-// lack.
+// Tool(kind) may differ from this tool if the kind has options that older logs lack.
 Tool default_tool_of_kind(ToolKind const& kind)
 {
     FirstWords first;

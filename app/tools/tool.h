@@ -16,15 +16,16 @@
 namespace tractus::tools {
 
 // The pen's current tool: a kind and its options. A value type: copies share the options, which are
-// immutable. A log's T lines contain it as a word and, for some tools, further words.
+// immutable. A tool line ("T") of a log gives the kind's word and, if options differ from their
+// defaults, words for these.
 class Tool {
 public:
-    // An unknown tool, for a log made by another program with more tools; its strokes are refused.
+    // An unknown tool, for a log made by a program with more tools; the tool's strokes are refused.
     Tool();
 
     explicit Tool(ToolKind const& kind); // A tool of this kind with default options.
 
-    // `options` must point to the type that belongs to the kind.
+    // `options` must point to options of the type that belongs to the kind.
     Tool(ToolKind const& kind, std::shared_ptr<void const> options)
         : kind_(&kind)
         , options_(std::move(options))
@@ -40,7 +41,7 @@ public:
 
     ToolKind const& kind() const { return *kind_; }
 
-    // The options, or null for a tool of another kind.
+    // The tool's options if its kind is T::kKind, otherwise null.
     template<ToolFields T> T const* get() const
     {
         return kind_ == &T::kKind ? static_cast<T const*>(options_.get()) : nullptr;
@@ -51,23 +52,25 @@ public:
 
     // A copy whose options the visitor has changed.
     Tool changed_by(OptionVisitor& visitor) const;
-    // A copy changed by a function for options of its kind (WordOption::goes_with).
+    // A copy whose options `change` has changed, for example a WordOption::goes_with.
     Tool changed_by(void (*change)(void* options)) const;
 
-    // The gizmo of the tool's options, and the tool after the user has dragged or pressed one of
-    // its handles (gizmo.h). Only for kinds with a gizmo.
+    // gizmo() shows the tool's options. dragged() returns the tool after the user has moved the
+    // gizmo's handle with the id `handle` to the place `to`, or has pressed it (gizmo.h). Only for
+    // kinds with a gizmo.
     Gizmo gizmo() const;
     Tool dragged(std::size_t handle, Vec2 const& to) const;
 
-    // True if the tool acts at once, without a stroke, and leaves the current tool selected; "now"
-    // in logs.
+    // True if the tool acts at once, without a stroke, and leaves the current tool selected. Logs
+    // then contain the word "now".
     bool is_done_at_once() const { return at_once_; }
     bool needs_no_stroke() const;
     Tool done_at_once() const;
 
-    // View direction of the skeleton under the pen, for a tool that works on it. In logs: "view="
-    // and seven numbers separated by commas: azimuth, elevation, zoom, shift in x and y, width and
-    // depth of the area; and "bent" if the skeleton is shown as strokes have bent it.
+    // View of the skeleton over which the tool's strokes are drawn, for kinds with
+    // Surface::Skeleton. In logs: "view=" and seven numbers separated by commas: azimuth,
+    // elevation, zoom, shift in x and y, width and depth of the area; and "bent" if the skeleton is
+    // shown as bent by strokes.
     scene::SelectionAngle const& angle() const { return angle_; }
     Tool seen_from(scene::SelectionAngle const& angle) const;
 
@@ -97,7 +100,7 @@ struct WordSetting {
 };
 std::vector<WordSetting> word_settings(Tool const& tool);
 
-// The tool with its word option `option` (an index) set to word number `value`.
+// The tool with the word option of index `option` set to the word of index `value`.
 Tool with_word(Tool const& tool, std::size_t option, int value);
 
 // One of a tool's number options, and its value.
@@ -108,19 +111,21 @@ struct NumberSetting {
 std::vector<NumberSetting> number_settings(Tool const& tool);
 Tool with_number(Tool const& tool, std::size_t option, double value);
 
-// Parses an option's number, typed by the user or read from a log. No value if the text is not a
-// number or is out of range.
+// Parses the number of an option, typed by the user or read from a log. Returns no value if the
+// text is not a number or is out of the option's range.
 std::optional<double> read_number(NumberOption const& option, std::string_view text);
 
 // Makes a tool from the words of a log or a script. Fails with a user error that lists the
 // available tools or arguments.
 Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view arguments);
 
-// The tool that a log means by the kind's word alone, or by having no tool lines.
+// The tool that a log means if it gives no words after the kind's word: each option has its
+// default.
 Tool default_tool_of_kind(ToolKind const& kind);
 
-// Adds to `arguments` (which must be valid for parse_tool()) the words that make the tool equal to
-// the one a user selects now: those of options without a button, unless they are given.
+// Adds words to `arguments` (which must be valid for parse_tool()), so that the parsed tool equals
+// one that a user selects now. The added words set the options without a button that `arguments`
+// does not set.
 std::string words_of_selected_tool(ToolKinds kinds, std::string_view name,
                                    std::string_view arguments);
 
@@ -131,7 +136,7 @@ struct ToolWords {
 };
 ToolWords words_for(Tool const& tool);
 
-// A finished stroke and its tool; without tips, an action of a tool that needs no stroke.
+// A finished stroke and its tool. Without tips: an action of a tool that needs no stroke.
 struct ToolStroke {
     Stroke stroke;
     Tool tool;

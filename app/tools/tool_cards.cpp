@@ -13,7 +13,7 @@ bool is_of_cards(WordOption const& option)
     return option.offered == WordOption::Offered::Cards;
 }
 
-// Collects everything a preset sets, in order.
+// Collects the values of all options that a preset sets, in order.
 class CardReader final : public OptionVisitor {
 public:
     void word(WordOption const& option, int& value) override

@@ -28,7 +28,7 @@ bool has_method(ToolKind const& kind)
     return *kind.method != 0;
 }
 
-// The first kind of the same method, possibly `kind` itself.
+// The first kind of the group and method of `kind`, possibly `kind` itself.
 ToolKind const& first_of_method(ToolKinds kinds, ToolKind const& kind)
 {
     return **std::find_if(kinds.begin(), kinds.end(),
@@ -52,7 +52,7 @@ public:
     {
     }
 
-    // Adds the group's methods, if it has several.
+    // Adds the buttons of the group's methods, if it has several.
     void add_methods(ToolKinds kinds, std::span<Tool const> remembered);
     void add_kind(ToolKind const& kind);
     std::vector<Meaning> take() { return std::move(meanings_); }
@@ -149,8 +149,8 @@ void Meanings::add_next_word(Tool const& tool, WordSetting const& chosen, std::s
     meanings_.back().is_beside_gizmo = option.offered == WordOption::Offered::BesideGizmo;
 }
 
-// Adds the button that opens the presets; its text contains the preset that exactly matches the
-// current tool.
+// Adds the button that opens the presets. The button's text names the preset that exactly matches
+// the current tool, if there is one.
 void Meanings::add_cards(WordSetting const& chosen)
 {
     auto const ready = ready_cards(hand_)[static_cast<std::size_t>(chosen.value)];
@@ -187,7 +187,7 @@ Tool newly_selected_tool(ToolKind const& kind, std::span<Tool const> remembered)
     return found == remembered.end() ? Tool(kind) : *found;
 }
 
-// The tool of this kind that made the active plant; no value if another one did.
+// The tool of this kind that made the active plant; no value if the plant was made in another way.
 static std::optional<Tool> tool_that_made(ToolKind const& kind, scene::Scene const& scene)
 {
     auto const* const plant = scene::active_plant(scene.state);

@@ -26,7 +26,7 @@ struct ToolKind;
 enum class Surface {
     Space,    // The volume above the desk, seen through the tablet.
     Paper,    // A plane in the volume above the desk.
-    Skeleton, // The skeleton's picture, in the view direction that the tool stores.
+    Skeleton, // The skeleton's picture, in the view Tool::angle().
     Plant,    // The plant's picture.
 };
 
@@ -41,16 +41,17 @@ struct InkStyle {
     double width_mm = 0; // Width of the ink; 0: follows the pressure.
 };
 
-// The tool of the pen's other end.
+// The tool at the pen's other end, used while the tip has a tool of some kind.
 struct OtherEnd {
-    ToolKind const* kind = nullptr; // Kind of the other end's tool; null: the tip's kind.
-    // Creates the options of the other end's tool. Null: it keeps the options it had last.
+    // Kind of the tool at the other end; null: the same as at the tip.
+    ToolKind const* kind = nullptr;
+    // Creates the options of the tool at the other end. Null: it keeps the options it last had.
     std::shared_ptr<void> (*options)() = nullptr;
 };
 
-// Everything the program knows about a kind of tool: a row of the table of tools. Logs, tool ring,
-// tool bar, keys, completion and the manual work from it and know no tool by name. Its functions
-// are called once per stroke or frame.
+// Everything the program knows about a kind of tool. Logs, tool ring, tool bar, keys, completion
+// and the manual are made from the list of all kinds (ToolKinds) and know no tool by name. The
+// functions of a kind are called at most once per stroke or frame.
 struct ToolKind {
     char const* word;  // Name in logs, such as "draw". Never changes.
     char const* label; // Text of the tool's button, if it has one of its own.
@@ -58,16 +59,17 @@ struct ToolKind {
     char const* done;  // Message after a stroke was drawn.
     char const* help;  // What the tool does, in one line of the manual.
     char const* group; // Text of the button in bar and ring that leads to all kinds of the group.
-    // In a group of several methods: the button, at the beginning of the group's row, that leads to
-    // the kinds of this method. While a kind of this method is selected, buttons of other methods'
-    // kinds are hidden.
+    // Text of the button that leads to the kinds of this method, at the beginning of the group's
+    // row of buttons; empty in a group without methods. While a kind of one method is selected,
+    // buttons for kinds of other methods are hidden.
     char const* method = "";
     // Icon of the group's button, if this is the group's first kind: polylines separated by spaces.
     // Each point is two digits, column and row on a grid from 00 (upper left) to 99.
     char const* icon = "";
-    char key = 0;                         // Key that selects the tool, a capital letter; 0: none.
-    bool begins_group_of_buttons = false; // Starts a group among the buttons of its tool group.
-    bool at_once = false;                 // Needs no stroke: pressing the tool's button is enough.
+    char key = 0; // Key that selects the tool, a capital letter; 0: none.
+    // The kind's buttons start a new block in the row of its group.
+    bool begins_group_of_buttons = false;
+    bool at_once = false; // The kind needs no stroke: pressing its button is enough.
     Surface surface = Surface::Space;
     // Least extent of a stroke, in mm on the desk; a shorter one is a slip of the hand and does
     // nothing. 0 if a mere touch has a meaning. The user can change it (min_extent.h).
@@ -111,7 +113,7 @@ struct ToolKind {
         = nullptr;
     // True if the branches crossed by an unfinished stroke are highlighted. Null: never.
     bool (*marks_branches)(Tool const& tool) = nullptr;
-    // The branch that the next stroke shapes. Null: the selected branches.
+    // The branch that the next stroke shapes. Null: strokes shape the selected branches.
     std::vector<SegmentId> (*aims_at)(scene::Scene const& scene) = nullptr;
     OtherEnd other_end {};
 };

@@ -5,35 +5,39 @@
 
 namespace tractus::tools {
 
-// One of the words that a tool's option can have.
+// One of the words among which the user chooses the value of a WordOption.
 struct OptionWord {
     char const* word;  // Name in logs: never changes, and is unique among the tool's options.
     char const* label; // Text on the word's button.
-    // Title of the tool with this word, if it differs from its kind's title.
+    // Title of the tool while this word is chosen, if it differs from the kind's title.
     char const* title = nullptr;
-    // Needs no stroke: pressing its button acts at once, and the current tool stays selected.
+    // The word needs no stroke: pressing its button acts at once, and the current tool stays
+    // selected.
     bool at_once = false;
 };
 
-// An option with one of several words. The first is the default, used if none is given.
+// An option whose value is one of several words. In logs, the first word is meant if none is given.
 struct WordOption {
     std::span<OptionWord const> words;
     enum class Offered {
-        Always, // The words have buttons whenever a tool of the group is selected.
-        // The words have buttons while the tool itself is selected. Otherwise one button has the
-        // kind's label, unless another option is offered Always.
+        // All words have buttons whenever any tool of the kind's group and method is selected.
+        Always,
+        // The words have buttons while a tool of this kind is selected. Otherwise a single button
+        // has the kind's label, unless another option of the kind is offered Always.
         InHand,
-        BesideLabel, // Like InHand, but the button with the kind's label stays beside them.
+        BesideLabel, // Like InHand, but there is always also a button with the kind's label.
         InTurn,      // Like InHand, but one button cycles through all words: "Surface: in space".
-        BesideGizmo, // The option's words have buttons while the kind's gizmo is visible.
-        Never, // No buttons: decides how new strokes are interpreted, because older logs differ.
+        BesideGizmo, // Like InTurn, but only while the kind's gizmo is visible.
+        // No button. New tools have the current word, while old logs lack the option and mean the
+        // first word.
+        Never,
         // A button such as "Rule: Opposite" opens the words as cards, beside the user's own presets
         // (tool_cards.h).
         Cards,
     } offered
         = Offered::Always;
     // Side effect of choosing a word: sets other options of the tool, which logs then contain.
-    // Null: none.
+    // Null: no side effect.
     void (*goes_with)(void* options) = nullptr;
     char const* label = ""; // Start of the button's text, if one button stands for all words.
 };
@@ -42,29 +46,30 @@ struct WordOption {
 struct NumberOption {
     char const* name;
     char const* unit; // Unit for the user, such as "mm"; empty for a count or a share.
-    double least;     // Least value; numbers out of range are refused.
+    double least;     // Least value; values outside the range are refused.
     double greatest;
     double step;                 // Step of the minus and plus buttons.
     char const* label = nullptr; // Text on the option's button; null: `name`.
     enum class Offered {
-        Always,       // The option always has a button.
+        Always,       // The option has a button whenever its tool is selected.
         WithoutGizmo, // The option has a button only while the gizmo that also sets it is hidden.
         OnGizmo,      // The option is set by the gizmo only.
     } offered
         = Offered::Always;
 };
 
-// Visits a tool's options in order. A tool lists its options once, in a function that passes them
-// to a visitor; words in logs, equality, buttons, completion and the manual are derived from that.
+// Visits a tool's options in order. Each kind of tool lists its options once, in a function that
+// passes them to a visitor. Words in logs, equality, buttons, completion and the manual are derived
+// from that.
 class OptionVisitor {
 public:
     virtual ~OptionVisitor() = default;
 
-    // `value` is the index of the word.
+    // `value` is the index of the chosen word in `option.words`.
     virtual void word(WordOption const& option, int& value) = 0;
     virtual void number(NumberOption const& option, double& value) = 0;
 
-    // Visits an enumeration whose values are in the order of the words.
+    // Visits a word option stored as an enumeration, whose values are in the order of the words.
     template<typename Enum> void choice(WordOption const& option, Enum& value)
     {
         int number = static_cast<int>(value);
@@ -73,7 +78,7 @@ public:
     }
 };
 
-// Operations on the options of a kind of tool, whose type only its own file knows.
+// Operations on the options of a kind of tool. Only the kind's own file knows the options' type.
 struct OptionsType {
     std::shared_ptr<void> (*make)(); // Creates default options.
     std::shared_ptr<void> (*copy)(void const* options);

@@ -8,8 +8,8 @@ namespace tractus::tools {
 
 namespace {
 
-// Lists the possible values of each option: the words except the default, or a name and a range.
-// Options that the user never chooses are left out.
+// Lists the values that each option can have: for a word option, all words except the default; for
+// a number option, its name and range. Options that users never choose are left out.
 class OptionLister final : public OptionVisitor {
 public:
     void word(WordOption const& option, int&) override

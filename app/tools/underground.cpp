@@ -11,7 +11,8 @@ namespace tractus::tools {
 
 namespace {
 
-// The base plant as bent by strokes. Only its nodes are moved, as the rest is not used.
+// Copy of the base plant whose nodes are moved as strokes have bent them; all else is left at rest,
+// because the callers do not use it.
 Plant bent_copy(scene::BuiltPlant const& plant)
 {
     Plant bent = *plant.base;

@@ -20,7 +20,8 @@ bool is_keyed(SegmentAddress const& address)
     return address.size() >= 4 && address[0] == kKeyedAxis;
 }
 
-// Describes a place. `keyed` is appended to "a branch" if the address begins with a keyed axis.
+// Describes a place on a plant. `keyed` is inserted after "a branch" if the address begins with an
+// axis that is addressed by a key.
 std::string words_of(SegmentAddress const& address, char const* keyed)
 {
     std::string words;

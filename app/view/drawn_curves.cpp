@@ -15,7 +15,7 @@ namespace tractus::view {
 
 namespace {
 
-constexpr float kCurveWidth_mm = 2.2f; // Width of curves that have no pressure.
+constexpr float kCurveWidth_mm = 2.2f; // Width of curves for which no pressure is known.
 
 std::string propagation_in_words(variation::Propagation propagation)
 {
@@ -38,7 +38,8 @@ std::string stroke_name(variation::Propagation propagation, std::vector<PathAddr
                        propagation_in_words(propagation));
 }
 
-// Curves of the strokes that shape branches. The associations of one stroke are consecutive.
+// Returns the curves of the strokes that shape branches. Associations of the same stroke are
+// consecutive, so they are merged into one curve.
 std::vector<DrawnCurveView> stroke_curves(scene::Scene const& scene, CachedInk const& ink)
 {
     std::unordered_map<void const*, std::size_t> line_of;
@@ -63,7 +64,7 @@ std::vector<DrawnCurveView> stroke_curves(scene::Scene const& scene, CachedInk c
     return curves;
 }
 
-// Curves of the strokes that became limbs, where these limbs are now on the plant.
+// Returns the curves of the strokes that became limbs, at the limbs' present places on the plant.
 std::vector<DrawnCurveView> limb_curves(scene::Scene const& scene)
 {
     auto const limbs = scene::limb_segments(scene);

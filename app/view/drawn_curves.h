@@ -10,16 +10,17 @@
 
 namespace tractus::view {
 
-// Ink that is kept for strokes, so that their tips need not be read again: `lines` has an element
-// for each of `strokes`.
+// Ink of strokes, kept so that their tips need not be read again. lines[i] is the ink of
+// strokes[i].
 struct CachedInk {
     std::span<SharedVector<TipSample> const> strokes;
     std::span<InkLine const> lines;
 };
 
-// Returns the curves of the scene's active plant in the order in which they were drawn: the strokes
-// that shape its branches (shaping_numbers()), each once, those of its limbs, and those of the
-// lists. Strokes without ink are left out, and limbs that the plant does not have at present.
+// Returns the curves that the user drew for the scene's active plant, in the order in which they
+// were drawn: strokes that shape its branches (shaping_numbers()), each once; its limbs; and the
+// curves of `lists`. Strokes without ink and limbs that the plant does not have at present are left
+// out.
 std::vector<DrawnCurveView> drawn_curves(scene::Scene const& scene, CachedInk const& ink,
                                          tools::DrawnCurveLists lists);
 

@@ -9,14 +9,14 @@ namespace tractus::view {
 
 namespace {
 
-// Position and width of a point as one vector; simplification may change neither by more than the
-// tolerance.
+// Returns a point's position and width as one vector, so that one tolerance limits the change of
+// both.
 Eigen::Vector4f dot(InkLine::Point const& point)
 {
     return { point.position_mm.x(), point.position_mm.y(), point.position_mm.z(), point.width_mm };
 }
 
-// True if the straight line between two points passes all points between them within the tolerance.
+// True if the straight line between two points passes all points between them within kThinned_mm.
 bool is_straight(std::vector<InkLine::Point> const& points, std::size_t first, std::size_t last)
 {
     auto const start = dot(points[first]);
@@ -31,9 +31,9 @@ bool is_straight(std::vector<InkLine::Point> const& points, std::size_t first, s
     return true;
 }
 
-// Returns the index of the farthest point that one straight line from `first` can reach; `first` is
-// not the last point. Searches with strides that double and then halve: testing every point of a
-// long stroke would be quadratic.
+// Returns the index of the farthest point that one straight line from `first` can reach. `first`
+// must not be the last point. The search uses strides that double and then halve: testing every
+// point of a long stroke would take quadratic time.
 std::size_t straight_until(std::vector<InkLine::Point> const& points, std::size_t first)
 {
     auto last = first + 1;
@@ -75,7 +75,7 @@ InkLine thinned(InkLine const& line)
         i = straight_until(line.points, i);
         thin.points.push_back(line.points[i]);
     }
-    thin.points.shrink_to_fit(); // Frees unused memory, as the line is kept for hours.
+    thin.points.shrink_to_fit(); // The line is kept for hours, so unused memory is freed.
     return thin;
 }
 

@@ -7,10 +7,10 @@
 
 namespace tractus::view {
 
-// The strokes and indicators of a scene whose branch no longer exists, in order.
+// Returns the strokes and indicators of a scene whose branch no longer exists, in order.
 std::vector<OrphanView> orphans_of(scene::Scene const& scene);
 
-// The edits that remove all orphans of a scene.
+// Returns the edits that remove all orphans (see orphans_of()) of a scene.
 std::vector<scene::Edit> edits_without_orphans(scene::Scene const& scene);
 
 } // namespace tractus::view

@@ -24,7 +24,7 @@ struct Growing {
 
     variation::GrowthPlan plan;
     variation::Grower grower { plan };
-    Plant bent {}; // Last result of grow() with growth along the ground.
+    Plant bent {}; // Last result of grow() with `along_ground`.
 
     // Grows the plant. The result is unusable once `stop` has been requested.
     Plant const& grow(std::uint64_t seed, double age, bool along_ground,
@@ -39,7 +39,7 @@ struct Growing {
     }
 };
 
-// Plans the growth of a plant. Null once `stop` has been requested.
+// Plans the growth of a plant. The result is null once `stop` has been requested.
 Result<std::unique_ptr<Growing>> growing(scene::BuiltPlant const& built,
                                          scene::SetGrowth const& growth, scene::SceneShaper& shaper,
                                          std::stop_token const& stop)
@@ -71,7 +71,7 @@ GrownUnderground underground_of(Plant const& plant, Plant const& base,
 
 } // namespace
 
-// Grows the plants of successive scenes; unchanged plants are reused.
+// Grows the plants of successive scenes. Plants that have not changed are not grown again.
 class PlantGrower::SceneGrower {
 public:
     Result<GrownPlants> grow(PlantRequest const& wanted, std::stop_token const& stop)
@@ -94,7 +94,7 @@ public:
                 = scene.placement.plant_of_world(plant->placement.world_of_plant(Vec3::Zero()));
             mesh::append_mesh(grown.mesh, other.mesh, moved_mm.cast<float>());
         }
-        // After an aborted run the list is incomplete and must not be reused.
+        // If the run was stopped, `still_there` is incomplete and must not be reused.
         if (!stop.stop_requested())
             others_ = std::move(still_there);
         else
@@ -104,7 +104,7 @@ public:
 
 private:
     struct Other {
-        // The plant from which `mesh` was made; shared with the scenes that contain it.
+        // The plant from which `mesh` was made. Shared with the scenes that contain it.
         std::shared_ptr<scene::BuiltPlant const> plant;
         bool along_ground = false; // True if `mesh` was grown along the ground (see PlantRequest).
         mesh::Mesh mesh;
@@ -129,7 +129,7 @@ private:
     std::map<scene::ItemId, Other> others_;
 };
 
-// Mesh options good enough for an image a few hundred pixels wide.
+// Coarse mesh options for a picture that is a few hundred pixels wide.
 static mesh::MeshOptions coarse()
 {
     return { .min_sides = 3,
@@ -141,7 +141,7 @@ static mesh::MeshOptions coarse()
              .organs = mesh::MeshOptions::Organs::Cards };
 }
 
-// Grows the variations of successive requests.
+// Grows the variations that are requested one after another.
 class PlantGrower::VariationMaker {
 public:
     VariationResult make(VariationRequest const& wanted, std::stop_token const& stop)
@@ -179,8 +179,8 @@ private:
         return mesh::make_mesh(variation::individual(plant, key, how, kept), coarse(), stop);
     }
 
-    // Scene (shared, immutable) and Individuality::seeds of the last request; alone_ and own_seeds_
-    // are computed from them.
+    // Scene and Individuality::seeds of the last request, from which alone_ and own_seeds_ are
+    // computed. The scene is immutable and shared.
     std::shared_ptr<scene::Scene const> of_;
     double share_ = 0;
     scene::Scene alone_;
@@ -188,7 +188,8 @@ private:
 };
 
 PlantGrower::PlantGrower()
-    // Shared, as the function objects are copied; only one copy of each is called.
+    // std::function copies its function objects; the copies share one grower, and only one copy is
+    // called.
     : plant_([grower = std::make_shared<SceneGrower>()](
                  PlantRequest const& wanted,
                  std::stop_token const& stop) { return grower->grow(wanted, stop); },

@@ -16,26 +16,31 @@
 
 namespace tractus::view {
 
-// A document's plants as the window wants to show them.
+// The plants of a document in the form that the window wants to show.
 struct PlantRequest {
-    std::shared_ptr<scene::Scene const> scene; // Scene to grow; immutable, shared with the window.
-    scene::SetGrowth growth {};                // Growth of the active plant, in place of its own.
-    bool along_ground = false; // Growth bends along the ground instead of into it; see ground.h.
+    // Scene whose plants are grown. Immutable; shared with the window.
+    std::shared_ptr<scene::Scene const> scene;
+    scene::SetGrowth growth {}; // Growth of the active plant; replaces the growth in the scene.
+    // True: plants bend along the ground instead of growing into it; see ground.h.
+    bool along_ground = false;
 };
 
-// A request for `count` variations of the active plant, with this seed and the following ones.
+// A request for `count` variations of the active plant. The first has the seed of `like.growth`,
+// the others the seeds after it.
 struct VariationsRequest {
     PlantRequest like;
     std::size_t count = 0;
-    variation::Individuality individuality {}; // How the variations differ in addition to growth.
+    // Individual differences of the variations, in addition to growth.
+    variation::Individuality individuality {};
 };
 
-// The segments of the active plant as grown, except roots, that are below the ground.
+// Those segments of the grown active plant that are below the ground, except roots.
 struct GrownUnderground {
     struct Line {
-        Vec3f from_mm = Vec3f::Zero(); // Plant frame.
+        Vec3f from_mm = Vec3f::Zero(); // Beginning of the segment, in the plant's frame.
         Vec3f to_mm = Vec3f::Zero();
-        bool by_growth = false; // True: strokes alone would leave this segment above the ground.
+        // True if growth takes the segment below the ground: strokes alone would leave it above.
+        bool by_growth = false;
 
         bool operator==(Line const&) const = default;
     };
@@ -45,40 +50,40 @@ struct GrownUnderground {
 
 struct Variation {
     std::uint64_t seed = 0;
-    mesh::Mesh mesh; // Coarse mesh for small pictures.
+    mesh::Mesh mesh; // Coarse mesh for a small picture.
 };
 
-// Grows plants in the background while the window keeps running (NewestJob). A request is abandoned
-// when a newer one replaces it or the window closes.
+// Grows plants in the background while the window keeps running (NewestJob). A request is stopped
+// when a newer one replaces it or when the window closes.
 class PlantGrower {
 public:
     PlantGrower();
 
     void grow(PlantRequest wanted) { plant_.want(std::move(wanted)); }
 
-    // Requests variations; finished and pending ones of an earlier request are dropped.
+    // Requests variations. Variations of an earlier request that have not been taken are dropped.
     void vary(VariationsRequest wanted);
 
-    // True while a requested plant has not been returned by take().
+    // True until take() has returned the plant that was requested last.
     bool is_growing() const { return plant_.is_busy(); }
 
-    // The mesh of all visible plants in the active plant's frame, if it was finished since the last
-    // call. Fails like plan_growth().
+    // Returns the mesh of all visible plants, in the active plant's frame, if it was finished since
+    // the last call. Fails like plan_growth().
     std::optional<Result<mesh::Mesh>> take();
 
-    // Parts below the ground of the plant that take() returned last.
+    // Returns the parts below the ground of the active plant that take() returned last.
     GrownUnderground const& underground() const { return underground_; }
 
-    // Destroys a mesh that is no longer shown on another thread: for a large plant this takes
+    // Destroys a mesh that is no longer shown, on another thread: destroying a large plant takes
     // longer than a frame.
     void drop(std::unique_ptr<mesh::Mesh const> plant) { worn_out_.want(std::move(plant)); }
 
-    // Variations finished since the last call, in the order of their seeds. Fails like
-    // plan_growth(); no further ones follow then.
+    // Returns the variations finished since the last call, in the order of their seeds. Fails like
+    // plan_growth(); after a failure no further variations follow.
     Result<std::vector<Variation>> take_variations();
 
-    // Waits until the newest plant and all variations can be taken and all dropped meshes are
-    // destroyed.
+    // Waits until the newest plant and all variations are finished and all dropped meshes are
+    // destroyed. Plant and variations can then be taken.
     void settle();
 
 private:
@@ -106,8 +111,10 @@ private:
     GrownUnderground underground_;
     NewestJob<VariationRequest, VariationResult> variation_;
     NewestJob<std::unique_ptr<mesh::Mesh const>, bool> worn_out_;
-    VariationsRequest variations_; // The variations still to come, including the one in progress.
-    std::uint64_t wish_ = 0; // Number of the latest request; results of earlier ones are ignored.
+    // The variations that are not finished yet, including the one in progress.
+    VariationsRequest variations_;
+    // Number of the latest request for variations; results of earlier requests are ignored.
+    std::uint64_t wish_ = 0;
     Result<std::vector<Variation>> varied_;
 };
 

@@ -40,8 +40,8 @@ void ShownLayers::show(scene::Scene const& scene, tools::Tool const& in_hand)
             kept.of.reset();
             continue;
         }
-        // Lines of layers that are always shown can change without the plant being redrawn, by
-        // season or shape; those of other layers cannot.
+        // Lines of a layer that is always shown can change with the season or shape while the
+        // plant's drawing stays the same. Lines of other layers cannot.
         bool const is_constant = kept.layer->seen != tools::Layer::Seen::Always;
         if (is_constant && kept.of && kept.of == scene.drawn)
             continue;

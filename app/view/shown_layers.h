@@ -11,33 +11,33 @@
 
 namespace tractus::view {
 
-// Visibility of a document's layers over time. A layer shown for a while fades after each change of
-// its lines and reappears at the next change.
+// Visibility of a document's layers over time. A layer that is shown for a while appears whenever
+// its lines change, and then fades.
 class ShownLayers {
 public:
-    // Sets the layers. Their lines count as changed until a scene was shown.
+    // Sets the layers. The lines of the first scene that is shown do not count as a change.
     void set_layers(tools::Layers layers);
 
-    // Updates the layers for the scene that is shown from now on.
+    // Updates the layers for a scene that is shown from now on, and for the selected tool.
     void show(scene::Scene const& scene, tools::Tool const& in_hand);
 
-    // Advances the fading by a time step.
+    // Advances the fading of layers by a time step.
     void pass(Duration step, tools::Tool const& in_hand);
 
     std::vector<ShownLayer> const& seen() const { return seen_; }
 
-    // Opacity of lines at an age since their last change. It falls in a few steps, as each change
-    // makes the window redraw.
+    // Returns the opacity of lines at a time after their last change. It falls in a few steps
+    // rather than smoothly, as the window redraws at each change of opacity.
     static double strength_after(Duration age);
 
 private:
     struct Kept {
         tools::Layer const* layer = nullptr;
         std::vector<std::vector<Vec3f>> lines_mm {};
-        // Time since the lines changed; large at first, so that the layer is invisible.
+        // Time since the lines changed. Initially so long that the layer is invisible.
         Duration age = Duration::max() / 2;
-        // State of the plant from which `lines_mm` was made; null: to be made anew. Immutable;
-        // shared with the scene.
+        // State of the plant from which `lines_mm` was made; null if the lines must be made again.
+        // Immutable; shared with the scene.
         std::shared_ptr<scene::PlantState const> of {};
     };
     static double strength_of(Kept const& kept, tools::Tool const& in_hand);

@@ -31,7 +31,7 @@ static std::uint32_t orders_to_show(Plant const& plant)
     return static_cast<std::uint32_t>(order);
 }
 
-// A line for a run of an axis's segments that have the same state.
+// Returns a line along successive segments of an axis that have the same state.
 static tools::SkeletonLine skeleton_line(Plant const& plant, std::span<Vec3 const> nodes_mm,
                                          Axis const& axis, std::uint32_t from, std::uint32_t to,
                                          State state)
@@ -45,14 +45,15 @@ static tools::SkeletonLine skeleton_line(Plant const& plant, std::span<Vec3 cons
     return line;
 }
 
-// Adds a plant that is not active; of a large plant only the lowest branching orders.
+// Adds the skeleton of a plant that is not active. Of a large plant only the lowest branching
+// orders are added.
 static void add_other(scene::BuiltPlant const& plant, scene::DeskPlacement const& active,
                       std::vector<tools::SkeletonLine>& lines)
 {
     auto const orders = orders_to_show(*plant.base);
     auto const scale = static_cast<float>(plant.placement.scale / active.scale);
     scene::SceneShaper shaper;
-    // The result can be ignored: each stroke was checked when it was drawn.
+    // Errors can be ignored: each stroke was checked when it was drawn.
     static_cast<void>(shaper.set_plant(plant));
     std::vector<Vec3> nodes_mm;
     variation::place_nodes(*plant.base, *plant.rest, shaper.shape(), nodes_mm);
@@ -91,7 +92,7 @@ void SkeletonPicture::set_scene(std::shared_ptr<scene::Scene const> scene)
     bool const is_same_plant = scene_ && scene_->base == scene->base;
     scene_ = std::move(scene);
     show_others();
-    // The result can be ignored: each stroke was checked when it was drawn.
+    // Errors can be ignored: each stroke was checked when it was drawn.
     static_cast<void>(shaper_.set_plant(*scene_));
     variation::place_nodes(*scene_->base, *scene_->rest, shaper_.shape(), nodes_mm_);
     if (is_same_plant)
@@ -113,11 +114,12 @@ void SkeletonPicture::mark(std::span<SegmentId const> segments, State state)
     marked_.insert(marked_.end(), segments.begin(), segments.end());
 }
 
-// Marks branches whose shape was changed by propagation: they have a different rotation relative to
-// their parent segment than at rest. Branches that only move along with a bent branch do not count.
+// Marks branches whose shape was changed by propagation. Their rotation relative to their parent
+// segment differs from that at rest. Branches that only move along with a bent branch are not
+// marked.
 void SkeletonPicture::mark_propagated()
 {
-    // Cosine of half the rotation angle above which rotations count as equal.
+    // Cosine of half the maximum angle by which rotations that count as equal differ.
     constexpr double kSame = 1 - 1e-9;
     auto const& plant = *scene_->base;
     auto const& rest = scene_->rest->frame;
@@ -151,7 +153,7 @@ std::vector<tools::SkeletonLine>
 SkeletonPicture::lines(tools::ShownSkeleton::Touched const& touched,
                        std::span<SegmentId const> next)
 {
-    // Strokes that are not in this list are overridden by later ones on the same branches.
+    // Only strokes whose effect is not overridden by later strokes on the same branches are marked.
     for (auto const number : scene::shaping_numbers(*scene_))
         mark(scene_->associations[number].what.path, State::Assigned);
     if (!scene_->associations.empty())

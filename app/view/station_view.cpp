@@ -16,8 +16,8 @@
 
 namespace tractus::view {
 
-// Reuses the previewer as long as the tool's kind stays the same, as it caches data between
-// strokes.
+// Previews a stroke. Previewers cache data between strokes, so the previewer is reused as long as
+// the tool's kind stays the same.
 StationView::Preview StationView::Previewing::show(PreviewRequest const& wanted)
 {
     auto* const make = wanted.tool.kind().previewer;
@@ -37,7 +37,8 @@ StationView::Preview StationView::Previewing::show(PreviewRequest const& wanted)
 
 StationView::StationView(station::Station const& station, document::Document const& document)
     : preview_(std::make_unique<NewestJob<PreviewRequest, Preview>>(
-        // Shared, as the function object is copied; only one copy is called.
+        // std::function copies this function object; the copies share one Previewing, and only one
+        // copy is called.
         [previewing = std::make_shared<Previewing>()](PreviewRequest const& wanted) {
             return previewing->show(wanted);
         }))
@@ -64,7 +65,7 @@ void StationView::show(station::Station const& station, document::Document const
     take_proposal();
     show_live(station, document);
     bool const is_drawing = is_drawing_ || !document.waiting().empty();
-    // Read after the waiting strokes, so that every stroke is found either among those or in the
+    // The snapshot is read after the waiting strokes, so that every stroke is among those or in the
     // snapshot.
     auto const snapshot = document.newest();
     state_.unsaved_steps = snapshot->unkept;
@@ -75,7 +76,7 @@ void StationView::show(station::Station const& station, document::Document const
     else
         take_saved_snapshot(snapshot);
     if (!is_drawing && std::exchange(is_outcome_proposed_, false))
-        propose({}); // Ends the preview, as the stroke changed nothing.
+        propose({}); // The stroke changed nothing, so its preview ends.
     show_drawn_gizmo();
 }
 
@@ -121,8 +122,8 @@ void StationView::show_pen(std::vector<station::PenMoment> const& moments)
         state_.pen = state_.pen_path.back();
 }
 
-// Shows the surface's height: it follows the sensor while no pen is near or the pen rests, but
-// ignores changes as small as the sensor's noise.
+// Shows the surface's height. While no pen is near, or while the pen rests, the height follows the
+// sensor; changes as small as the sensor's noise are then ignored.
 void StationView::show_surface(station::Station const& station)
 {
     constexpr double kSeen_mm = 0.5;
@@ -145,7 +146,7 @@ void StationView::show_surface(station::Station const& station)
         ++state_.live_revision;
 }
 
-// Shows the ink of strokes in progress, and of finished strokes not yet in the scene.
+// Shows the ink of strokes in progress, and of finished strokes that are not in the scene yet.
 void StationView::show_ink(station::Station const& station, Inks inks,
                            std::vector<tools::ToolStroke> const& waiting)
 {
@@ -164,7 +165,7 @@ void StationView::show_ink(station::Station const& station, Inks inks,
 
 void StationView::show_live(station::Station const& station, document::Document const& document)
 {
-    // Counts tips, as without new tips there is nothing to update.
+    // Without new tips there is nothing to update.
     auto const tips = station.counts().pen_samples + station.counts().tips_in_silence;
     if (std::exchange(shown_tips_, tips) != tips)
         ++state_.live_revision;
@@ -172,7 +173,7 @@ void StationView::show_live(station::Station const& station, document::Document 
     state_.tools = station.tools();
     if (auto const before = std::exchange(state_.hand, station.tool());
         grown_scene_ && !(before == state_.hand)) {
-        layers_.show(*grown_scene_, state_.hand); // The new tool may ask for other layers.
+        layers_.show(*grown_scene_, state_.hand); // The selected tool may request other layers.
         update_layers();
     }
     state_.remembered = station.remembered();
@@ -187,7 +188,7 @@ void StationView::show_live(station::Station const& station, document::Document 
     show_preview(station, inks);
 }
 
-// Previews the outcome of the stroke in progress, as often as the background thread can.
+// Previews the result of the stroke in progress, as often as the background thread can compute it.
 void StationView::show_preview(station::Station const& station, Inks inks)
 {
     if (inks.empty())
@@ -226,12 +227,13 @@ void StationView::set_preview(Preview preview)
 {
     state_.preview_note = std::move(preview.note);
     if (std::exchange(previewed_, preview.lines) == preview.lines)
-        return; // Returns early, as most pen samples leave the preview unchanged.
+        return; // Most pen samples do not change the preview.
     ++state_.preview_revision;
     state_.preview = preview.lines ? *preview.lines : std::vector<tools::SkeletonLine>();
 }
 
-// While a pen selects, highlights the branches that it has selected so far or may still select.
+// While the pen selects branches, highlights those that its stroke has selected so far or may still
+// select.
 void StationView::show_selecting(station::Station const& station, Inks inks)
 {
     auto const& tool = station.tool();
@@ -273,8 +275,8 @@ void StationView::show_scene(std::shared_ptr<document::Snapshot const> const& sn
     list_orphans(snapshot->scene);
 }
 
-// Shows the scene's finished strokes. Ink already shown is reused, so that its tips need not be
-// read again.
+// Shows the scene's finished strokes. Ink that is already shown is reused, so that its tips need
+// not be read again.
 void StationView::show_strokes(scene::Scene const& scene)
 {
     std::unordered_map<void const*, std::size_t> before;
@@ -285,7 +287,7 @@ void StationView::show_strokes(scene::Scene const& scene)
     for (auto const number : scene::shaping_numbers(scene)) {
         auto const& tips = scene.associations[number].what.stroke.tips;
         if (!inked.empty() && inked.back().id() == tips.id())
-            // Skips duplicates, so that a stroke that shapes several branches is shown once.
+            // A stroke that shapes several branches is shown once.
             continue;
         auto const found = before.find(tips.id());
         if (found != before.end()) {
@@ -293,7 +295,7 @@ void StationView::show_strokes(scene::Scene const& scene)
         } else if (auto const read = tips.in_memory()) {
             lines.push_back(thinned(ink_line(*read, {}, nib_)));
         } else {
-            // The error is shown; reading is tried again when the strokes change.
+            // The error is shown. Reading is tried again when the strokes change.
             state_.status = read.error().message;
             continue;
         }
@@ -362,14 +364,14 @@ void StationView::request_plant(PlantRequest wanted)
     state_.is_growing = true;
 }
 
-// Updates the layers if their visibility or lines changed.
+// Updates the shown layers if their visibility or their lines have changed.
 void StationView::update_layers()
 {
     if (state_.layers == visible_layers())
         return;
     state_.layers = visible_layers();
     ++state_.strokes_revision;
-    ++state_.skeleton_revision; // Layers are also shown with the skeleton.
+    ++state_.skeleton_revision; // The skeleton's view shows layers, too.
 }
 
 void StationView::list_orphans(scene::Scene const& scene)
@@ -384,8 +386,8 @@ void StationView::list_orphans(scene::Scene const& scene)
 
 void StationView::show_skeleton(tools::ShownSkeleton::Touched const& touched)
 {
-    // True if the branches to be shaped next are marked. A proposed scene may have another active
-    // plant.
+    // True if the branches to be shaped next are marked. They are not marked in a proposed scene,
+    // which may have another active plant.
     bool const aims = aims_at_ && !is_proposed_;
     auto const next = aims ? aims_at_(*grown_scene_) : std::vector<SegmentId>();
     state_.skeleton = skeleton_.lines(touched, next);
@@ -410,7 +412,7 @@ void StationView::grow_plant(std::shared_ptr<document::Snapshot const> const& sn
         collect({ state_.collection_wanted, state_.individuality });
 }
 
-// Takes a snapshot whose strokes were moved to the file; nothing visible differs.
+// Takes over a snapshot whose strokes were moved to the file. Nothing visible changes.
 void StationView::take_saved_snapshot(std::shared_ptr<document::Snapshot const> const& snapshot)
 {
     if (&snapshot->scene == grown_scene_.get())
@@ -453,7 +455,7 @@ void StationView::take_proposal()
         show_in_place(*scene);
 }
 
-// Shows picture, plant and skeleton of a scene until the next snapshot.
+// Shows the picture, plants and skeleton of a scene, until the next snapshot is shown.
 void StationView::show_in_place(std::shared_ptr<scene::Scene const> const& scene)
 {
     show_picture(*scene);
@@ -473,7 +475,7 @@ static bool is_same_file(std::shared_ptr<scene::BackPicture const> const& one,
     return one && other && (one->file == other->file || *one->file == *other->file);
 }
 
-// Shows the scene's picture; a new one is decoded in the background.
+// Shows the picture behind the scene's drawing. A new picture is decoded in the background.
 void StationView::show_picture(scene::Scene const& scene)
 {
     auto const before = std::exchange(picture_, scene.state.picture);

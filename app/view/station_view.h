@@ -19,9 +19,10 @@
 
 namespace tractus::view {
 
-// View state of a station and of the document that receives its strokes: the hand, its strokes, the
-// selection, and the plant, which is regrown in the background after each stroke. It does not
-// depend on where the reports come from. The owner adds everything else to state().
+// Keeps the window's state up to date with a station and with the document that receives its
+// strokes: pen, strokes, selection, and the plant, which is grown in the background after each
+// stroke. It makes no difference where the station's reports come from. The owner of this object
+// sets all other members of state().
 class StationView {
 public:
     StationView(station::Station const& station, document::Document const& document);
@@ -32,61 +33,61 @@ public:
     // Updates the state with all changes since the last call.
     void show(station::Station const& station, document::Document const& document);
 
-    // Advances the window's clock, which fades layers.
+    // Advances the window's clock by a step, by which layers fade.
     void pass(Duration step);
 
-    // Sets the status to a message about what a stroke has done.
+    // Sets the status to a message about the effect of a stroke.
     void tell(document::DrawnStroke const& drawn);
 
-    // Waits for the plant requested last and for all variations, and shows them.
+    // Waits for the plant that was requested last and for all variations, and shows them.
     void settle();
 
-    // Reports the pen's movements since the last call, for windows operated by the pen. Call after
-    // show().
+    // Shows the pen's movements since the last call, for windows that the pen operates. Call this
+    // after show().
     void show_pen(std::vector<station::PenMoment> const& moments);
 
-    // Replaces the station, or starts over with one that was restarted.
+    // Shows another station, or one that has started again from the beginning.
     void begin_again(station::Station const& station, document::Document const& document);
 
-    // Ends the preview of another growth.
+    // Shows the plant with the scene's own growth again, after a preview of another growth.
     void show_growth();
 
-    // Previews another growth.
+    // Shows the plant as it would be with another growth.
     void preview(scene::SetGrowth const& growth);
 
-    // Previews another season.
+    // Shows the plants as they would be in another season.
     void preview(std::optional<scene::Season> const& season);
 
-    // Previews the document as edits would change it; an empty list ends the preview. New snapshots
-    // are shown without the edits.
+    // Previews the document as `edits` would change it; an empty list ends the preview. New
+    // snapshots are shown without the edits.
     void propose(std::vector<scene::Edit> edits);
 
-    // Grows variations of the plant, starting at its own seed.
+    // Requests variations of the plant, of which the first has the plant's own seed.
     void collect(RequestCollection const& wanted);
 
-    // Bends plants along the ground instead of into it from now on.
+    // From now on, shows plants bent along the ground instead of growing into it, or no longer.
     void set_along_ground(bool is_on);
 
-    // The scene from which the plant was grown, without previews. Immutable; shared with the
-    // background thread.
+    // Returns the scene from which the plant was grown, without previewed changes. Immutable;
+    // shared with the background thread.
     std::shared_ptr<scene::Scene const> const& grown_scene() const { return grown_scene_; }
 
 private:
     struct PreviewRequest {
-        // Scene on which the stroke is drawn. Immutable and shared.
+        // Scene on which the previewed stroke is drawn. Immutable and shared.
         std::shared_ptr<scene::Scene const> scene;
         tools::Tool tool {};
         std::vector<TipSample> ink {};
-        std::uint32_t orders = 0; // Only branches of lower orders than this are considered.
-        std::size_t stroke = 0;   // Number of the stroke to preview.
+        std::uint32_t orders = 0; // Branching order below which branches are considered.
+        std::size_t stroke = 0;   // Number of the stroke that is previewed.
     };
     struct Preview {
-        // The previewed branches; null: no preview. Immutable; shared by equal previews.
+        // The previewed branches; null if there is no preview. Immutable; shared by equal previews.
         std::shared_ptr<std::vector<tools::SkeletonLine> const> lines {};
         std::string note {};
-        std::size_t stroke = 0; // Number of the previewed stroke.
+        std::size_t stroke = 0; // Number of the stroke that is previewed.
     };
-    // The previewer of strokes in progress; used on the background thread.
+    // The previewer of strokes in progress. Used on the background thread only.
     struct Previewing {
         Preview show(PreviewRequest const& wanted);
 
@@ -96,12 +97,12 @@ private:
     };
 
     struct ProposalRequest {
-        // Scene that the edits would change. Immutable and shared.
+        // Scene that `edits` would change. Immutable and shared.
         std::shared_ptr<scene::Scene const> scene;
         std::vector<scene::Edit> edits;
     };
 
-    // A decoded picture, or null and the reason for the failure.
+    // A decoded picture; `image` is null if decoding failed, and `why` then gives the reason.
     struct ReadPicture {
         std::shared_ptr<std::string const> file;
         std::shared_ptr<render::Image const> image;
@@ -109,7 +110,7 @@ private:
     };
     static ReadPicture read(std::shared_ptr<std::string const> const& file);
 
-    // Station::inks(), copied once per frame.
+    // Ink of the strokes in progress: Station::inks(), copied once per frame.
     using Inks = std::span<std::vector<TipSample> const>;
 
     void show_grown();
@@ -141,60 +142,66 @@ private:
     void grow_plant(std::shared_ptr<document::Snapshot const> const& snapshot);
     void take_saved_snapshot(std::shared_ptr<document::Snapshot const> const& snapshot);
 
-    // On the heap, as a thread refers to it.
+    // On the heap, as a thread keeps a reference to it.
     std::unique_ptr<PlantGrower> grower_ = std::make_unique<PlantGrower>();
-    std::shared_ptr<scene::Scene const> grown_scene_; // Part of a snapshot; shared with the grower.
-    std::uint64_t shown_revision_ = 0;                // Revision of the snapshot shown.
-    std::uint64_t shown_drawn_revision_ = 0;          // Revision of that snapshot's drawn content.
-    // Tips of the strokes shown in state_.strokes, in the same order; used as identity only, so
+    // Part of the snapshot that is shown. Shared with the grower.
+    std::shared_ptr<scene::Scene const> grown_scene_;
+    std::uint64_t shown_revision_ = 0; // Revision of the snapshot that is shown.
+    // Revision of the drawn content of the snapshot that is shown.
+    std::uint64_t shown_drawn_revision_ = 0;
+    // Tips of the strokes in state_.strokes, in the same order. They only identify the strokes, so
     // they need not be in memory.
     std::vector<SharedVector<TipSample>> inked_;
     tools::DrawnCurveLists curve_lists_;
     ShownLayers layers_;
-    scene::SetGrowth collected_growth_ {}; // Growth of the collection requested last.
+    scene::SetGrowth collected_growth_ {}; // Growth for which the variations were last requested.
     // Segments that growth takes below the ground. World frame.
     std::vector<std::vector<Vec3f>> grown_underground_mm_;
-    Nib nib_ = Nib::Point; // Nib of the pen whose ink is shown.
+    Nib nib_ = Nib::Point; // Nib of the pen that draws.
     std::size_t finished_strokes_ = 0;
     std::size_t shown_tips_ = 0;
-    double shown_surface_mm_ = 0; // Surface height at the last change of live_revision.
-    // Skeleton on which a selecting pen draws, and the scene it was made from; created on demand.
+    double shown_surface_mm_ = 0; // Height of the surface when live_revision last changed.
+    // Skeleton on which a selecting pen draws; created when needed.
     std::optional<tools::ShownSkeleton> shown_skeleton_;
-    // Scene of shown_skeleton_. Shared with the document, which may replace it meanwhile.
+    // Scene from which shown_skeleton_ was made. Shared, as the document may replace it meanwhile.
     std::shared_ptr<scene::Scene const> shown_scene_;
-    // Function of the selected tool that returns the branch to be shaped next, or null.
+    // Function of the selected tool that returns the branches to be shaped next; null if it has
+    // none.
     std::vector<SegmentId> (*aims_at_)(scene::Scene const& scene) = nullptr;
-    // Touched branches as currently highlighted.
+    // Branches highlighted as touched by the pen; no value while the pen does not select.
     std::optional<tools::ShownSkeleton::Touched> shown_touched_;
     SkeletonPicture skeleton_;
     scene::SelectionAngle shown_angle_;
     bool is_selecting_ = false;
-    // On the heap, as a thread refers to it.
+    // On the heap, as a thread keeps a reference to it.
     std::unique_ptr<NewestJob<PreviewRequest, Preview>> preview_;
-    std::uint64_t previewed_live_ = 0; // live_revision for which a preview was requested last.
-    // Preview shown in the state.
+    std::uint64_t previewed_live_ = 0; // live_revision at the last request for a preview.
+    // Lines of the preview that the state contains.
     std::shared_ptr<std::vector<tools::SkeletonLine> const> previewed_;
-    // Job that applies proposed edits; returns null if they fail. On the heap, as a thread refers
-    // to it.
+    // Applies proposed edits in the background; its result is null if that fails. On the heap, as a
+    // thread keeps a reference to it.
     std::unique_ptr<NewestJob<ProposalRequest, std::shared_ptr<scene::Scene const>>> proposal_;
     std::unique_ptr<NewestJob<std::shared_ptr<std::string const>, ReadPicture>> reading_;
-    std::shared_ptr<scene::BackPicture const> picture_; // Picture that is shown or being decoded.
-    // Scene of the plant and skeleton currently shown.
+    // Picture that is shown or is being decoded.
+    std::shared_ptr<scene::BackPicture const> picture_;
+    // Scene whose plant and skeleton are shown.
     std::shared_ptr<scene::Scene const> shown_in_place_;
-    std::shared_ptr<scene::Scene const> gizmo_scene_;   // Scene shown by the drawn gizmo.
-    tools::DrawnGizmoKind const* gizmo_kind_ = nullptr; // Kind of the drawn gizmo.
-    std::uint64_t proposed_live_ = 0;  // live_revision for which an outcome was requested last.
+    std::shared_ptr<scene::Scene const> gizmo_scene_;   // Scene for which the drawn gizmo is shown.
+    tools::DrawnGizmoKind const* gizmo_kind_ = nullptr; // Kind of the drawn gizmo that is shown.
+    // live_revision when the outcome of a stroke was last requested.
+    std::uint64_t proposed_live_ = 0;
     bool is_outcome_proposed_ = false; // True while the outcome of an unfinished stroke is shown.
     bool is_proposed_ = false;         // True while proposed edits are shown or about to be.
     bool is_drawing_ = false;
-    std::size_t shown_waiting_ = 0; // Number of waiting strokes shown as ink.
-    // On the heap, so that the state's pointer stays valid when this object moves.
+    // Number of finished strokes that are shown as ink, as they are not in the scene yet.
+    std::size_t shown_waiting_ = 0;
+    // On the heap, so that the pointer to it in state_ stays valid when this object moves.
     std::unique_ptr<mesh::Mesh const> plant_;
     WindowState state_;
 };
 
-// Applies the user's settings to a plant's growth; everything else stays. Fails with a user error
-// for an unknown preset.
+// Returns `growth` with the user's settings applied; its other members stay the same. Fails with a
+// user error for an unknown preset.
 Result<scene::SetGrowth> with_growth_settings(GrowthView const& wanted, scene::SetGrowth growth);
 
 } // namespace tractus::view

@@ -6,9 +6,9 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kMinGap = 0.4f; // Least gap between buttons, as a share of the usual one.
+constexpr float kMinGap = 0.4f; // Minimum gap between buttons, as a share of the normal gap.
 constexpr float kRoomyEase
-    // Rows of several groups must be at least this roomy (ButtonRow::ease) if that adds no row.
+    // Minimum ButtonRow::ease of a row with several groups, unless this would need another row.
     = 0.5f;
 
 using Buttons = std::span<ButtonWidth const>;
@@ -22,7 +22,7 @@ float width_of(Buttons buttons, ButtonGaps const& gaps, float ease)
     return width;
 }
 
-// Index after the last button of the group that begins at `begin`.
+// Returns the index after the last button of the group that begins at `begin`.
 std::size_t end_of_group(Buttons buttons, std::size_t begin)
 {
     auto end = begin + 1;
@@ -31,8 +31,9 @@ std::size_t end_of_group(Buttons buttons, std::size_t begin)
     return end;
 }
 
-// The end of a row: after as many groups as fit with at least this ease, or as many buttons of the
-// first group if that alone does not fit.
+// Returns the end of the row that begins at `begin`: after as many groups as fit with at least
+// `min_ease`. If the first group alone does not fit, the row ends after as many of its buttons as
+// fit.
 std::size_t end_of_row(Buttons buttons, std::size_t begin, ButtonGaps const& gaps, float room,
                        float min_ease)
 {

@@ -43,7 +43,7 @@ Vec3f color_of(calibration::PlotTone tone)
     return theme::palette().unselected;
 }
 
-// Frame of a plot: maps its values to pixels.
+// Frame of a plot. It maps the plot's values to pixels.
 class Frame {
 public:
     Frame(calibration::Plot const& plot, ImVec2 const& corner, ImVec2 const& size)
@@ -137,7 +137,8 @@ private:
                   fmt::format("{} over {}", plot_.y_label, plot_.x_label));
     }
 
-    // Draws text under or over the frame, in a smaller size if it is wider than the frame.
+    // Draws a line of text above or below the frame, in a smaller size if the text is wider than
+    // the frame.
     void draw_line(float y, ImU32 color, std::string const& text)
     {
         float const longer = ImGui::CalcTextSize(text.c_str()).x / (high_.x - low_.x);
@@ -148,8 +149,8 @@ private:
     calibration::Plot const& plot_;
     ImDrawList& draw_;
     float letter_;
-    ImVec2 low_;  // Upper left corner of the frame.
-    ImVec2 high_; // Lower right corner of the frame.
+    ImVec2 low_;  // Upper left corner of the frame, in pixels.
+    ImVec2 high_; // Lower right corner of the frame, in pixels.
 };
 
 char const* word_for(calib::HeightCapture::From from)
@@ -165,7 +166,7 @@ char const* word_for(calib::HeightCapture::From from)
     return "-";
 }
 
-// Places the next button beside the last one if it fits, otherwise below.
+// Places the next button beside the last one if there is room, otherwise below it.
 void same_line_if_room(float width, float gap)
 {
     float const right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
@@ -247,7 +248,7 @@ void CalibrationPanel::show_reading(calibration::CalibrationView const& view)
 
 void CalibrationPanel::show_controls(calibration::CalibrationModel& model)
 {
-    // Values are copied, because a command may replace the view while it is being shown.
+    // Values are copied from the view, because a command may replace the view meanwhile.
     auto const& view = model.view();
     bool const is_moving = view.is_moving;
     bool const may_capture = view.may_capture;
@@ -278,7 +279,8 @@ void CalibrationPanel::show_controls(calibration::CalibrationModel& model)
     ImGui::EndDisabled();
 }
 
-// Shows the surface's height, entered with the keyboard or by pen.
+// Shows the height of the surface to be captured, which can be entered with the keyboard or the
+// pen.
 void CalibrationPanel::show_height(calibration::CalibrationModel& model) const
 {
     double height_mm = model.view().proposed_mm;

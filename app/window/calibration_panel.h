@@ -6,8 +6,8 @@
 
 namespace tractus::window {
 
-// The calibration in the window: procedures, live reading, captures with their residuals, and
-// plots. Draws into the current ImGui window; input goes to the model at once.
+// The calibration page of the window: procedures, live reading, captures with their residuals, and
+// plots. It draws into the current ImGui window and passes input to the model at once.
 class CalibrationPanel {
 public:
     // `title_font` comes from theme::apply(); `scale` is the display's scale factor.
@@ -17,8 +17,8 @@ public:
     {
     }
 
-    // Shows the panel. Returns true if the user asks to return to drawing, which is offered if
-    // `may_go_back`.
+    // Shows the panel. If `may_go_back`, it has a button for returning to drawing. Returns true if
+    // this button was pressed.
     bool show(calibration::CalibrationModel& model, bool may_go_back);
 
 private:
@@ -32,7 +32,7 @@ private:
     float scale_ = 1;
 };
 
-// Draws a plot at ImGui's cursor.
+// Draws a plot at ImGui's cursor, in an area of `size_px`.
 void show_plot(calibration::Plot const& plot, ImVec2 const& size_px);
 
 } // namespace tractus::window

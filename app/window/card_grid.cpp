@@ -10,23 +10,24 @@ namespace {
 
 constexpr float kUsualWidth_px = 170;
 constexpr float kMinWidth_px = 130;
-constexpr std::size_t kFewColumns = 3; // The number of columns in narrow windows, if the cards stay
-                                       // wide enough.
+// Number of columns in a narrow window, if its cards are then wide enough.
+constexpr std::size_t kFewColumns = 3;
 constexpr std::size_t kMaxColumns = 8;
 constexpr float kGap_px = 14;
 constexpr float kTitleHeight_px = 44;
 constexpr float kSectionGap_px = 18;
-// Height of a card's picture as a share of the card's width.
+// Height of a card's picture, as a share of the card's width.
 constexpr float kPictureHeight = 0.69f;
 constexpr float kWordsHeight_px = 74;
 
-// A group of cards under a title.
+// Cards under one title: a group, or a part of a group.
 struct CardSection {
     std::string title;
     std::size_t group = 0;
     std::size_t first = 0;
     std::size_t count = 0;
-    // First column of the section; if above 0, the section shares a row with the one before.
+    // First column of the section. If it is above 0, the section shares a row with the previous
+    // section.
     std::size_t column = 0;
 };
 
@@ -40,8 +41,8 @@ std::size_t column_count(float width, float scale)
                     kMaxColumns);
 }
 
-// Splits the groups into sections. The first cards of a group ordered by use share the previous
-// group's row if there is room; otherwise they get a row of their own.
+// Splits the groups into sections. The first cards of a group in order of use share a row with the
+// previous group if there is room, and otherwise have a row of their own.
 std::vector<CardSection> sections_of(std::span<view::StartCards const> groups, std::size_t columns)
 {
     std::vector<CardSection> sections;
@@ -72,14 +73,14 @@ CardGrid arrange_cards(std::span<view::StartCards const> groups, float width, fl
     auto const columns = column_count(width, scale);
     float const gap = kGap_px * scale;
     CardGrid grid;
-    // Width of a column with its gap. Cards begin and end at whole pixels, the last one at the
-    // edge.
+    // Width of a column including its gap. Cards begin and end at whole pixels; the last one ends
+    // at the page's edge.
     float const step_x = (width + gap) / static_cast<float>(columns);
     grid.card_width = std::floor(step_x - gap);
     grid.picture_height = std::floor(kPictureHeight * grid.card_width);
     grid.card_height = grid.picture_height + std::floor(kWordsHeight_px * scale);
     float const step_y = grid.card_height + gap;
-    float top = 0; // Top of the current section.
+    float top = 0; // Upper edge of the current section.
     for (auto const& section : sections_of(groups, columns)) {
         if (section.column == 0)
             top = grid.places.empty() ? 0 : grid.height + kSectionGap_px * scale;
@@ -107,7 +108,7 @@ std::size_t neighbour(CardGrid const& grid, std::size_t from, Direction directio
         return from == 0 ? 0 : from - 1;
     if (direction == Direction::Right)
         return std::min(from + 1, grid.places.size() - 1);
-    // Finds the nearest row in the arrow's direction, then the nearest card in it.
+    // Finds the nearest row in the arrow's direction, and in that row the nearest card.
     auto const& here = grid.places[from];
     auto best = from;
     auto const is_farther = [&](CardGrid::Place const& one, CardGrid::Place const& other) {

@@ -9,7 +9,7 @@
 
 namespace tractus::window {
 
-// Positions of preset cards on a page, in pixels from its upper left corner.
+// Positions of the cards on a page, in pixels from the page's upper left corner.
 struct CardGrid {
     struct Place {
         std::size_t group = 0;
@@ -24,21 +24,22 @@ struct CardGrid {
     };
     std::vector<Place> places {};
     std::vector<Title> titles {};
-    float card_width = 0; // Width of a card; all cards have the same size.
+    float card_width = 0; // Width of the cards, which all have the same size.
     float card_height = 0;
-    // Height of the picture in the upper part of a card; the text is below it.
+    // Height of the picture at the top of each card; the text is below the picture.
     float picture_height = 0;
     float height = 0; // Total height of the page.
 };
 
-// Arranges cards in columns of equal width, as many as leave each card wide enough for its text and
-// for a pen, with each group under its title. `scale` is the display's scale factor.
+// Arranges cards in columns of equal width, with each group under its title. There are as many
+// columns as leave each card wide enough for its text and for the pen. `scale` is the display's
+// scale factor.
 CardGrid arrange_cards(std::span<view::StartCards const> groups, float width, float scale);
 
 enum class Direction { Left, Right, Up, Down };
 
-// The index of the card that an arrow key leads to; `from` itself if there is none in that
-// direction.
+// Returns the index of the card to which an arrow key leads from the card `from`. Returns `from` if
+// there is no card in that direction.
 std::size_t neighbour(CardGrid const& grid, std::size_t from, Direction direction);
 
 } // namespace tractus::window

@@ -15,11 +15,11 @@ constexpr float kCardWidth_px = 148;
 constexpr float kGizmoHeight_px = 104;
 constexpr float kCardName_px = 34;
 constexpr float kAround_px = 14;
-// Greatest height of the panel, as a share of the window's height above the bar.
+// Maximum height of the panel, as a share of the window's height above the bar.
 constexpr float kGreatestShare = 0.5f;
 constexpr float kTyped_px = 220;
 
-// The user's own card that the current tool equals, or null.
+// Returns that card of the user's own which equals the current tool, or null.
 tools::ToolCard const* card_in_hand(view::WindowState const& state)
 {
     auto const card = tools::card_of(state.hand);
@@ -40,7 +40,8 @@ WindowPart CardsPanel::show(view::WindowModel& model, Workspace& workspace,
     }
     float const around = kAround_px * scale_;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { around, around });
-    // If there is too little room, the panel overlaps the bar rather than leaving the window.
+    // If there is too little room above the bar, the panel overlaps the bar instead of leaving the
+    // window.
     ImGui::SetNextWindowPos({ bar.left, std::max(bar.top - height_px_, 0.0f) });
     ImGui::Begin("cards", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
@@ -61,7 +62,7 @@ WindowPart CardsPanel::show(view::WindowModel& model, Workspace& workspace,
     return { corner.x, corner.y, size.x, size.y };
 }
 
-// Shows the cards, which scroll by dragging.
+// Shows the cards of the current tool's kind. They scroll when they are dragged.
 void CardsPanel::show_cards(view::WindowModel& model, Workspace& workspace, float width_px)
 {
     auto const& hand = model.state().hand;
@@ -93,7 +94,7 @@ void CardsPanel::show_cards(view::WindowModel& model, Workspace& workspace, floa
     ImGui::EndChild();
 }
 
-// Shows a card. Returns true if it is pressed.
+// Shows a card. Returns true if it was pressed.
 bool CardsPanel::show_card(tools::ToolCard const& card, bool is_on) const
 {
     bool const has_gizmo = card.tool.kind().gizmo != nullptr;
@@ -120,14 +121,14 @@ bool CardsPanel::show_card(tools::ToolCard const& card, bool is_on) const
     return is_pressed;
 }
 
-// Buttons to rename or delete the user's own card that is selected. Without a keyboard the name is
-// entered in the name panel.
+// Shows buttons for renaming or deleting the selected card, which is one of the user's own. Without
+// a keyboard the new name is entered in the name panel.
 void CardsPanel::show_own(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                           tools::ToolCard const& card)
 {
     if (std::exchange(named_, card.name) != card.name)
         typed_ = card.name;
-    auto const name = card.name; // Copied, because the actions below may delete the card.
+    auto const name = card.name; // A copy, because the commands below may delete the card.
     theme::push_button_frame(scale_);
     ImGui::SetNextItemWidth(kTyped_px * scale_);
     bool const is_entered

@@ -7,9 +7,9 @@
 
 namespace tractus::window {
 
-// A panel above the bar with presets (cards) for the current kind of tool, built-in and the user's
-// own, each with its gizmo if the kind has one. Pressing a card selects its tool; the current tool
-// can be saved as a card, and own cards can be renamed or deleted.
+// A panel above the bar with cards (presets) for the current kind of tool, both built-in ones and
+// the user's own. Each card shows the tool's gizmo, if the kind has one. Pressing a card selects
+// its tool. The current tool can be saved as a card, and own cards can be renamed or deleted.
 class CardsPanel {
 public:
     explicit CardsPanel(float scale)
@@ -17,8 +17,8 @@ public:
     {
     }
 
-    // Shows the cards for the current tool above `bar`; clears `workspace.cards_are_shown` if it is
-    // closed or there are no cards. Returns the panel's rectangle.
+    // Shows the cards for the current tool above `bar`. Clears `workspace.cards_are_shown` if the
+    // panel is closed or there are no cards. Returns the panel's rectangle.
     WindowPart show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                     WindowPart const& bar);
 
@@ -29,8 +29,9 @@ private:
                   tools::ToolCard const& card);
 
     float scale_ = 1;
-    float height_px_ = 0;  // Height of the panel in the last frame.
-    std::string named_ {}; // The card being renamed; `typed_` is the new name so far.
+    float height_px_ = 0; // Height of the panel in the last frame.
+    // Name of the card that is being renamed. `typed_` is its new name as typed so far.
+    std::string named_ {};
     std::string typed_ {};
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr render::ViewAngles kSheetAngles { .azimuth_rad = 0.45, .elevation_rad = 0.22 };
 
-// Returns the width to allow for the plants, as a share of their height; each plant may be turned
+// Returns the width needed by the plants as a share of their height. It allows for any rotation
 // about the vertical.
 double shape_of(std::vector<view::VariationView> const& plants)
 {

@@ -14,25 +14,25 @@ namespace tractus::window {
 namespace {
 
 constexpr char const* kOpenPicture = "Open...";
-// Label of the button that copies the numbers of the drawn plant to the tool.
+// Label of the button that copies the drawn plant's numbers to the current tool.
 constexpr char const* kLikeDrawn = "Like the plant";
 constexpr float kProgressHeight_px = 10;
 constexpr float kBarAir_px = 8;
 constexpr float kGroupGap_px = 28;
-// Greatest height of the bar as a share of the window's, if the main buttons allow it.
+// Maximum height of the bar as a share of the window's height. The main buttons may exceed it.
 constexpr float kGreatestPart = 0.6f;
 constexpr std::size_t kMaxMainRows = 2;
 constexpr float kLowWindow_px = 640;
-constexpr float kMinAir_px = 7;     // Space on each side of a button's label.
-constexpr float kToolWidth_px = 96; // Least width of a tool's button.
-// Tool buttons have this much less space around their label than other buttons.
+constexpr float kMinAir_px = 7;     // Minimum space on each side of a button's label.
+constexpr float kToolWidth_px = 96; // Minimum width of a tool's button.
+// Reduction of the space around the label of tool buttons, compared with other buttons.
 constexpr float kLessAir_px = 12;
 
 using Shown = Workspace::Shown;
 struct ViewButton {
     char const* name;
     Shown shown;
-    float width; // In pixels at a display scale of 1.
+    float width; // Width of the button in pixels, at a display scale of 1.
 };
 constexpr std::array<ViewButton, 6> kViews { { { "All", Shown::All, 80 },
                                                { "Pad", Shown::Pad, 80 },
@@ -40,7 +40,8 @@ constexpr std::array<ViewButton, 6> kViews { { { "All", Shown::All, 80 },
                                                { "Skeleton", Shown::Skeleton, 124 },
                                                { "Plant", Shown::Plant, 80 },
                                                { "Many", Shown::Collection, 80 } } };
-constexpr float kNextMark_px = 24; // Room for the mark that a button for the next view has.
+// Space for the mark on the button that switches to the next view.
+constexpr float kNextMark_px = 24;
 
 } // namespace
 
@@ -64,7 +65,7 @@ WindowPart Controls::show(view::WindowModel& model, Workspace& workspace, float 
     auto main = main_buttons(model, workspace, Views::Each);
     auto const rows = rows_of(main).size();
     auto shorter = main_buttons(model, workspace, Views::Next);
-    // In a low window, saving a row of buttons matters more than a button for each view.
+    // In a low window, one row of buttons less is better than a button for each view.
     bool const is_low = display.y < kLowWindow_px * scale_;
     if (rows > kMaxMainRows || (is_low && rows_of(shorter).size() < rows))
         main = std::move(shorter);
@@ -81,8 +82,8 @@ WindowPart Controls::show(view::WindowModel& model, Workspace& workspace, float 
     return part;
 }
 
-// The tool's variants, above the main buttons. They scroll by dragging if they do not fit, so that
-// the main buttons always stay visible.
+// Shows buttons for the current tool's variants above the main buttons. They scroll when dragged if
+// they do not fit, so that the main buttons are always visible.
 void Controls::show_meanings(std::vector<BarButton> const& buttons, float main_height_px) const
 {
     float const used_px = ImGui::GetCursorPosY() + main_height_px + kBarAir_px * scale_;
@@ -97,7 +98,7 @@ void Controls::show_meanings(std::vector<BarButton> const& buttons, float main_h
     ImGui::EndChild();
 }
 
-// Height of the rows that these buttons need, with the space below them.
+// Returns the height of the rows that the buttons need, including the space below them.
 float Controls::height_of(std::vector<BarButton> const& buttons) const
 {
     auto const rows = std::max<std::size_t>(rows_of(buttons).size(), 1);
@@ -125,8 +126,8 @@ std::vector<ButtonRow> Controls::rows_of(std::vector<BarButton> const& buttons) 
 
 void Controls::show_rows(std::vector<BarButton> const& buttons) const
 {
-    if (buttons.empty()) // Keeps the row's height, so that nothing moves when a tool with buttons
-                         // is selected.
+    // An empty row keeps its height, so that nothing moves when a tool with buttons is selected.
+    if (buttons.empty())
         ImGui::Dummy({ 1, theme::kButtonHeight_px * scale_ });
     auto const widths = widths_of(buttons);
     std::size_t begin = 0;
@@ -141,7 +142,7 @@ void Controls::show_rows(std::vector<BarButton> const& buttons) const
     }
 }
 
-// Width at which the button's label is not cut off.
+// Returns the width at which the button's label is not cut off.
 float Controls::min_width_px(BarButton const& button) const
 {
     return std::min(ImGui::CalcTextSize(button.text.c_str(), nullptr, true).x
@@ -153,7 +154,8 @@ bool Controls::button(char const* text, float width, bool is_on) const
 {
     if (is_on)
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-    // Centres the label of a button that is hardly wider than the label.
+    // Reduces the padding of a button that is hardly wider than its label, so that the label is
+    // centred.
     auto padding = ImGui::GetStyle().FramePadding;
     padding.x
         = std::min(padding.x, (width * scale_ - ImGui::CalcTextSize(text, nullptr, true).x) / 2);
@@ -187,8 +189,8 @@ void Controls::show_status(view::WindowState const& state) const
         show_recording(state.recording);
 }
 
-// The recording indicator, at the right end of the status line, where it stays visible while
-// drawing.
+// Shows that a recording is running, at the right end of the status line, where it stays visible
+// while the user draws.
 void Controls::show_recording(view::RecordingView const& recording)
 {
     auto const text = fmt::format("recording {} · {:.1f} MB", recording.file,
@@ -208,14 +210,15 @@ void Controls::show_recording(view::RecordingView const& recording)
     ImGui::TextUnformatted(text.c_str());
 }
 
-// True if a handle of the gizmo sets this number: it then needs no button while the gizmo is shown.
+// True if a handle of the gizmo sets this number. The number then needs no button while the gizmo
+// is shown.
 static bool is_set_by_gizmo(tools::Meaning const& meaning)
 {
     return tools::number_settings(meaning.tool)[*meaning.number].option.offered
         == tools::NumberOption::Offered::WithoutGizmo;
 }
 
-// Buttons for the variants and numbers of the current tool.
+// Returns buttons for the variants and numbers of the current tool.
 std::vector<BarButton> Controls::tool_meanings(view::WindowModel& model, Workspace& workspace)
 {
     std::vector<BarButton> buttons;
@@ -322,7 +325,7 @@ std::vector<BarButton> Controls::play_buttons(view::WindowModel& model)
              { "Restart", 150, false, false, [&model] { model.perform(view::Restart {}); } } };
 }
 
-// Shows the playback speed beside the last button if there is room.
+// Shows the playback speed beside the last button, if there is room.
 void Controls::show_speed(view::WindowModel& model) const
 {
     constexpr float kMin_px = 240;

@@ -15,7 +15,7 @@ namespace tractus::window {
 
 class PlantView;
 
-// A rectangle of the window, in pixels.
+// A rectangle in the window, in pixels.
 struct WindowPart {
     float left = 0;
     float top = 0;
@@ -26,14 +26,15 @@ struct WindowPart {
 // A button of the bar.
 struct BarButton {
     std::string text {};
-    float width = 0; // Width in pixels at a display scale of 1.
+    float width = 0; // Width of the button in pixels, at a display scale of 1.
     bool is_on = false;
-    bool begins_group = false; // True for the first button of a group that should stay in one row.
+    // True for the first button of a group. A group should stay in one row.
+    bool begins_group = false;
     std::function<void()> press;
 };
 
-// The bar at the window's lower edge, with buttons large enough for a pen: status, tools, the
-// variants of the current tool, undo, views, and the menu.
+// The bar at the lower edge of the window, with buttons large enough for a pen: status, tools, the
+// current tool's variants, undo, views, and the menu.
 class Controls {
 public:
     explicit Controls(float scale)
@@ -42,16 +43,18 @@ public:
     {
     }
 
-    // Height in the last frame; it depends on the number of rows that the buttons need.
+    // Returns the bar's height in the last frame. It depends on the number of rows that the buttons
+    // need.
     float height_px() const { return height_px_; }
 
-    // Shows the bar from `left_px` to `right_px`; returns its rectangle.
+    // Shows the bar between `left_px` and `right_px`, and returns its rectangle.
     WindowPart show(view::WindowModel& model, Workspace& workspace, float left_px, float right_px);
 
     bool button(char const* text, float width, bool is_on = false) const;
 
 private:
-    static constexpr float kFirstHeight_px = 180; // Height before the first frame: two rows.
+    // Height assumed before the first frame: that of two rows.
+    static constexpr float kFirstHeight_px = 180;
 
     void show_status(view::WindowState const& state) const;
     static void show_recording(view::RecordingView const& recording);
@@ -65,8 +68,8 @@ private:
     void show_speed(view::WindowModel& model) const;
     static std::vector<BarButton> tool_meanings(view::WindowModel& model, Workspace& workspace);
     static std::vector<BarButton> view_meanings(Workspace& workspace);
-    // Buttons for the views: one per view, or one that switches to the next view if the others need
-    // too many rows.
+    // Buttons for the views. Each: one button per view. Next: a single button that switches to the
+    // next view, if one per view would need too many rows.
     enum class Views { Each, Next };
     static std::vector<BarButton> main_buttons(view::WindowModel& model, Workspace& workspace,
                                                Views views);

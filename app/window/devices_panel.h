@@ -6,9 +6,9 @@
 
 namespace tractus::window {
 
-// The connected devices, live: what each is, how regularly it reports, its newest bytes and their
-// meaning; and problems of the devices or the machine with their remedies. Draws into the current
-// ImGui window.
+// Live information about the connected devices: what each is, how regularly it reports, and its
+// newest bytes with their meaning. Also shows problems of the devices or the machine, with their
+// remedies. Draws into the current ImGui window.
 class DevicesPanel {
 public:
     // `title_font` comes from theme::apply(); `scale` is the display's scale factor.

@@ -8,8 +8,8 @@ namespace tractus::window {
 
 namespace {
 
-constexpr double kLikeness = 0.05; // Relative tolerance between a display's size and the tablet's
-                                   // active area.
+// Relative tolerance between the sizes of a display and of the tablet's active area.
+constexpr double kLikeness = 0.05;
 
 bool is_as_large(Vec2 const& one_mm, Vec2 const& other_mm)
 {
@@ -24,7 +24,8 @@ std::string small_letters(std::string_view text)
     return small;
 }
 
-// The index of the only display that `accept` accepts; nullopt if none or several.
+// Returns the index of the only display that `accept` accepts; nullopt if it accepts none or
+// several.
 template<typename Accept>
 std::optional<std::size_t> only(std::span<Display const> displays, Accept const& accept)
 {

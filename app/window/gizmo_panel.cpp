@@ -13,20 +13,20 @@ namespace {
 constexpr float kMinSide_px = 170;
 constexpr float kGreatestSide_px = 320;
 constexpr float kShareOfPad = 0.4f;
-constexpr float kTitle_px = 44; // Height at the top of the view that the view's title needs.
+constexpr float kTitle_px = 44; // Height that the view's title needs at the top of the view.
 constexpr float kButtonWidth_px = 76;
-constexpr float kOpacity = 0.75f; // Opacity of the panel, which lets what is below show through.
-constexpr float kSmall = 0.8f;    // Size of small letters relative to normal ones.
-constexpr float kSmallest = 0.7f; // Size of the letters of labels.
+constexpr float kOpacity = 0.75f; // Opacity of the panel, through which the view remains visible.
+constexpr float kSmall = 0.8f;    // Size of small text, relative to normal text.
+constexpr float kSmallest = 0.7f; // Size of labels at handles, relative to normal text.
 constexpr float kPanelAir_px = 10;
-constexpr float kHandleRadius_px = 13; // Radius of a handle as drawn.
-constexpr float kReach_px = 22;        // Distance at which a pen grabs a handle.
-constexpr float kSmallRadius_px = 8;   // Radius of a handle among many.
+constexpr float kHandleRadius_px = 13; // Radius of a handle on the screen.
+constexpr float kReach_px = 22;        // Maximum distance from which a pen grabs a handle.
+constexpr float kSmallRadius_px = 8;   // Radius of a handle in gizmos with many handles.
 constexpr float kSmallReach_px = 14;
 
 using Slider = view::ChangeGrowth::Slider;
 
-// The index of the tool's number that the handle sets; nullopt if it sets none.
+// Returns the index of the tool's number that the handle sets; nullopt if it sets none.
 std::optional<std::size_t> number_of(tools::Tool const& tool, tools::Gizmo::Handle const& handle)
 {
     auto const numbers = tools::number_settings(tool);
@@ -70,8 +70,8 @@ std::optional<WindowPart> GizmoPanel::show(view::WindowModel& model, Workspace& 
         is_shown = !is_shown;
     if (is_shown) {
         auto const gizmo = is_of_drawn ? *state.drawn_gizmo : workspace.hand(state).gizmo();
-        // A gizmo of curves fills its square, below the button; a rule's leaves a corner free for
-        // the button.
+        // The gizmo of drawn curves fills its square, so the square is below the button. The gizmo
+        // of a rule leaves a corner of its square free for the button.
         auto const corner = is_of_drawn ? ImGui::GetCursorScreenPos() : top;
         show_gizmo(model, workspace, gizmo,
                    { { corner.x + side / 2, corner.y + side / 2 }, side / 2 });
@@ -120,7 +120,7 @@ void GizmoPanel::draw_labels(tools::Gizmo const& gizmo, GizmoSquare const& squar
     }
 }
 
-// Handles hovering and dragging of a handle by pen or mouse in this frame.
+// Processes hovering over a handle and dragging it, by pen or mouse, in this frame.
 void GizmoPanel::take_hand(view::WindowModel& model, Workspace& workspace,
                            tools::Gizmo::Handle const& handle, GizmoSquare const& square)
 {

@@ -9,9 +9,10 @@
 
 namespace tractus::window {
 
-// The gizmo (a small drawing) of the current tool, or of an object drawn with it, in a corner of
-// the viewport, with handles to drag by pen or mouse (app/tools/gizmo.h). While a handle is
-// dragged, a preview is shown; the object changes when it is released.
+// Shows a gizmo (a small drawing with handles; app/tools/gizmo.h) in a corner of the viewport: that
+// of the current tool, or of an object that was drawn with the tool. Handles are dragged by pen or
+// mouse. While a handle is dragged, the change is only previewed; it takes effect when the handle
+// is released.
 class GizmoPanel {
 public:
     explicit GizmoPanel(float scale)
@@ -19,8 +20,9 @@ public:
     {
     }
 
-    // Shows the gizmo in the upper right corner of `pad`, if the tool has one and there is room.
-    // Returns its rectangle, or nullopt if it is not shown.
+    // Shows the gizmo in a corner of `pad`, if the tool has one and there is room. The corner is
+    // the upper right one, or the upper left one for left-handed use. Returns the gizmo's
+    // rectangle, or nullopt if it is not shown.
     std::optional<WindowPart> show(view::WindowModel& model, Workspace& workspace,
                                    Controls const& controls, WindowPart const& pad);
 
@@ -39,8 +41,8 @@ private:
     void draw_handle(tools::Gizmo::Handle const& handle, GizmoSquare const& square) const;
 
     float scale_ = 1;
-    std::optional<std::size_t> held_ {};  // Id of the handle being dragged.
-    std::optional<std::size_t> shown_ {}; // Id of the handle that was last dragged or hovered over.
+    std::optional<std::size_t> held_ {};  // Id of the handle that is being dragged.
+    std::optional<std::size_t> shown_ {}; // Id of the handle that was last dragged or pointed at.
     ImVec2 grab_offset_px_ {
         0, 0
     }; // Vector from the point where the handle was grabbed to its centre.

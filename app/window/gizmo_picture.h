@@ -15,7 +15,7 @@ struct GizmoSquare {
     Vec2 to_frame(ImVec2 const& place_px) const;
 };
 
-// Draws the gizmo's lines into the current ImGui window; `scale` is the display's scale factor.
+// Draws the lines of a gizmo into the current ImGui window. `scale` is the display's scale factor.
 void draw_gizmo(tools::Gizmo const& gizmo, GizmoSquare const& square, float scale);
 
 } // namespace tractus::window

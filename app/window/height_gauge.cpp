@@ -15,14 +15,14 @@ void draw_height_gauge(view::WindowState const& state, ImVec2 const& corner, ImV
     auto* const draw = ImGui::GetWindowDrawList();
     double const low_mm = state.volume_mm.min_mm.z();
     double const range_mm = std::max(1.0, state.volume_mm.max_mm.z() - low_mm);
-    // Leaves room above the gauge for the height's number.
+    // Leaves space above the gauge for the number of the height.
     float const top = corner.y + std::max(size.y * 0.08f, ImGui::GetFontSize() + kAboveScale_px);
     float const length = std::max(1.0f, corner.y + size.y * 0.92f - top);
     auto const y_of = [&](double height_mm) {
         return top + length * (1 - static_cast<float>((height_mm - low_mm) / range_mm));
     };
     bool const is_left = side == Side::Left;
-    float const inwards = is_left ? 1.0f : -1.0f; // Direction to the middle of the view.
+    float const inwards = is_left ? 1.0f : -1.0f; // Direction towards the middle of the view.
     float const x = (is_left ? corner.x : corner.x + size.x) + inwards * size.x * 0.36f;
     draw->AddLine({ x, top }, { x, top + length }, theme::packed(theme::palette().unselected, 0.7f),
                   2);

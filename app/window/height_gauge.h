@@ -8,9 +8,9 @@ namespace tractus::window {
 
 enum class Side { Left, Right };
 
-// Draws a ruler of the surface's calibrated range with a mark at its current height over the
-// current ImGui window. `corner` is the ruler's upper left corner, `side` the edge of the view that
-// it lies along.
+// Draws a ruler of the surface's calibrated range over the current ImGui window, with a mark at the
+// surface's current height. `corner` is the ruler's upper left corner; `side` is the edge of the
+// view along which the ruler is drawn.
 void draw_height_gauge(view::WindowState const& state, ImVec2 const& corner, ImVec2 const& size,
                        Side side);
 

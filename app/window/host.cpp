@@ -33,7 +33,7 @@ tl::unexpected<Error> no_window(char const* what)
             what, reason ? reason : "no reason given"));
 }
 
-// The KeyPress constant of a key without a letter; 0 if it has none.
+// Returns the constant of KeyPress for a key without a letter; 0 if the key has none.
 char special_key(int key)
 {
     switch (key) {
@@ -57,8 +57,8 @@ char special_key(int key)
     }
 }
 
-// The letter on a key: of this keyboard layout, or of the US layout if that is not Latin; 0 if
-// none.
+// Returns the letter on a key of the current keyboard layout, or of the US layout if the current
+// one is not Latin. Returns 0 if the key has no letter.
 char letter_of(int key, int scancode)
 {
     auto const* const name = glfwGetKeyName(key, scancode);
@@ -94,7 +94,7 @@ Host::~Host()
 Result<void> Host::open(WindowOptions const& options)
 {
 #ifdef GLFW_PLATFORM
-    // GLFW 3.4 tries Wayland first, whose library prints an error without this variable.
+    // GLFW 3.4 tries Wayland first. Without this variable, Wayland's library would print an error.
     if (std::getenv("XDG_RUNTIME_DIR") == nullptr)
         glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
@@ -121,7 +121,7 @@ Result<void> Host::open(WindowOptions const& options)
     watch_window();
 
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr; // Keeps ImGui from writing imgui.ini.
+    ImGui::GetIO().IniFilename = nullptr; // Stops ImGui from writing the file imgui.ini.
     if (options.scale > 0)
         scale_ = static_cast<float>(options.scale);
     theme::set_light(options.look.is_light);
@@ -142,7 +142,8 @@ Host& Host::stirred(GLFWwindow* window)
 void Host::watch_mouse()
 {
     glfwSetWindowUserPointer(window_, this);
-    // Uses the positions in the events, in order: glfwGetCursorPos() would return the newest one.
+    // Each event contains the position at its own time; glfwGetCursorPos() would return the newest
+    // one.
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
         auto& host = stirred(window);
         host.last_mouse_.place_px = { static_cast<float>(x), static_cast<float>(y) };
@@ -166,8 +167,8 @@ void Host::watch_keyboard()
     });
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned int letter) {
         auto& host = stirred(window);
-        if (letter == '?') // Handled as a character, because its key depends on the keyboard
-                           // layout.
+        // '?' is handled as a character, because its key depends on the keyboard layout.
+        if (letter == '?')
             host.presses_.push_back({ '?' });
     });
 }
@@ -210,11 +211,11 @@ void Host::take_key(int key, int scancode, bool is_pressed, int modifiers)
     held_.erase(std::remove(held_.begin(), held_.end(), letter), held_.end());
     if (!is_pressed
         || (modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER))
-            != 0) // Ignores keys with Alt or Super, which are reserved for the desktop.
+            != 0) // Keys with Alt or Super are reserved for the desktop.
         return;
     bool const has_control = (modifiers & GLFW_MOD_CONTROL) != 0;
     presses_.push_back({ letter, has_control, (modifiers & GLFW_MOD_SHIFT) != 0 });
-    if (has_control) // Ctrl with a key is a command and must not also move the surface.
+    if (has_control) // A key with Ctrl is a command, and must not also move the surface.
         return;
     held_.push_back(letter);
     lately_held_.push_back(letter);
@@ -268,7 +269,7 @@ render::Image Host::back_buffer() const
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.pixels().data());
     auto picture = render::flipped(upside_down);
     for (auto& pixel : picture.pixels())
-        // Makes pixels opaque, as the alpha of a window's framebuffer is meaningless.
+        // Pixels are made opaque, as the alpha in a window's framebuffer is meaningless.
         pixel.alpha = 255;
     return picture;
 }
@@ -353,8 +354,8 @@ void Host::fill_display(std::optional<std::size_t> display)
                              last_place_.height, GLFW_DONT_CARE);
 }
 
-// Some window managers (Openbox) always fill the monitor that the window is on, so move it there
-// first.
+// Moves the window to the monitor before the window fills it: some window managers (Openbox) always
+// fill the monitor on which the window already is.
 void Host::fill_monitor(GLFWmonitor* monitor)
 {
     auto const* const mode = glfwGetVideoMode(monitor);

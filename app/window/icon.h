@@ -4,8 +4,9 @@
 
 namespace tractus::window {
 
-// Draws an icon (lines in the notation of ToolKind::icon) into the current ImGui window, in a
-// square of side `size` with the middle of its lower edge at `foot`.
+// Draws an icon into the current ImGui window. The icon consists of lines in the notation of
+// ToolKind::icon. It fills a square with sides of `size`, of which `foot` is the middle of the
+// lower edge.
 void draw_icon(char const* icon, ImVec2 const& foot, float size, float line_width);
 
 } // namespace tractus::window

@@ -2,19 +2,20 @@
 
 namespace tractus::window {
 
-#if IMGUI_VERSION_NUM >= 18700 // Debian 13 has such a version of ImGui; Debian 12 has an older one.
+// Debian 13 has ImGui of this version or later; Debian 12 has an older one.
+#if IMGUI_VERSION_NUM >= 18700
 
 void put_imgui_mouse(ImVec2 const& place_px, bool is_down)
 {
     auto& io = ImGui::GetIO();
-    io.ClearEventsQueue(); // Drops the events of the window system's mouse.
+    io.ClearEventsQueue(); // Removes events of the window system's mouse.
     io.AddMousePosEvent(place_px.x, place_px.y);
     io.AddMouseButtonEvent(ImGuiMouseButton_Left, is_down);
 }
 
 void show_imgui_press(MouseMoment const&)
 {
-    // Nothing to do here: newer versions of ImGui queue presses themselves.
+    // Does nothing, as this version of ImGui queues presses itself.
 }
 
 #else

@@ -4,12 +4,12 @@
 
 namespace tractus::window {
 
-// Overrides the mouse that ImGui sees in this frame. Call between the backend's NewFrame and
-// ImGui's.
+// Replaces the mouse that ImGui sees in this frame. Call this after NewFrame of ImGui's backend and
+// before ImGui::NewFrame().
 void put_imgui_mouse(ImVec2 const& place_px, bool is_down);
 
-// Makes ImGui see a press or release of the real mouse at the place where it happened, since the
-// mouse may have moved on. Call at the same point of a frame.
+// Shows ImGui a press or release of the real mouse at the place where it happened, as the mouse may
+// have moved on. Call this after NewFrame of ImGui's backend and before ImGui::NewFrame().
 void show_imgui_press(MouseMoment const& change);
 
 } // namespace tractus::window

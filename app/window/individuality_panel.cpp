@@ -11,7 +11,7 @@ namespace tractus::window {
 namespace {
 
 constexpr float kIndividualityWidth_px = 430;
-// Maximum width of the panel, as a share of the room's width.
+// Maximum width of the panel, as a share of the width available to panel and sheet.
 constexpr float kIndividualityShare = 0.42f;
 constexpr float kSwitchWidth_px = 128;
 
@@ -19,8 +19,8 @@ struct Trait {
     char const* name;
     double variation::Individuality::*number;
     double greatest;
-    char const* text;  // Format of the label; its argument is the number multiplied by `unit`.
-    double unit = 100; // Factor to the label's unit, by default percent.
+    char const* text;  // Format of the label. Its argument is the number, multiplied by `unit`.
+    double unit = 100; // Factor from the number to the label's unit; 100 for percent.
 };
 
 constexpr std::array<Trait, 6> kTraits {
@@ -90,7 +90,7 @@ void IndividualityPanel::show(view::WindowModel& model, Controls const& controls
     }
 }
 
-// Shows the variability of growth, which belongs to the plant and not to the collection.
+// Shows the variability of growth, a property of the plant and not of the collection.
 void IndividualityPanel::show_growth(view::WindowModel& model, Controls const& controls)
 {
     view::ChangeGrowth change { .growth = model.state().growth };

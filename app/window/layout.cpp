@@ -15,16 +15,16 @@ namespace tractus::window {
 
 namespace {
 
-constexpr int kSavedWidth_px = 1600; // Width of the file written by "Save picture".
+constexpr int kSavedWidth_px = 1600; // Width of the picture that "Save picture" writes.
 constexpr int kSavedHeight_px = 1200;
 constexpr float kGaugeWidth_px = 88;
-constexpr float kMinForAll_px = 460; // In a narrower space than this beside the menu, only the
-                                     // plant is shown.
+// If less width than this remains beside the menu, only the plant is shown there.
+constexpr float kMinForAll_px = 460;
 constexpr double kAirAroundPad = 1.06;
-// Least height below the pad at which the strokes are shown there.
+// Minimum height left below the pad for the strokes to be shown there.
 constexpr float kMinStrokes_px = 150;
-constexpr float kPadTitle_px = 50; // Height of the pad's title.
-// Width of the list of strokes; it is shown if the view beside it is at least as wide.
+constexpr float kPadTitle_px = 50; // Height of the title above the pad.
+// Width of the list of strokes. The list is shown if the view beside it is at least as wide.
 constexpr float kListWidth_px = 460;
 constexpr float kTitleRow_px = 44;
 
@@ -48,7 +48,8 @@ WindowPart Layout::above_controls() const
     return part;
 }
 
-// The part of the window beside the menu.
+// Returns the part of the window beside the menu; if the menu is closed, all of the window above
+// the bar.
 WindowPart Layout::beside_menu() const
 {
     auto part = above_controls();
@@ -61,7 +62,7 @@ WindowPart Layout::beside_menu() const
     return part;
 }
 
-// While a text field is active it receives all keys, including those that would move the surface.
+// True while a text field receives all keys, even those that otherwise move the surface.
 bool Layout::takes_text() const
 {
     return ImGui::GetIO().WantTextInput || workspace_.name_request;
@@ -124,7 +125,8 @@ void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPoint
     tell_pressing_areas(model);
 }
 
-// Shows the stage view: the plant and what grows on it. The pen draws anywhere in the window.
+// Shows the stage view: the plant, and the shoots that grow on it. The pen draws anywhere in the
+// window.
 void Layout::show_stage(view::WindowModel& model, render::Renderer& renderer,
                         HandInput const& input)
 {
@@ -144,7 +146,7 @@ void Layout::show_stage(view::WindowModel& model, render::Renderer& renderer,
     apply_surface_request(model, input, draws);
 }
 
-// Shows the start page, where the pen operates controls in the whole window.
+// Shows the start page. The pen operates controls in the whole window.
 void Layout::show_start(view::WindowModel& model)
 {
     auto const whole = whole_window();
@@ -155,8 +157,8 @@ void Layout::show_start(view::WindowModel& model)
     tell_pressing_areas(model);
 }
 
-// The pen operates controls everywhere in the window; the calibration also uses where it rests on
-// the tablet.
+// Shows the calibration page. The pen operates controls in the whole window; the calibration also
+// uses the places where the pen rests on the tablet.
 void Layout::show_calibration(view::WindowModel& model, PenPointer const& pen)
 {
     auto const whole = whole_window();
@@ -208,7 +210,7 @@ void Layout::apply_view_requests()
         plant_.zoom(factor);
 }
 
-// Resets the views and selects the tool that the page chose.
+// Resets the views after the start page was left, and selects the drawing's tool.
 void Layout::begin_drawing(view::WindowModel& model)
 {
     start_.leave();
@@ -222,7 +224,8 @@ void Layout::begin_drawing(view::WindowModel& model)
     has_begun_ = false;
 }
 
-// Prepares a frame and handles its input. With a tablet, the window first shows the pad alone.
+// Prepares a frame and handles its input. For a pen tablet, the window begins with the pad as the
+// only view.
 void Layout::begin_frame(view::WindowModel& model, HandInput const& input)
 {
     auto const& state = model.state();
@@ -289,7 +292,7 @@ void Layout::show_views(view::WindowModel& model, render::Renderer& renderer,
     float const gap = ImGui::GetStyle().ItemSpacing.x;
     float const width = std::max(room.width - 2 * gap, 192.0f);
     WindowPart part { room.left, 0, width * 0.37f, room.height };
-    // Area in which the pen points: the whole window unless it draws.
+    // Outside the drawing views, the pen points at places in the whole window.
     auto const whole = whole_window();
     pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
     if (workspace_.menu_is_open() && room.width < kMinForAll_px * scale_) {
@@ -308,8 +311,8 @@ void Layout::show_views(view::WindowModel& model, render::Renderer& renderer,
     show_plant(state, renderer, part);
 }
 
-// Height that is left for the strokes below the pad in its column, which is as wide as the pad; 0
-// if it is too little.
+// Returns the height left for the strokes below the pad in a column of the pad's width; 0 if there
+// is too little.
 float Layout::strokes_height_px(view::WindowState const& state, WindowPart const& column) const
 {
     Vec2 const size_mm = state.surface_size_mm().cwiseMax(1);
@@ -318,7 +321,7 @@ float Layout::strokes_height_px(view::WindowState const& state, WindowPart const
     return left_px < kMinStrokes_px * scale_ ? 0 : left_px;
 }
 
-// Shows the drawn strokes; if the view fills the window, with a list of them beside it.
+// Shows the drawn strokes. If this view fills the window, a list of the strokes is shown beside it.
 void Layout::show_strokes(view::WindowModel& model, render::Renderer& renderer, WindowPart part)
 {
     auto const& state = model.state();
@@ -389,7 +392,7 @@ void Layout::show_pad(view::WindowModel& model, render::Renderer& renderer, Wind
     show_title(part, "Drawing pad", state.tool.c_str());
 }
 
-// Draws the height gauge within the visible part of the pad.
+// Draws the height gauge inside the visible part of the pad.
 void Layout::show_gauge(view::WindowState const& state, WindowPart const& part,
                         PenArea const& area) const
 {
@@ -404,8 +407,9 @@ void Layout::show_gauge(view::WindowState const& state, WindowPart const& part,
                       workspace_.is_left_handed ? Side::Right : Side::Left);
 }
 
-// Where the skeleton's view shows the tablet: in full if the view fills the window. Beside other
-// views the scale fits the plant, which may be smaller.
+// Returns where the skeleton's view shows the tablet. If the view fills the window, the whole
+// tablet is visible. Beside other views, the scale is chosen so that the plant, which may be
+// smaller, fills the view.
 PenArea Layout::skeleton_area(view::WindowState const& state, WindowPart const& part) const
 {
     auto area = fit_pen_area(state.volume_mm, { part.left, part.top }, { part.width, part.height });
@@ -473,7 +477,7 @@ void Layout::show_collection(view::WindowModel& model, render::Renderer& rendere
         workspace_.shown = Shown::Plant;
 }
 
-// The part of the window for the menu, within the pen's reach.
+// Returns the part of the window in which the menu is shown; the pen can reach all of it.
 WindowPart Layout::room_for_menu() const
 {
     auto room = above_controls();
@@ -487,7 +491,7 @@ WindowPart Layout::room_for_menu() const
     return room;
 }
 
-// The ring's entries: the tools and other frequent actions.
+// Returns the entries of the tool ring: the tools and other frequent commands.
 std::vector<RingEntry> Layout::ring_entries(view::WindowModel& model)
 {
     std::vector<RingEntry> entries;
@@ -515,7 +519,7 @@ void Layout::show_ring(view::WindowModel& model, PenPointer const& pen)
         = !pen.leads() && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && pad_is_pointed_at_;
     if (!ring_.is_open() && (mouse_asks || pen.requests_tool_ring())) {
         ring_.open(pen.leads() ? pen.place_px() : ImGui::GetIO().MousePos, scale_);
-        // A long touch that opened the ring becomes a press, so that it does not draw.
+        // The touch that opened the ring operates the controls, so that it does not draw.
         model.perform(view::PressInstead {});
     }
     bool const let_go
@@ -528,7 +532,8 @@ void Layout::show_ring(view::WindowModel& model, PenPointer const& pen)
         entries[*chosen].choose();
 }
 
-// Keeps selection consistent with the skeleton's current viewing direction.
+// Makes the tool select branches from the direction in which the skeleton's view now shows the
+// plant.
 void Layout::follow_angle(view::WindowModel& model) const
 {
     auto const& state = model.state();

@@ -22,9 +22,9 @@
 
 namespace tractus::window {
 
-// The window's contents: the views, side by side or one of them full size, with the bar of
-// controls, the menu and the ring of tools on top. Draws one ImGui frame at a time; input goes to
-// the model at once.
+// The contents of the window: several views side by side or a single view, with the bar of
+// controls, the menu and the ring of tools on top. Draws one ImGui frame at a time, and passes
+// input to the model at once.
 class Layout {
 public:
     // `title_font` comes from theme::apply(); `scale` is the display's scale factor.
@@ -43,10 +43,10 @@ public:
     {
     }
 
-    // The area that the pen points into, as shown in the last frame.
+    // Returns the area that the pen points at, as shown in the last frame.
     PenArea const& pen_area() const { return pen_area_; }
 
-    // `input`: mouse and keyboard events since the last frame.
+    // Shows a frame. `input` contains the events of mouse and keyboard since the last frame.
     void show(view::WindowModel& model, render::Renderer& renderer, PenPointer const& pen,
               HandInput const& input);
 
@@ -108,17 +108,18 @@ private:
     ToolRing ring_;
     MouseHand mouse_;
     PenArea pen_area_;
-    std::vector<WindowPart> covered_; // Panels shown in this frame, where the pen does not draw.
+    // Panels that are shown in this frame; over them the pen does not draw.
+    std::vector<WindowPart> covered_;
     std::vector<Eigen::AlignedBox2d>
-        last_covered_areas_;             // The covered areas last passed to the model.
+        last_covered_areas_;             // Areas of the covered panels as last passed to the model.
     std::optional<WindowPart> pad_part_; // Rectangle of the drawing pad in this frame.
     bool pad_is_pointed_at_ = false;     // True if the mouse hovers over the pad in this frame.
     bool collection_is_shown_ = false;
     bool devices_are_watched_ = false;
     bool has_begun_ = false;
     bool start_is_shown_ = false;
-    bool goes_back_to_drawing_ = false; // The page shown was opened from a drawing, to which the
-                                        // user can return.
+    // True if the page that is shown was opened from a drawing, to which the user can return.
+    bool goes_back_to_drawing_ = false;
 };
 
 } // namespace tractus::window

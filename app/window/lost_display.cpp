@@ -2,7 +2,7 @@
 
 #include "app/terminal/console.h"
 
-// Included last, in a file compiled alone, as Xlib's macros are short common words.
+// Included last, and in a file of its own, as Xlib's macros are short, common words.
 #include <X11/Xlib.h>
 #include <cstdlib>
 #include <fmt/core.h>
@@ -16,8 +16,8 @@ static std::function<Result<void>()>& lost_display_action()
     return action;
 }
 
-// Called by Xlib in the window's thread, on which it noticed the broken connection: in the middle
-// of a call that concerns the window, but never while the model is working.
+// Called by Xlib on the window's thread when it notices the broken connection. This happens during
+// a call that concerns the window, but never while the model is working.
 static int end_without_display(::Display* /*display*/)
 {
     if (auto const action = std::exchange(lost_display_action(), nullptr)) {

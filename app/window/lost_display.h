@@ -6,9 +6,9 @@
 
 namespace tractus::window {
 
-// Sets an action that runs once when the X11 display goes away. Then the program ends with exit
-// code 1, because Xlib gives no way to continue. The action's error is printed. Null: no action. If
-// a Wayland compositor goes away, GLFW closes the window instead.
+// Sets an action that runs once if the connection to the X11 display is lost. The action's error is
+// printed. The program then ends with exit code 1, because Xlib cannot continue. Null: no action.
+// If a Wayland compositor is lost, GLFW closes the window instead.
 void on_lost_display(std::function<Result<void>()> action);
 
 } // namespace tractus::window

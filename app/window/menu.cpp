@@ -20,7 +20,7 @@ constexpr float kMinBeside_px = 140;
 
 } // namespace
 
-// Width of each of `count` items that share the rest of a row.
+// Returns the width of each of `count` items that share the rest of a row.
 float Menu::item_px(int count) const
 {
     auto const gaps = static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x;
@@ -112,7 +112,7 @@ void Menu::show_keeping(view::WindowModel& model, Workspace& workspace, Controls
     }
 }
 
-// Buttons that close the drawing or discard what was drawn.
+// Shows buttons that close the drawing or discard what was drawn.
 void Menu::show_leaving(view::WindowModel& model, Controls const& controls) const
 {
     bool const may_begin_anew = model.state().may_begin_anew;
@@ -125,7 +125,8 @@ void Menu::show_leaving(view::WindowModel& model, Controls const& controls) cons
         model.perform(view::OpenStartPage {});
 }
 
-// Chooses how a .glb file stores leaves, and says for which programs each way is meant.
+// Lets the user choose how a .glb file stores leaves, and says for which programs each choice is
+// meant.
 void Menu::show_organs(Controls const& controls)
 {
     struct Choice {
@@ -166,8 +167,8 @@ void Menu::show_devices(view::WindowModel& model, Controls const& controls)
         devices_.show(state.devices);
 }
 
-// A list of displays. The tablet's own is marked, because there the drawn line appears under the
-// pen's tip.
+// Shows a list of displays. The tablet's own display is marked: on it, lines appear under the pen's
+// tip.
 void Menu::show_displays(view::WindowState const& state, Workspace& workspace,
                          Controls const& controls) const
 {
@@ -252,9 +253,9 @@ void Menu::show_plant(view::WindowModel& model, Controls const& controls)
         model.perform(view::TakeOrphansAway {});
 }
 
-// A slider for the season. At its left end there is no season: leaves are as the models define
-// them. After a change it keeps its position until the plant is updated, for which leaves may have
-// to be grown.
+// Shows a slider for the season. At its left end there is no season: leaves look as the models
+// define them. After a change the slider keeps its position until the plant is updated, for which
+// leaves may have to be grown.
 void Menu::show_season(view::WindowModel& model)
 {
     scene::Season const none { .month = 0 };
@@ -280,7 +281,7 @@ void Menu::show_season(view::WindowModel& model)
         view::ChangeSeason { season == none ? std::nullopt : std::optional(season), slider });
 }
 
-// Shows a slider. Returns true while it is being dragged.
+// Shows a slider. Returns true while the slider is dragged.
 bool Menu::show_slider(char const* name, char const* text, float greatest, double& value,
                        bool& is_released) const
 {

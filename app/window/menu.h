@@ -9,8 +9,8 @@
 
 namespace tractus::window {
 
-// The panel beside the views for what is not needed at every stroke, on a few pages: how the plant
-// grows, saving and exporting, the devices, the window.
+// The panel beside the views, for settings and commands that are rarely needed while drawing. Its
+// pages are the plant's growth, saving and exporting, the devices, and the window.
 class Menu {
 public:
     // `title_font` comes from theme::apply(); `scale` is the display's scale factor.
@@ -20,12 +20,12 @@ public:
     {
     }
 
-    // The menu's width in a room of width `room_px`; in a narrow one it leaves some space for the
-    // plant.
+    // Returns the menu's width if menu and views share a width of `room_px`. If that is narrow,
+    // some space remains for the plant.
     float width_px(float room_px) const;
 
-    // Shows the menu at the right edge of `room`, or at the left one for left-handed use; returns
-    // its rectangle. `picture` renders the plant from the current view, to be saved.
+    // Shows the menu at the right edge of `room`, or at the left edge for left-handed use. Returns
+    // the menu's rectangle. `picture` renders the plant as the view shows it, to be saved.
     WindowPart show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                     WindowPart const& room, std::function<render::Image()> const& picture);
 
@@ -48,11 +48,12 @@ private:
     float item_px(int count = 1) const;
 
     float scale_ = 1;
-    float row_px_ = 0; // Inner width of the panel.
+    float row_px_ = 0; // Width of the menu's content, in pixels.
     DevicesPanel devices_;
-    // Season being set by a slider; month 0: no season. nullopt: show the plant's own.
+    // Season that the slider is setting; month 0: no season. nullopt: the slider shows the
+    // document's season.
     std::optional<scene::Season> wanted_season_;
-    // How the next .glb file stores leaves.
+    // How .glb files store leaves when the plant is exported next.
     exports::GlbOptions::Organs organs_ = exports::GlbOptions::Organs::Merged;
 };
 

@@ -15,7 +15,7 @@ void MouseHand::hold(view::WindowModel& model, PenArea const& area,
         is_down_ = holds && moment.is_down;
         move.path.push_back({ area.to_mm(moment.place_px), true, is_down_ });
     }
-    // A resting mouse still counts as a pen in range, since the surface may move under it.
+    // A resting mouse still counts as a pen in range, as the surface may move below it.
     if (move.path.empty() && (is_down_ || !is_in_range_))
         move.path.push_back({ area.to_mm(ImGui::GetIO().MousePos), true, is_down_ });
     is_in_range_ = true;

@@ -8,19 +8,19 @@
 
 namespace tractus::window {
 
-// Uses the mouse as a pen over a part of the window, when there is no tablet.
+// Uses the mouse as the pen over a part of the window, if there is no tablet.
 class MouseHand {
 public:
-    // Handles what the mouse did since the last frame over ImGui's last item, which shows `area`. A
-    // touch that begins there draws until it ends, wherever the mouse goes.
+    // Processes the mouse's events since the last frame. ImGui's last item shows the surface, at
+    // `area`. A touch that begins on this item draws until it ends, wherever the mouse goes.
     void hold(view::WindowModel& model, PenArea const& area, std::span<MouseMoment const> path);
 
-    // Call instead of hold() when no item shows the pen's area.
+    // Call this instead of hold() if no item shows the surface.
     void let_go(view::WindowModel& model);
 
 private:
     bool is_in_range_ = false;
-    bool is_down_ = false; // True if the button is down and was pressed over the area.
+    bool is_down_ = false; // True if the button was pressed over the surface and is still down.
 };
 
 } // namespace tractus::window

@@ -7,13 +7,13 @@
 
 namespace tractus::window {
 
-// Passes the mouse's events on in portions of at most one press or release per frame, so that a
-// click during a slow frame is neither misplaced nor lost.
+// Passes the mouse's events on in portions. Each frame gets a portion with at most one press or
+// release, so that a click during a slow frame is neither misplaced nor lost.
 class MouseQueue {
 public:
     struct Part {
         std::vector<MouseMoment> path;
-        // The press or release in this portion of events, if any.
+        // The press or release in this portion; no value if there is none.
         std::optional<MouseMoment> change;
     };
 
@@ -23,7 +23,7 @@ public:
 
 private:
     std::vector<MouseMoment> waiting_;
-    bool is_down_ = false; // State of the button after the last portion.
+    bool is_down_ = false; // True if the button was down after the last portion.
 };
 
 } // namespace tractus::window

@@ -52,7 +52,7 @@ void perform(view::WindowModel& model, NameRequest const& asked, std::string con
     }
 }
 
-// Removes the last character, of one or more bytes.
+// Removes the last character of a UTF-8 text.
 void take_last(std::string& text)
 {
     auto const is_within = [](char byte) { return (byte & 0xc0) == 0x80; };
@@ -62,7 +62,7 @@ void take_last(std::string& text)
         text.pop_back();
 }
 
-// Appends a code point as UTF-8 (RFC 3629, section 3).
+// Appends a code point in UTF-8 (RFC 3629, section 3).
 void append_letter(std::string& text, unsigned int letter)
 {
     constexpr unsigned int kSix = 0x3f;
@@ -81,7 +81,7 @@ void append_letter(std::string& text, unsigned int letter)
     }
 }
 
-// Marks ImGui's last item, text that begins at its left edge, as selected.
+// Draws the text of ImGui's last item as selected. The text begins at the item's left edge.
 void mark_selected(std::string const& text)
 {
     auto const& padding = ImGui::GetStyle().FramePadding;
@@ -110,7 +110,8 @@ WindowPart NamePanel::show(view::WindowModel& model, Workspace& workspace, Contr
     float const around = kNameMargin_px * scale_;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { around, around });
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, { kKeyGap_px * scale_, kKeyGap_px * scale_ });
-    // If there is too little room, the panel overlaps the bar rather than leaving the window.
+    // If there is too little room above the bar, the panel overlaps the bar instead of leaving the
+    // window.
     ImGui::SetNextWindowPos({ bar.left, std::max(bar.top - height_px_, 0.0f) });
     ImGui::Begin("name", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
@@ -143,7 +144,8 @@ void NamePanel::show_name(view::WindowModel& model, Workspace& workspace, Contro
         perform(model, *asked_, typed_);
 }
 
-// Reads the keyboard without an ImGui text field, so that on-screen keys and keyboard can be mixed.
+// Reads key presses without a text field of ImGui, so that on-screen keys and the keyboard can be
+// mixed.
 void NamePanel::take_keyboard(std::span<KeyPress const> presses)
 {
     confirms_ = false;
@@ -223,7 +225,7 @@ void NamePanel::show_row(std::string_view keys, Controls const& controls, float 
     }
 }
 
-// Enters an on-screen key's letter; the next letters are small.
+// Enters the letter of an on-screen key. The letters after it are small ones.
 void NamePanel::press(char key)
 {
     take_letter(static_cast<unsigned char>(key));

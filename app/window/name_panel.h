@@ -10,9 +10,9 @@
 
 namespace tractus::window {
 
-// A panel above the bar for entering the name of the drawing, of a copy of it, or of a card: with
-// on-screen keys for the pen, or with a keyboard, where Enter confirms and Esc cancels. The old
-// name is selected at first: typing replaces it, unless the field is pressed before.
+// A panel above the bar for entering the name of the drawing, of a copy of it, or of a card. It has
+// on-screen keys for the pen; on a keyboard, Enter confirms and Esc cancels. The old name is
+// selected at first, so that typing replaces it, unless the text field is pressed before.
 class NamePanel {
 public:
     explicit NamePanel(float scale)
@@ -20,8 +20,9 @@ public:
     {
     }
 
-    // Edits `workspace.name_request` in a panel above `bar`; resets that when done or closed.
-    // `presses` are this frame's key presses. Returns the panel's rectangle.
+    // Edits `workspace.name_request` in a panel above `bar`, and resets it when the name is
+    // confirmed or the panel is closed. `presses` are the keys pressed in this frame. Returns the
+    // panel's rectangle.
     WindowPart show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                     WindowPart const& bar, std::span<KeyPress const> presses);
 
@@ -38,10 +39,10 @@ private:
 
     float scale_ = 1;
     float height_px_ = 0; // Height of the panel in the last frame.
-    // The request that the panel answers: what is to be named.
+    // The request that the panel is answering, which says what is to be named.
     std::optional<Workspace::NameRequest> asked_ {};
     std::string typed_ {};
-    bool is_selected_ = false; // True if the whole text is selected.
+    bool is_selected_ = false; // True if all of the text is selected.
     bool types_capitals_ = true;
     bool confirms_ = false; // True if Enter was pressed in this frame.
     bool gives_up_ = false; // True if Esc was pressed in this frame.

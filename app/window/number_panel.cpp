@@ -18,7 +18,7 @@ constexpr float kValueWidth_px = 400;
 constexpr float kKeyWidth_px = 84;
 constexpr float kAir_px = 14;
 constexpr int kKeysInRow = 3;
-// The label for backspace is a word, because the typeface lacks the symbol.
+// The backspace key has a word as its label, because the font lacks the symbol.
 constexpr std::array<std::pair<char const*, char>, 12> kKeys { {
     { "7", '7' },
     { "8", '8' },
@@ -54,10 +54,11 @@ WindowPart NumberPanel::show(view::WindowModel& model, Workspace& workspace,
     if (std::exchange(asked_, chosen.option.name) != chosen.option.name) {
         typed_.clear();
         objection_.clear();
-        ImGui::SetNextWindowFocus(); // Brings the panel in front of the bar, which had the focus.
+        ImGui::SetNextWindowFocus(); // Brings the panel to the front, as the bar had the focus.
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, { kAir_px * scale_, kAir_px * scale_ });
-    // If there is too little room, the panel overlaps the bar rather than leaving the window.
+    // If there is too little room above the bar, the panel overlaps the bar instead of leaving the
+    // window.
     ImGui::SetNextWindowPos({ bar.left, std::max(bar.top - height_px_, 0.0f) });
     ImGui::Begin("number", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
@@ -83,7 +84,8 @@ WindowPart NumberPanel::show(view::WindowModel& model, Workspace& workspace,
     return { corner.x, corner.y, size.x, size.y };
 }
 
-// While a slider is dragged only a preview is shown; on release the value is set.
+// Sets the tool's number when a slider is released. While the slider is dragged, the number is only
+// previewed.
 void NumberPanel::adjust(view::WindowModel& model, Workspace& workspace,
                          tools::NumberSetting const& chosen, std::size_t number)
 {
@@ -101,7 +103,7 @@ void NumberPanel::adjust(view::WindowModel& model, Workspace& workspace,
         slider);
 }
 
-// Shows the number in words, its range, a slider, and buttons for a step down and up.
+// Shows the number in words, its range, a slider, and buttons for a step down and a step up.
 void NumberPanel::show_value(tools::NumberSetting const& chosen, Controls const& controls)
 {
     auto const& option = chosen.option;

@@ -7,8 +7,8 @@
 
 namespace tractus::window {
 
-// A panel above the bar for one number of the current tool, with its unit and range: set by a
-// slider, by steps, by on-screen keys for the pen, or by a keyboard.
+// A panel above the bar for one number of the current tool, with its unit and range. The number is
+// set with a slider, in steps, with on-screen keys for the pen, or with a keyboard.
 class NumberPanel {
 public:
     explicit NumberPanel(float scale)
@@ -16,8 +16,8 @@ public:
     {
     }
 
-    // Edits `workspace.edited_number` in a panel above `bar`; resets that when it is closed or the
-    // current tool has no such number. Returns the panel's rectangle.
+    // Edits the number `workspace.edited_number` in a panel above `bar`. Resets it when the panel
+    // is closed, or if the current tool has no such number. Returns the panel's rectangle.
     WindowPart show(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                     WindowPart const& bar);
 
@@ -32,10 +32,10 @@ private:
 
     float scale_ = 1;
     float height_px_ = 0;  // Height of the panel in the last frame.
-    std::string asked_ {}; // Name of the number being edited.
+    std::string asked_ {}; // Name of the number that is being edited.
     std::string typed_ {};
-    std::string objection_ {}; // Reason why the typed text is not accepted; empty if there is none.
-    std::optional<double> wanted_ {}; // New value that the user set in this frame.
+    std::string objection_ {}; // Reason why the typed text is refused; empty if it is accepted.
+    std::optional<double> wanted_ {}; // Value that the user set in this frame.
     bool moves_ = false;              // True if a slider was dragged in this frame.
     bool is_released_ = false;        // True if a slider was released in this frame.
 };

@@ -49,7 +49,7 @@ render::Camera Orbit::camera(Bounds const& box, double aspect) const
     auto camera = render::framing_camera(box, angles_, aspect);
     Vec3 const to_target_mm = camera.target_mm - camera.eye_mm;
     double const height_mm
-        // Height of the picture at the target's distance.
+        // Height of the visible area at the distance of the target.
         = 2 * to_target_mm.norm() * std::tan(camera.field_of_view_rad / 2);
     Vec3 const right = to_target_mm.cross(camera.up).normalized();
     Vec3 const up = right.cross(to_target_mm).normalized();

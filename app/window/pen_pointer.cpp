@@ -22,13 +22,13 @@ void PenPointer::feed(view::WindowState const& state, PenArea const& area, float
     if (!leads_ && !led)
         return;
     place_px_ = area.to_px(pen_.tip_mm.head<2>().cast<double>());
-    // A pen that is drawing does not point at controls.
+    // While the pen draws, it does not point at controls.
     bool const points = leads_ && (!pen_.touching || pen_.pressing);
     put_imgui_mouse(points ? place_px_ : ImVec2(-FLT_MAX, -FLT_MAX),
                     leads_ && pen_.touching && pen_.pressing);
 }
 
-// Reads events up to the next change that ImGui must see for at least one frame.
+// Reads pen events up to the next change that ImGui must see for at least one frame.
 void PenPointer::take_next()
 {
     while (!path_.empty()) {
@@ -61,7 +61,8 @@ void PenPointer::watch_rest(float step_s)
         return;
     rests_ = false;
     requests_tool_ring_ = true;
-    pen_.pressing = true; // Sets the state that the station will report once it knows of the press.
+    // The state that the station will report as soon as it knows of the press.
+    pen_.pressing = true;
 }
 
 } // namespace tractus::window

@@ -19,7 +19,7 @@ std::string as_sentence(std::string message)
     return message;
 }
 
-// The bounding box of a stroke in the view.
+// Returns the bounding box of a stroke in the view, in pixels.
 static ImRect box_of(view::InkLine const& ink, PenArea const& area)
 {
     ImRect box;

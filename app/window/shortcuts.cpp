@@ -13,11 +13,12 @@ namespace tractus::window {
 namespace {
 
 constexpr double kWheelStep_mm = 10;
-constexpr double kFineWheelStep_mm = 1; // Step of the mouse wheel with Shift pressed.
+// Distance by which a step of the mouse wheel moves the surface while Shift is held.
+constexpr double kFineWheelStep_mm = 1;
 constexpr double kKeySpeed_mm_s = 80;
 
-// Closes an open panel; otherwise leaves the stage; otherwise full screen; otherwise closes the
-// window.
+// Does the first of these that applies: closes an open panel, leaves the stage view, leaves full
+// screen, or closes the window.
 void take_escape(Workspace& workspace, ToolRing& ring)
 {
     bool const is_anything_open = ring.is_open() || workspace.menu_is_open()
@@ -57,7 +58,7 @@ void take_tool_key(char key, view::WindowModel& model, Workspace& workspace)
                                     tools::newly_selected_tool(*kind, workspace.remembered(state)));
 }
 
-// Returns the keys and names of the tools that have keys: "D C" and "Draw, Select".
+// Returns the keys and the names of the tools that have keys, such as "D C" and "Draw, Select".
 std::pair<std::string, std::string> tool_keys(tools::ToolKinds tools)
 {
     std::string keys;

@@ -7,7 +7,8 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kLegendSpacing = 1.25f; // Line spacing of the legend, in heights of a letter.
+// Distance of the legend's lines, as a multiple of a letter's height.
+constexpr float kLegendSpacing = 1.25f;
 
 int legend_pieces(tools::LayerStyle::Pattern pattern)
 {
@@ -29,13 +30,13 @@ void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px)
     auto* const draw = ImGui::GetWindowDrawList();
     float const line = ImGui::GetFontSize() * kLegendSpacing;
     float y = corner_px.y;
-    // Draws an entry's sample line in as many dashes as the layer has.
+    // Adds an entry. Its sample line is drawn as `pieces` dashes.
     auto const add = [&](bool is_there, Vec3f const& color, char const* text, int pieces = 1) {
         if (!is_there)
             return;
-        y -= line; // Moves up a line, as entries are stacked from the bottom.
+        y -= line; // Entries are stacked upwards from the bottom.
         float const middle = y + ImGui::GetFontSize() / 2;
-        // Length of a dash, and of a gap between dashes.
+        // Length of each dash, and of each gap between dashes.
         float const piece = line / static_cast<float>(2 * pieces - 1);
         for (int i = 0; i < pieces; ++i) {
             float const x = corner_px.x + 2 * static_cast<float>(i) * piece;

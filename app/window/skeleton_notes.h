@@ -8,12 +8,12 @@
 
 namespace tractus::window {
 
-// Text and lines over the skeleton's view, drawn into the current ImGui window.
+// Texts and lines over the skeleton's view, drawn into the current ImGui window.
 
-// Legend of the colours in the view; `corner_px` is its lower left corner.
+// Draws the legend of the colours in the view. `corner_px` is the legend's lower left corner.
 void draw_skeleton_legend(SkeletonStates const& states, ImVec2 const& corner_px);
 
-// Draws the pen's position and the stroke with which it is selecting.
+// Draws the pen's position, and the stroke with which the pen is selecting branches.
 void draw_selecting_ink(view::WindowState const& state, PenArea const& area);
 
 } // namespace tractus::window

@@ -1,7 +1,7 @@
 #include "app/window/stale_window_manager.h"
 
 #include <X11/Xatom.h>
-// Included last, in a file compiled alone, as Xlib's macros are short common words.
+// Included last, and in a file of its own, as Xlib's macros are short, common words.
 #include <X11/Xlib.h>
 #include <optional>
 
@@ -12,8 +12,8 @@ static int ignore_error(::Display* /*display*/, XErrorEvent* /*error*/)
     return 0;
 }
 
-// The window that a property of `window` names; nullopt if the property or the window does not
-// exist.
+// Returns the window that a property of `window` names; nullopt if the property or the named window
+// does not exist.
 static std::optional<::Window> named_window(::Display* display, ::Window window, ::Atom property)
 {
     ::Atom type = None;
@@ -32,13 +32,13 @@ static std::optional<::Window> named_window(::Display* display, ::Window window,
     return named;
 }
 
-// Tests _NET_SUPPORTING_WM_CHECK, which is stale unless it names a live window that has the same
-// property naming itself. The server is grabbed so that no window manager starts between the test
-// and the removal.
+// Removes the property _NET_SUPPORTING_WM_CHECK if it is stale: if it does not name an existing
+// window with the same property that names itself. Meanwhile the X server is grabbed, so that no
+// window manager can start between the test and the removal.
 bool remove_stale_window_manager()
 {
-    // Never closed: when its last client disconnects, an X server resets and refuses connections
-    // meanwhile.
+    // The connection is never closed: when its last client disconnects, an X server resets itself
+    // and refuses new connections meanwhile.
     static auto* const display = XOpenDisplay(nullptr);
     if (display == nullptr)
         return false;

@@ -13,13 +13,13 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kCardAir_px = 10; // Space around a card's text.
-constexpr float kBorder_px = 5;   // Width of a card's border around its picture.
+constexpr float kCardAir_px = 10; // Space between a card's edge and its text.
+constexpr float kBorder_px = 5;   // Width of the border around a card's picture.
 constexpr float kDetailSize_px = 16;
-constexpr float kMinSize_px = 15;  // Least text size when text is shrunk to fit.
-constexpr float kIconSize = 0.62f; // Size of an icon as a share of the picture's height.
+constexpr float kMinSize_px = 15;  // Minimum text size to which text is shrunk to fit.
+constexpr float kIconSize = 0.62f; // Size of an icon, as a share of the height of a card's picture.
 constexpr float kIconLine_px = 3;
-// Distance beyond which a touch scrolls the page and chooses no card.
+// A touch that moves farther than this scrolls the page, and does not choose a card.
 constexpr float kScrollFrom_px = 8;
 
 std::optional<Direction> direction_of(char key)
@@ -43,7 +43,7 @@ float width_of(std::string const& text, float size_px)
     return ImGui::GetFont()->CalcTextSizeA(size_px, 1e6f, 0, text.c_str()).x;
 }
 
-// Offset of the last character's first byte in UTF-8 text.
+// Returns the index of the first byte of the last character in a UTF-8 text.
 std::size_t beginning_of_last_letter(std::string const& text)
 {
     auto at = text.size() - 1;
@@ -52,13 +52,13 @@ std::size_t beginning_of_last_letter(std::string const& text)
     return at;
 }
 
-// Splits text into as many words as fit on the first line, and the rest.
+// Splits text in two: as many words as fit on the first line, and the rest.
 std::pair<std::string, std::string> in_two_lines(std::string const& text, float size_px,
                                                  float room_px)
 {
     if (width_of(text, size_px) <= room_px)
         return { text, {} };
-    std::size_t end = 0; // End of the first line.
+    std::size_t end = 0; // Index at which the first line ends.
     for (auto space = text.find(' '); space != std::string::npos; space = text.find(' ', space + 1))
         if (width_of(text.substr(0, space), size_px) <= room_px)
             end = space;
@@ -129,7 +129,8 @@ void StartView::show_cards(view::StartPageModel& page)
     float const width = ImGui::GetWindowWidth();
     float const height = ImGui::GetWindowHeight();
     grid_ = arrange_cards(state.groups, width, scale_);
-    if (grid_.height > height) // Arranges the cards again, narrower, if a scroll bar is needed.
+    // If the page needs a scroll bar, its cards are arranged again in less width.
+    if (grid_.height > height)
         grid_ = arrange_cards(
             state.groups, width - ImGui::GetStyle().ScrollbarSize - kCardAir_px * scale_, scale_);
     ImGui::PushFont(title_font_);
@@ -160,7 +161,8 @@ void StartView::show_cards(view::StartPageModel& page)
         page.choose(grid_.places[*pressed].group, grid_.places[*pressed].card);
 }
 
-// Scrolls the page; a touch that scrolls does not choose a card.
+// Scrolls the page when it is dragged. A touch that scrolls does not choose a card: it clears
+// `presses_count`.
 void StartView::scroll(bool& presses_count)
 {
     bool const drags = ImGui::GetScrollMaxY() > 0
@@ -181,7 +183,7 @@ void StartView::scroll_to_focus() const
     float const air = ImGui::GetStyle().ItemSpacing.y;
     auto const top = grid_.places[*focus_].top;
     auto const bottom = top + grid_.card_height + 2 * air;
-    // Scrolls so that the title above the first row stays visible.
+    // Scrolls far enough to show also the title above the card's row.
     float const first = top - 48 * scale_;
     if (first < ImGui::GetScrollY())
         ImGui::SetScrollY(std::max(0.0f, first));
@@ -205,7 +207,8 @@ bool StartView::show_card(view::StartCard const& card, ImVec2 const& size_px, bo
     return is_pressed;
 }
 
-// Crops a picture that is higher than the card, more from the bottom than from the top.
+// Draws the picture of a card. If the picture is too high it is cropped, more at the bottom than at
+// the top.
 void StartView::draw_picture(view::StartCard const& card, ImVec2 const& corner)
 {
     auto* const draw = ImGui::GetWindowDrawList();
@@ -247,7 +250,8 @@ float StartView::words_width() const
     return grid_.card_width - 2 * kCardAir_px * scale_;
 }
 
-// Draws text in a smaller size if necessary; text that still does not fit ends in an ellipsis.
+// Draws text in a smaller size if it does not fit otherwise. If it does not fit in the smallest
+// size, it ends in an ellipsis.
 void StartView::draw_fitted(std::string const& text, ImVec2 const& place, float size_px,
                             ImU32 color) const
 {
@@ -261,7 +265,7 @@ void StartView::draw_fitted(std::string const& text, ImVec2 const& place, float 
             shown.resize(beginning_of_last_letter(shown));
         shown += "...";
     }
-    // Aligns shrunk text with the baseline of text of the usual size.
+    // Aligns the baseline of smaller text with that of normal text.
     ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size,
                                         { place.x, place.y + (size_px - size) * 0.8f }, color,
                                         shown.c_str());

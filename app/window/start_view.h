@@ -15,9 +15,9 @@
 
 namespace tractus::window {
 
-// The start page, over the whole window: a grid of cards that can be chosen with pen, mouse or
-// keyboard, below the window's own buttons. It scrolls by dragging, over cards, too, and by the
-// wheel.
+// The start page, which fills the window: a grid of cards that are chosen with pen, mouse or
+// keyboard, with the window's own buttons above it. The page scrolls by the wheel and by dragging,
+// which may also begin on a card.
 class StartView {
 public:
     // `title_font` comes from theme::apply(); `scale` is the display's scale factor.
@@ -28,19 +28,19 @@ public:
     {
     }
 
-    // Draws into the current ImGui window.
+    // Draws the page into the current ImGui window.
     void show(view::StartPageModel& page, Workspace& workspace, Controls const& controls);
 
-    // Handles a key: a card's letter chooses it; arrows move the focus, and Enter chooses the
-    // focused card.
+    // Handles a key. The letter of a card chooses the card; arrow keys move the focus, and Enter
+    // chooses the card with the focus.
     void take_key(KeyPress const& press, view::StartPageModel& page, Workspace& workspace);
 
-    // Frees the textures once the page is no longer shown.
+    // Frees the textures of the cards. Call this when the page is no longer shown.
     void leave();
 
 private:
     struct Texture {
-        // The picture in the texture; immutable, shared with the page.
+        // The picture that the texture contains. Immutable; shared with the page.
         std::shared_ptr<render::Image const> picture;
         render::GpuPicture on_card;
     };
@@ -61,10 +61,10 @@ private:
     ImFont* title_font_ = nullptr;
     float scale_ = 1;
     StudyView study_;
-    CardGrid grid_;                    // Layout of the cards in the last frame.
-    std::optional<std::size_t> focus_; // Index of the card with the keyboard focus.
+    CardGrid grid_;                    // Arrangement of the cards in the last frame.
+    std::optional<std::size_t> focus_; // Index of the card that has the keyboard focus.
     bool focus_has_moved_ = false;     // True if the focus has moved since the last frame.
-    bool scrolls_ = false;             // True if the current touch scrolls the page.
+    bool scrolls_ = false;             // True if the current touch is scrolling the page.
     std::map<render::Image const*, Texture> textures_;
 };
 

@@ -11,9 +11,10 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kThinnest = 1.0f / 220; // Least width of a curve, as a share of the box's diagonal.
-constexpr float kWider = 1.9f;          // Factor on the width of highlighted curves.
-// Diameter of the dot at a curve's start, as a multiple of the curve's width.
+// Minimum width of a curve, as a share of the curves' bounding box's diagonal.
+constexpr float kThinnest = 1.0f / 220;
+constexpr float kWider = 1.9f; // Factor by which highlighted curves are wider.
+// Diameter of the dot at a curve's beginning, as a multiple of the curve's width.
 constexpr float kDotSize = 1.9f;
 constexpr std::size_t kMaxDropLines = 3;
 
@@ -31,8 +32,8 @@ float diagonal_mm(Bounds const& box)
     return static_cast<float>((box.max_mm - box.min_mm).norm());
 }
 
-// Bounding box of all curves, the plant's base and the ground; the drawing volume if there is no
-// curve.
+// Returns the bounding box of all curves, the plant's base and the ground. Without curves, returns
+// the drawing volume.
 Bounds curves_box(view::WindowState const& state)
 {
     Bounds box;
@@ -48,12 +49,14 @@ Bounds curves_box(view::WindowState const& state)
         if (!state.volume_mm.empty())
             box.min_mm.z() = std::min(box.min_mm.z(), state.volume_mm.min_mm.z());
     }
-    constexpr double kMin_mm = 10; // Minimum extent of the box, so that the camera can frame it.
+    // Minimum extent of the box: the camera cannot show an empty one.
+    constexpr double kMin_mm = 10;
     box.max_mm = box.max_mm.cwiseMax(box.min_mm + Vec3::Constant(kMin_mm));
     return box;
 }
 
-// A grid on the ground around the curves and the plant's base, its edges at multiples of the step.
+// A grid on the ground around the curves and the plant's base. Its edges are at multiples of the
+// grid's step.
 struct GroundGrid {
     Vec2f low_mm;
     Vec2f high_mm;
@@ -63,7 +66,8 @@ struct GroundGrid {
 
 GroundGrid ground_grid(view::WindowState const& state)
 {
-    constexpr float kMinWidth = 0.6f; // Minimum grid width as a share of the curves' height.
+    // Minimum width of the grid, as a share of the curves' height.
+    constexpr float kMinWidth = 0.6f;
     auto const box = curves_box(state);
     Vec3f const low_mm = box.min_mm.cast<float>();
     Vec3f const high_mm = box.max_mm.cast<float>();
@@ -143,9 +147,11 @@ Vec3f curve_color(std::size_t curve)
 
 Bounds strokes_box(view::WindowState const& state)
 {
-    // The camera frames an upright cylinder inside the box, which would cut the grid's corners.
+    // Enlarges the box's base, because the camera only fits an upright cylinder inside the box, and
+    // would cut off the grid's corners.
     constexpr double kAround = 1.25;
-    constexpr double kAbove = 0.12; // Air for the view's title, as a share of the height.
+    // Space above the curves for the view's title, as a share of the box's height.
+    constexpr double kAbove = 0.12;
     auto const grid = ground_grid(state);
     auto box = curves_box(state);
     Vec2 const middle_mm = ((grid.low_mm + grid.high_mm) / 2).cast<double>();
@@ -190,7 +196,7 @@ std::vector<render::Curve> ground_curves(view::WindowState const& state,
     std::vector<render::Curve> curves;
     add_grid(grid, curves);
     add_upright(state, grid, curves);
-    // Only the newest curves get a drop line, since there may be a thousand.
+    // Only the newest curves have a drop line, as there may be a thousand curves.
     auto const first = highlighted.size() - std::min(highlighted.size(), kMaxDropLines);
     for (auto i = first; i < highlighted.size(); ++i) {
         auto const& points = state.curves[highlighted[i]].line.points;
@@ -233,7 +239,7 @@ std::optional<std::size_t> curve_at(std::span<view::DrawnCurveView const> curves
     std::optional<std::size_t> nearest;
     float least = reach_px * reach_px;
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        bool has_last = false; // True if the previous point is in front of the camera.
+        bool has_last = false; // True if the previous point of the curve is in front of the camera.
         Vec2f last = Vec2f::Zero();
         for (auto const& point : curves[i].line.points) {
             auto const here = projection.to_px(point.position_mm);

@@ -12,10 +12,13 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kReach_px = 14;   // Greatest distance of a click from the curve that it picks.
-constexpr float kStill_px = 5;    // A press that moved farther is a drag.
-constexpr float kListRow_px = 38; // Height of a row of the list, large enough to hit with the pen.
-constexpr float kLinesForFront = 16; // Minimum height, in lines of text, to label the front.
+constexpr float kReach_px = 14; // Maximum distance of a click from the curve that it picks.
+// A press that moves farther than this is a drag and does not pick a curve.
+constexpr float kStill_px = 5;
+// Height of a row in the list of curves; large enough for the pen.
+constexpr float kListRow_px = 38;
+// Minimum height of the view, in lines of text, at which the front edge has a label.
+constexpr float kLinesForFront = 16;
 
 float display_scale()
 {

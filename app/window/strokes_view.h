@@ -10,23 +10,26 @@
 
 namespace tractus::window {
 
-// The curves that the user has drawn (Streit 2006 section 3, the left pane), with their numbers, in
-// a view that turns, moves and zooms like the plant's; and a list of their names.
+// View of the curves that the user has drawn (Streit 2006 section 3, the left pane), with their
+// numbers. It turns, moves and zooms like the plant's view. There is also a list of the curves'
+// names.
 class StrokesView {
 public:
-    // Draws the view at ImGui's cursor, `size_px` large. Returns the index of a curve that was
-    // clicked in this frame.
+    // Draws the view at ImGui's cursor, in an area of `size_px`. Returns the index of the curve
+    // that was clicked in this frame.
     std::optional<std::size_t> show(view::WindowState const& state, render::Renderer& renderer,
                                     ImVec2 const& size_px, ViewDrag drag);
 
-    // Draws the list at ImGui's cursor, the newest curve last; returns as show() does.
+    // Draws the list of curves at ImGui's cursor, with the newest curve last. Returns the index of
+    // the curve that was clicked in this frame.
     std::optional<std::size_t> show_list(view::WindowState const& state, ImVec2 const& size_px);
 
-    // Writes the highlighted curve's number and name, or the number of highlighted curves, above
-    // `corner_px`, the lower left corner.
+    // Writes the highlighted curve's number and name, or how many curves are highlighted.
+    // `corner_px` is the lower left corner of the text.
     void show_caption(view::WindowState const& state, ImVec2 const& corner_px) const;
 
-    // Change the view's zoom, for the buttons of the view tool; look_at_whole() resets the view.
+    // zoom() changes the view's zoom, and look_at_whole() resets the view, for the buttons of the
+    // view tool.
     void zoom(double factor);
     void look_at_whole();
 
@@ -46,9 +49,9 @@ private:
     std::optional<std::size_t> picked_; // Picked curve; reset when a curve is added or removed.
     std::size_t curve_count_ = 0;
     std::uint64_t newest_edit_ = 0;
-    std::uint64_t picks_ = 0; // Number of changes of picked_.
+    std::uint64_t picks_ = 0; // Number of times that picked_ has changed.
     bool turned_ = false;
-    bool list_is_behind_ = true; // True if the list has to scroll to its end.
+    bool list_is_behind_ = true; // True if the list must scroll to its end.
 };
 
 } // namespace tractus::window

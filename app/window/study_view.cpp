@@ -10,20 +10,21 @@ namespace tractus::window {
 
 namespace {
 
-// The pictures' layout in units: the large one is four wide, four details are in a column beside
-// it, and six others in a row below.
+// Layout of the pictures, in units of which the large picture is four wide. Beside it is a column
+// of four details, one unit wide; below it is a row of six other pictures.
 constexpr float kAcross = 5;
 constexpr float kOther = kAcross / 6;
 constexpr float kDown = 4 + kOther;
 constexpr float kMargin_px = 6;
 constexpr float kSliders_px = 290;
-constexpr float kMinSliders_px = 210; // Least width of the sliders when the pictures need the
-                                      // room.
-constexpr float kMinUnit_px = 52;     // Least size of a unit when sliders are beside the pictures.
-constexpr float kMinRow_px = 24;      // Least height of a slider.
+// Minimum width of the sliders, where the pictures need much of the width.
+constexpr float kMinSliders_px = 210;
+// Minimum size of the pictures' unit (see kAcross) for sliders beside the pictures.
+constexpr float kMinUnit_px = 52;
+constexpr float kMinRow_px = 24; // Minimum height of a slider.
 constexpr float kCaption_px = 15;
 
-// Escapes text for ImGui, which treats it as a printf format.
+// Escapes a text that ImGui will read as a format of printf.
 std::string as_format(std::string const& text)
 {
     std::string format;
@@ -93,14 +94,15 @@ void StudyView::show_picture(view::StartStudy::Picture const& picture, std::size
             to, { 0, 0 }, { 1, 1 }, ImGui::GetColorU32({ 1, 1, 1, 1 }), rounding);
     else
         draw->AddRectFilled(corner, to, theme::packed(theme::palette().pad_background), rounding);
-    if (!picture.title.empty()) // Drawn in a dark colour, because the picture's paper is white in
-                                // both themes.
+    // The title is dark in both themes, because the pictures have a white background.
+    if (!picture.title.empty())
         draw->AddText(ImGui::GetFont(), kCaption_px * scale_,
                       { corner.x + kMargin_px * scale_, corner.y + kMargin_px * scale_ / 2 },
                       IM_COL32(90, 90, 90, 255), picture.title.c_str());
 }
 
-// Shows the sliders. `height`: their total height, if possible; 0: each as high as a button.
+// Shows the sliders. `height` is the total height that they should have; at 0, each slider is as
+// high as a button.
 void StudyView::show_sliders(view::StartPageModel& page, Controls const& controls, float width,
                              float height)
 {
@@ -122,7 +124,7 @@ void StudyView::show_sliders(view::StartPageModel& page, Controls const& control
     ImGui::EndGroup();
 }
 
-// Shows a slider. Returns true while it is being dragged.
+// Shows a slider. Returns true while the slider is dragged.
 bool StudyView::slider(std::size_t number, view::StartStudy::Slider& slider, float width,
                        float height) const
 {

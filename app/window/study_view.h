@@ -11,8 +11,8 @@
 
 namespace tractus::window {
 
-// A page's study: a large picture with details beside it and further pictures below, and sliders
-// that change them. In a narrow window the sliders are below the pictures.
+// Shows the study of a page: a large picture with details beside it and further pictures below it,
+// and sliders that change them. In a narrow window the sliders are below the pictures.
 class StudyView {
 public:
     explicit StudyView(float scale)
@@ -20,16 +20,17 @@ public:
     {
     }
 
-    // Draws into the current ImGui window. The page must have a study.
+    // Draws the study into the current ImGui window. The page must have a study.
     void show(view::StartPageModel& page, Controls const& controls);
 
-    // Frees the textures.
+    // Frees the textures of the pictures.
     void leave() { shown_.clear(); }
 
 private:
-    // A texture for one place of the study; replaced when the page's picture changes.
+    // A texture for a certain place of the study. It is replaced when the page has a new picture
+    // for this place.
     struct Shown {
-        // The picture in the texture; immutable, shared with the page.
+        // The picture that the texture contains. Immutable; shared with the page.
         std::shared_ptr<render::Image const> picture;
         std::optional<render::GpuPicture> texture;
     };

@@ -12,14 +12,15 @@ ImFont* add_font(float size_px)
                                          0x21ff, 0x25a0, 0x25ff, 0 };
     auto const file = render::font_file();
     ImFontConfig config;
-    // Keeps ImGui from freeing the font data, which belongs to the program.
+    // Stops ImGui from freeing the font's data, which belongs to the program.
     config.FontDataOwnedByAtlas = false;
     auto* const bytes = const_cast<std::byte*>(file.data());
     return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(bytes, static_cast<int>(file.size()), size_px,
                                                       &config, kRanges);
 }
 
-// Slightly blue greys for dark rooms, slightly warm ones for bright rooms.
+// Returns a slightly bluish grey for dark rooms; warm() returns a slightly warm one for bright
+// rooms.
 ImVec4 cool(float value)
 {
     return { value, value * 1.04f, value * 1.09f, 1 };

@@ -59,14 +59,14 @@ std::optional<std::size_t> ToolRing::under(ImVec2 const& place_px, std::size_t c
     return static_cast<std::size_t>(std::lround(turns)) % count;
 }
 
-// Handles the pointer. Returns true if the ring should close.
+// Handles the pointer's touches. Returns true if the ring should be closed.
 bool ToolRing::take_pointer(bool button_let_go, std::size_t count,
                             std::optional<std::size_t>& chosen)
 {
     auto const pointed_at = under(ImGui::GetIO().MousePos, count);
     bool const is_touched = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    // If the ring was opened by a touch, that touch chooses when it ends over an entry; otherwise a
-    // new touch is needed.
+    // If a touch opened the ring, the end of this touch over an entry chooses the entry; otherwise
+    // a new touch does.
     bool const touch_begins = is_touched && !was_touched_;
     bool const first_touch_ends = !is_touched && was_touched_;
     was_touched_ = is_touched;

@@ -8,25 +8,26 @@
 
 namespace tractus::window {
 
-// An entry of the ring.
+// An entry of the tool ring.
 struct RingEntry {
     char const* text = "";
     char const* icon = ""; // Icon in the notation of ToolKind::icon.
     std::function<void()> choose;
 };
 
-// A ring of tools that opens at the pointer. A tool is chosen by touching it, or by releasing over
-// it the button that opened the ring. A touch in the middle or outside closes it.
+// A ring of tools that opens around the pointer. A tool is chosen by touching its entry, or by
+// releasing the button that opened the ring over the entry. A touch in the middle of the ring or
+// outside it closes the ring.
 class ToolRing {
 public:
-    // Opens the ring around `place_px`, moved as needed to be fully visible.
+    // Opens the ring around `place_px`, but moved so far that all of it is visible.
     void open(ImVec2 const& place_px, float scale);
     void close() { is_open_ = false; }
     bool is_open() const { return is_open_; }
 
-    // Draws the ring on top of everything, clockwise from the top. Returns the index of the entry
-    // chosen in this frame. `button_let_go`: the button that opened the ring was released in this
-    // frame.
+    // Draws the ring on top of everything. The entries are placed clockwise, beginning at the top.
+    // Returns the index of the entry that was chosen in this frame. `button_let_go` is true if the
+    // button that opened the ring was released in this frame.
     std::optional<std::size_t> show(std::span<RingEntry const> entries, bool button_let_go);
 
 private:
@@ -36,7 +37,8 @@ private:
                      bool is_pointed_at) const;
 
     bool is_open_ = false;
-    // True if the pointer touched in the last frame; also right after the ring opened.
+    // True if the pointer was touching in the last frame, and also directly after the ring was
+    // opened.
     bool was_touched_ = false;
     ImVec2 middle_px_ { 0, 0 };
     float scale_ = 1;

@@ -34,7 +34,7 @@ void add_surface_grid(view::WindowState const& state, std::vector<render::Curve>
             line({ low.x(), y, height }, { high.x(), y, height }, theme::palette().grid, 1));
 }
 
-// Adds the outline of the volume's floor and the edges down to it.
+// Adds the outline of the drawing volume's floor, and the edges from the surface down to it.
 void add_volume(view::WindowState const& state, std::vector<render::Curve>& curves)
 {
     Vec3f const low = state.volume_mm.min_mm.cast<float>();
@@ -53,7 +53,8 @@ void add_volume(view::WindowState const& state, std::vector<render::Curve>& curv
     }
 }
 
-// The eraser's stroke is drawn faintly, only to show where it was.
+// Returns the colour of the ink. An eraser's stroke is faint, as it only shows where the eraser
+// went.
 Vec3f ink_color(tools::InkStyle::Look look, Vec3f const& color)
 {
     switch (look) {
@@ -83,7 +84,7 @@ void add_ink(std::vector<view::InkLine> const& lines, Vec3f const& color,
     }
 }
 
-// Cuts a line into dashes: `drawn_mm` drawn, then `left_out_mm` left out, and so on.
+// Cuts a line into dashes of the length `drawn_mm`, with gaps of `left_out_mm`.
 std::vector<std::vector<Vec3f>> dashes(std::vector<Vec3f> const& points_mm, float drawn_mm,
                                        float left_out_mm)
 {
@@ -111,8 +112,8 @@ std::vector<std::vector<Vec3f>> dashes(std::vector<Vec3f> const& points_mm, floa
     return parts;
 }
 
-// Adds a refused stroke, faint and dashed, because it is shown only beside the reason and is not
-// part of the plant.
+// Adds a refused stroke. It is faint and dashed, because it only illustrates the reason beside it
+// and is not part of the plant.
 void add_refused(view::RefusedStroke const& refused, std::vector<render::Curve>& curves)
 {
     Vec3f const color = 0.5f * theme::palette().ink + 0.5f * theme::palette().pad_background;
@@ -168,7 +169,7 @@ float widest_mm(std::vector<tools::SkeletonLine> const& skeleton)
     return widest;
 }
 
-// Width of a skeleton line: thick for trunks, but never too thin to see or select.
+// Returns the width of a skeleton line. Trunks are thick, but no line is too thin to see or select.
 float width_px(tools::SkeletonLine const& line, float widest)
 {
     float const plain = 1.6f + 5.0f * std::sqrt(line.width_mm / widest);
@@ -212,7 +213,7 @@ void add_flat_line(view::WindowState const& state, tools::SkeletonLine const& li
 std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
                                              tools::LayerStyle const& style)
 {
-    constexpr float kMaxDashes = 300; // Most dashes of a line, however long the line is.
+    constexpr float kMaxDashes = 300; // Maximum number of dashes of a line, however long it is.
     float length_mm = 0;
     for (std::size_t i = 1; i < line_mm.size(); ++i)
         length_mm += (line_mm[i] - line_mm[i - 1]).norm();
@@ -232,7 +233,7 @@ std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
     return { line_mm };
 }
 
-// Curves of the layers, in the world frame with line widths in millimetres.
+// Returns the curves of the layers, in the world frame. Line widths are in millimetres.
 std::vector<render::Curve> layer_curves(view::WindowState const& state)
 {
     std::vector<render::Curve> curves;
@@ -253,7 +254,8 @@ std::vector<render::Curve> layer_curves(view::WindowState const& state)
     return curves;
 }
 
-// Width in the skeleton's view, in pixels, for each millimetre of a layer's line width.
+// Width of a layer's lines in the skeleton's view, in pixels per millimetre of the layer's line
+// width.
 constexpr float kLayerWidth_px_per_mm = 1.45f;
 
 } // namespace

@@ -6,16 +6,16 @@
 
 #include <vector>
 
-// The curves that the views draw, computed without a window.
+// Curves that the window's views draw. They are computed without a window.
 namespace tractus::window {
 
-// The drawing pad's picture in parts that change separately, so that only changed ones are rebuilt:
-// the faint skeleton; the branches that the current stroke would move; finished strokes and the
-// layers' lines; and what follows the hand: a grid at the surface, the volume below it, the stroke,
-// the pen's tip and its drop line.
+// The curves of the drawing pad, in parts that change separately, so that only changed parts are
+// made again: the faint skeleton; the branches that the current stroke would move; finished strokes
+// and the lines of layers; and curves that follow the pen: a grid at the surface, the volume below
+// the surface, the stroke in progress, the pen's tip and its drop line.
 //
-// For a tool that draws on paper the drawing volume is shown turned: the vertical sheet lies in the
-// surface, seen from its front.
+// For a tool that draws on paper, the drawing volume is shown turned: the vertical sheet of paper
+// lies in the surface and is seen from its front.
 std::vector<render::Curve> pad_skeleton_curves(view::WindowState const& state);
 std::vector<render::Curve> pad_preview_curves(view::WindowState const& state);
 std::vector<render::Curve> pad_stroke_curves(view::WindowState const& state);
@@ -23,38 +23,42 @@ std::vector<render::Curve> pad_live_curves(view::WindowState const& state);
 
 bool draws_on_paper(view::WindowState const& state);
 
-// Transform from the world frame to the pad's.
+// Returns the transform from the world frame to the pad's frame.
 Eigen::Affine3f pad_of_world(view::WindowState const& state);
 
-// Lines fade with depth below the surface, halfway to the background at the volume's floor.
+// Returns how lines fade with depth below the surface. At the floor of the drawing volume they have
+// faded halfway to the background.
 render::Stage::Fade pad_fade(view::WindowState const& state);
 
-// The skeleton coloured by its states, the layers' lines, and a ring on the ground.
+// Returns the skeleton, coloured by the states of its branches, the lines of layers, and a ring on
+// the ground.
 std::vector<render::Curve> skeleton_curves(view::WindowState const& state);
 
-// The spacing of grid lines: 1, 2 or 5 times a power of ten, about a twelfth of the extent.
+// Returns the distance of grid lines for this extent: 1, 2 or 5 times a power of ten, about a
+// twelfth of the extent.
 float grid_step_mm(float extent_mm);
 
-// The states for which the skeleton view's legend needs an entry.
+// States of branches for which the legend of the skeleton's view needs an entry.
 struct SkeletonStates {
     bool selected = false;
     bool undetermined = false;
     bool assigned = false;
     bool next = false;
-    std::vector<tools::Layer const*> layers {}; // Layers that have lines.
+    std::vector<tools::Layer const*> layers {}; // Layers that have at least one line.
 };
 SkeletonStates skeleton_states(view::WindowState const& state);
 
 Vec3f layer_color(tools::LayerStyle const& style);
 
-// The branches that the current stroke would move, for the skeleton's view.
+// Returns the branches that the current stroke would move, for the skeleton's view.
 std::vector<render::Curve> preview_curves(view::WindowState const& state);
 
-// Lines for the parts of the grown plant below the ground, for the plant's view, in the plant's
-// frame.
+// Returns lines along those parts of the grown plant that are below the ground, for the plant's
+// view. Plant frame.
 std::vector<render::Curve> underground_curves(view::WindowState const& state);
 
-// The branches that the current stroke would move, at their thickness, for the plant's view.
+// Returns the branches that the current stroke would move, as thick as they are, for the plant's
+// view.
 std::vector<render::Curve> growing_curves(view::WindowState const& state);
 
 } // namespace tractus::window

@@ -12,7 +12,7 @@ namespace tractus::window {
 namespace {
 
 constexpr double kPadFieldOfView_rad = 0.75;
-// Things up to this height above the surface are shown, so that lines on the surface are not
+// Curves are shown up to this height above the surface, so that lines in the surface are not
 // clipped to half their width.
 constexpr double kAboveSurface_mm = 0.25;
 
@@ -24,7 +24,7 @@ render::Backdrop plain_backdrop()
              .has_ground = false };
 }
 
-// A camera that looks straight down through the surface, at the scale of `area`.
+// Returns a camera that looks straight down through the surface, at the scale of `area`.
 render::Camera pad_camera(view::WindowState const& state, PenArea const& area,
                           render::Canvas const& canvas)
 {
@@ -42,7 +42,7 @@ render::Camera pad_camera(view::WindowState const& state, PenArea const& area,
     return camera;
 }
 
-// A camera for the skeleton from a viewing direction, at the scale of `area`.
+// Returns a camera that views the skeleton from a direction, at the scale of `area`.
 render::Camera skeleton_camera(view::WindowState const& state, scene::SelectionAngle const& angle,
                                PenArea const& area, render::Canvas const& canvas)
 {
@@ -52,7 +52,8 @@ render::Camera skeleton_camera(view::WindowState const& state, scene::SelectionA
                    state.skeleton_box_mm.empty()
                        ? 1.0
                        : (state.skeleton_box_mm.max_mm - state.skeleton_box_mm.min_mm).norm());
-    Vec2 const middle_mm = -view.origin_mm / view.scale; // The tablet's middle in the view's plane.
+    // Centre of the tablet in the plane of the view.
+    Vec2 const middle_mm = -view.origin_mm / view.scale;
     render::Camera camera;
     camera.projection = render::Camera::Projection::Orthographic;
     camera.target_mm = middle_mm.x() * view.right + middle_mm.y() * view.up;
@@ -64,7 +65,7 @@ render::Camera skeleton_camera(view::WindowState const& state, scene::SelectionA
     return camera;
 }
 
-// Places a picture on the surface.
+// Returns a picture placed on the surface.
 render::StagedPicture staged(view::ShownPicture const& shown, render::GpuPicture const& picture,
                              double surface_mm)
 {
@@ -81,8 +82,8 @@ render::StagedPicture staged(view::ShownPicture const& shown, render::GpuPicture
              .strength = static_cast<float>(place.strength) };
 }
 
-// Extends the box by the middle of the paper sheet in the drawing volume and by the previewed
-// branches, so that the view need not change while something grows.
+// Extends the plant's box by the middle of the sheet of paper in the drawing volume, and by the
+// previewed branches, so that the view need not change while the plant grows.
 void add_drawing_room(view::WindowState const& state, Bounds& plant_mm)
 {
     auto const& box_mm = state.volume_mm;
@@ -120,7 +121,7 @@ render::Canvas& ViewCanvas::sized(ImVec2 const& size_px, bool& changed)
 
 void ViewCanvas::show() const
 {
-    // Flips the texture vertically: OpenGL's rows go upwards, ImGui's downwards.
+    // The texture is shown upside down: OpenGL's rows go upwards, ImGui's downwards.
     auto* const texture = reinterpret_cast<void*>(static_cast<std::uintptr_t>(canvas_->texture()));
     ImVec2 const size(static_cast<float>(canvas_->width()), static_cast<float>(canvas_->height()));
     ImGui::Image(texture, size, ImVec2(0, 1), ImVec2(1, 0));
@@ -130,7 +131,7 @@ void PadView::show(view::WindowState const& state, render::Renderer& renderer, P
                    ImVec2 const& size_px)
 {
     bool changed = std::exchange(px_per_mm_, area.px_per_mm) != area.px_per_mm;
-    // A sheet of paper, and the drawing on it, moves with the surface.
+    // The sheet of paper moves with the surface, and the drawing on it moves, too.
     auto const T_pad_world = pad_of_world(state);
     turns_ += T_pad_world.matrix() != T_pad_world_.matrix();
     T_pad_world_ = T_pad_world;
@@ -209,7 +210,7 @@ void SkeletonView::show(view::WindowState const& state, render::Renderer& render
     canvas_.show();
 }
 
-// Adopts the state's plant. Returns true if the plant or the view of it has changed.
+// Uploads the state's plant if it is new. Returns true if the plant or the view of it has changed.
 bool PlantView::follow_plant(view::WindowState const& state)
 {
     bool changed = std::exchange(turned_, false);
@@ -264,7 +265,8 @@ void PlantView::show_on_stage(view::WindowState const& state, render::Renderer& 
     }
     if (!state.preview.empty())
         grows_on_ = state.plant_revision;
-    // What has grown is shown until it becomes part of the plant or is refused.
+    // Curves that have grown stay visible until they are part of the plant, or the stroke is
+    // refused.
     bool const waits = state.preview.empty() && grows_on_ == state.plant_revision && !state.refused;
     if (!waits)
         changed |= growing_.follow(state.preview_revision, [&] { return growing_curves(state); });

@@ -14,24 +14,24 @@
 
 namespace tractus::window {
 
-// A picture inside the window, rendered again only when its contents have changed.
+// A picture inside the window. It is rendered again only when its contents have changed.
 class ViewCanvas {
 public:
-    // Returns the canvas resized; sets `changed` if it had another size.
+    // Returns the canvas, resized to `size_px`. Sets `changed` if its size was different before.
     render::Canvas& sized(ImVec2 const& size_px, bool& changed);
 
-    // Draws the picture at ImGui's cursor.
+    // Draws the canvas at ImGui's cursor.
     void show() const;
 
 private:
     std::optional<render::Canvas> canvas_;
 };
 
-// Curves on the graphics card, rebuilt only when they have changed.
+// Curves on the graphics card. They are made again only when they have changed.
 class FollowedCurves {
 public:
-    // Rebuilds the curves with `make` if the revision or the palette differs from the last call's.
-    // Returns true if it did.
+    // Makes the curves again with `make` if the revision or the palette differs from that at the
+    // last call. Returns true if it did so.
     template<typename Make> bool follow(std::uint64_t revision, Make const& make)
     {
         bool const is_light = theme::palette().is_light;
@@ -51,14 +51,16 @@ private:
     bool is_light_ = false;
 };
 
-// The views of Streit 2006 section 3; that of the drawn curves is in strokes_view.h. Each draws at
-// ImGui's cursor, `size_px` large, and needs the window's OpenGL context to be current.
+// The views of Streit 2006 section 3; the view of drawn curves is in strokes_view.h. Each view
+// draws at ImGui's cursor, in an area of `size_px`, and needs the OpenGL context of the window to
+// be current.
 
-// Looks down through the surface at its current height into the drawing volume: nothing above the
-// surface is shown, and lines get thinner with depth below it.
+// The drawing pad. It looks down through the surface, at the surface's current height, into the
+// drawing volume. Nothing above the surface is shown. Lines become thinner with their depth below
+// it.
 class PadView {
 public:
-    // The surface's active area is shown at `area`, in the middle of the view.
+    // Draws the pad. The surface's active area is shown at `area`, in the middle of the view.
     void show(view::WindowState const& state, render::Renderer& renderer, PenArea const& area,
               ImVec2 const& size_px);
 
@@ -69,7 +71,7 @@ private:
     FollowedCurves strokes_;
     FollowedCurves live_;
     std::optional<render::GpuPicture> picture_;
-    // The image from which picture_ was uploaded.
+    // Image that picture_ contains. Shared with the state.
     std::shared_ptr<render::Image const> shown_picture_;
     std::uint64_t picture_revision_ = 0;
     Eigen::Affine3f T_pad_world_ = Eigen::Affine3f::Identity();
@@ -77,21 +79,22 @@ private:
     double px_per_mm_ = 0;
 };
 
-// Turns, zooms and moves the skeleton's view by the mouse over ImGui's last item. A drag with the
-// right button, or with the left one if `left_turns`, does `drag`; with Shift it moves. `area`
-// gives the scale, pixels per millimetre.
+// Changes the view of the skeleton by the mouse over ImGui's last item: turns, zooms and moves it.
+// A drag with the right button, or with the left one if `left_turns`, does what `drag` says; with
+// Shift it moves the view. `area` gives the scale in pixels per millimetre.
 void turn_skeleton(scene::SelectionAngle& angle, PenArea const& area, bool left_turns,
                    ViewDrag drag);
 void zoom(scene::SelectionAngle& angle, double factor);
 
-// The plant's skeleton, coloured by the states of its branches, in which branches are selected.
+// The view in which branches are selected. It shows the plant's skeleton, coloured by the states of
+// its branches.
 class SkeletonView {
 public:
-    // The surface's active area is shown at `area`, in the middle of the view.
+    // Draws the skeleton. The surface's active area is shown at `area`, in the middle of the view.
     void show(view::WindowState const& state, render::Renderer& renderer,
               scene::SelectionAngle const& angle, PenArea const& area, ImVec2 const& size_px);
 
-    // The states shown in the last frame.
+    // Returns the states of branches that were shown in the last frame.
     SkeletonStates const& states() const { return states_; }
 
 private:
@@ -103,23 +106,25 @@ private:
     double px_per_mm_ = 0;
 };
 
-// The whole plant, shaded; turned, moved and zoomed like the skeleton. The frame fits the
-// full-grown plant, so that a younger one looks smaller.
+// The view of the whole plant, shaded. It is turned, moved and zoomed like that of the skeleton. It
+// always has room for the fully grown plant, so that a younger plant looks smaller.
 class PlantView {
 public:
     void show(view::WindowState const& state, render::Renderer& renderer, ImVec2 const& size_px,
               ViewDrag drag);
 
-    // Shows the plant together with what grows along the current stroke, with some space around it
-    // so that the frame need not change meanwhile. `may_turn`: drags and the wheel turn it.
+    // Shows the plant, and what grows along the current stroke. There is some space around the
+    // plant, so that the view need not change while something grows. `may_turn`: dragging and the
+    // wheel turn the view.
     void show_on_stage(view::WindowState const& state, render::Renderer& renderer,
                        ImVec2 const& size_px, ViewDrag drag, bool may_turn);
 
-    // Zooms the view, for the buttons of the view tool; look_at_whole() resets it.
+    // zoom() changes the view's zoom, and look_at_whole() resets the view, for the buttons of the
+    // view tool.
     void zoom(double factor);
     void look_at_whole();
 
-    // Renders the current view for a file. Empty before the first plant.
+    // Renders the plant as the view shows it now, for a file. Empty before the first plant.
     render::Image picture(render::Renderer& renderer, int width, int height) const;
 
 private:
@@ -130,16 +135,18 @@ private:
     ViewCanvas canvas_;
     Orbit orbit_;
     std::optional<render::GpuMesh> mesh_;
-    std::optional<render::GpuCurves> underground_; // Parts of the plant in mesh_ below the ground.
+    // Lines along those parts of the plant in mesh_ that are below the ground.
+    std::optional<render::GpuCurves> underground_;
     FollowedCurves growing_;
-    Bounds framed_mm_; // Box that the orbit looks at.
-    // Box that the orbit looks at in the stage view: everything shown there so far.
+    Bounds framed_mm_; // Box to which the camera is fitted.
+    // Box to which the camera is fitted in the stage view: everything that the stage view has shown
+    // so far.
     Bounds framed_on_stage_mm_;
     std::uint64_t revision_ = 0;
     bool turned_ = false;
     bool is_light_ = false;
-    bool was_on_stage_ = false; // True if the stage view was active in the last frame.
-    // Revision of the plant when something last grew beside it.
+    bool was_on_stage_ = false; // True if the stage view was shown in the last frame.
+    // Revision of the plant when something last grew beside the plant.
     std::optional<std::uint64_t> grows_on_ {};
 };
 

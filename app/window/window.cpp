@@ -21,17 +21,19 @@ namespace tractus::window {
 
 namespace {
 
-constexpr int kFramesPerSecond = 60; // Frame rate in model time, when time advances by frames.
+// Frames per second of the model's time, if its time advances by frames.
+constexpr int kFramesPerSecond = 60;
 constexpr Duration kFrameStep { 1'000'000'000 / kFramesPerSecond };
-constexpr int kSettlingFrames = 3; // Number of frames that ImGui and the views need to show the
-                                   // effect of an event.
-// Longest sleep while idle; limits the delay of an event that arrived during the last frame.
+// Number of frames that ImGui and the views need to show the effects of an event completely.
+constexpr int kSettlingFrames = 3;
+// Maximum sleep in an idle window. It limits the delay of an event that arrived during the last
+// frame.
 constexpr double kIdleWait_s = 1;
-constexpr double kLiveWait_s = 1.0 / 120; // Longest sleep while devices may send.
-// Longest time step of a frame, in case the whole machine was suspended.
+constexpr double kLiveWait_s = 1.0 / 120; // Maximum sleep while devices may send.
+// Maximum time step of a frame; the whole machine may have been suspended.
 constexpr double kLongestStep_s = 0.25;
 
-// True if the model's time advances by frames rather than by the clock.
+// True if the model's time advances by frames instead of by the clock.
 bool counts_frames(WindowOptions const& options)
 {
     return options.frames > 0 || !options.film.empty();
@@ -45,7 +47,7 @@ Duration step_since(double& last_s, WindowOptions const& options)
     return counts_frames(options) ? kFrameStep : from_seconds(step_s);
 }
 
-// True if the window should close before this frame.
+// True if the window should be closed before this frame.
 bool is_over(int frame, view::WindowModel const& model, WindowOptions const& options)
 {
     if (options.frames > 0)
@@ -59,7 +61,7 @@ Result<void> write_picture(Host const& host, std::filesystem::path const& path)
     return write_file(path, [&](std::ostream& out) { return render::write_png(out, picture); });
 }
 
-// The film's picture file for a frame; nullopt if the film has none.
+// Returns the path of the film's picture for a frame; nullopt if the film has no picture for it.
 std::optional<std::filesystem::path> picture_of_film(std::int64_t frame,
                                                      WindowOptions const& options)
 {
@@ -75,8 +77,8 @@ bool mouse_is_used()
     return delta.x != 0 || delta.y != 0 || ImGui::IsAnyMouseDown();
 }
 
-// Processes events. When nothing is being played, only events and connected devices change the
-// window, so it sleeps until the next one.
+// Processes events. If nothing is being played, only events and connected devices can change the
+// window, so the program sleeps until the next event.
 class Events {
 public:
     // Returns true if the window may look different now, even if its model has not changed.
@@ -94,10 +96,10 @@ public:
     }
 
 private:
-    int still_frames_ = 0; // Number of frames since the last event.
+    int still_frames_ = 0; // Number of frames in which nothing happened, since the last event.
 };
 
-// Detects whether the model shows something else than at the last call.
+// Detects if the model shows anything different from the last call.
 class Changes {
 public:
     bool any(view::WindowModel& model)
@@ -114,7 +116,7 @@ public:
         bool const same_status = std::exchange(status_, state.status) == state.status;
         bool const same_trouble = std::exchange(trouble_, state.trouble) == state.trouble;
         auto const recorded = state.recording.is_on ? 1 + state.recording.bytes / 100'000 : 0;
-        // Sizes are compared as displayed, in steps of 100 kB.
+        // Sizes of the recording are compared as they are displayed, in steps of 100 kB.
         bool const same_recording = std::exchange(recorded_, recorded) == recorded;
         bool const same_unkept = std::exchange(unkept_, state.unsaved_steps) == state.unsaved_steps;
         return !same_revisions || !same_status || !same_trouble || !same_recording || !same_unkept;
@@ -128,8 +130,8 @@ private:
     std::size_t unkept_ = 0;
 };
 
-// The display with this name; without a name the tablet's own, otherwise the one that the window is
-// on.
+// Returns the index of the display that `which` names. If it is empty, that is the tablet's own
+// display, otherwise the one with most of the window.
 Result<std::size_t> wished_display(Host const& host, view::WindowState const& state,
                                    std::string const& which)
 {
@@ -148,7 +150,7 @@ Result<void> fill_at_first(Host& host, view::WindowState const& state, WindowOpt
     return {};
 }
 
-// Fulfils a request to enter or leave full screen and updates the workspace.
+// Enters or leaves full screen if the workspace requests it, and updates the workspace.
 void fill_as_wished(Host& host, view::WindowState const& state, Workspace& workspace)
 {
     if (auto const wish = std::exchange(workspace.requested_full_screen, std::nullopt)) {
@@ -167,7 +169,7 @@ WindowLook look_of(Layout& layout)
 
 } // namespace
 
-// Shows the model until the window closes, and writes the requested pictures.
+// Shows the model until the window is closed, and writes the requested pictures.
 static Result<void> show_window(Host& host, view::WindowModel& model, WindowOptions const& options)
 {
     TRY(host.open(options));
@@ -215,7 +217,8 @@ static Result<void> show_window(Host& host, view::WindowModel& model, WindowOpti
     }
     if (options.screenshot.empty())
         return {};
-    draw_frame(); // Rendered again, because the back buffer is undefined after a swap.
+    // The frame is rendered again, because the back buffer is undefined after a swap of buffers.
+    draw_frame();
     return write_picture(host, options.screenshot);
 }
 
@@ -234,7 +237,7 @@ Result<void> run_window(view::WindowModel& model, WindowOptions const& options)
     }
     on_lost_display(nullptr);
     auto closed = model.close();
-    // If showing and closing both failed, the first error is the cause.
+    // If both showing and closing have failed, the first error is the cause.
     return shown ? closed : shown;
 }
 

@@ -98,7 +98,7 @@ public:
     DeviceInfo const& info() const override { return info_; }
     Result<std::optional<RawReport>> read(Duration timeout) override;
 
-    // Measures the speed of the lines. Fails if nothing answers.
+    // Measures the speed of the lines. Fails if no converter answers.
     Result<void> try_out();
 
 private:
@@ -144,7 +144,8 @@ RawReport encode(Mcp3208Reading const& reading, unsigned repeats)
 
 Result<std::optional<RawReport>> GpioAdcSource::read(Duration timeout)
 {
-    // If this many attempts at a conversion are interrupted, further ones will be, too.
+    // Greatest number of repetitions of an interrupted conversion. After this many interruptions in
+    // a row, further repetitions would hardly succeed.
     constexpr unsigned kMaxRepeats = 7;
     constexpr Duration kForEver = std::chrono::hours(24);
     auto const deadline = clock_.now() + std::min(timeout, kForEver);

@@ -18,17 +18,17 @@ namespace tractus::drivers {
 //
 // A report has four bytes; its time is the time of sampling, without latency:
 //
-// byte 0, bit 0: no answer, DOUT was high where the converter sends a zero; bit 1: the sample was
-// held for more than 1.2 ms, so the reading may be too low
+// byte 0, bit 0: no answer, because DOUT was high where the converter sends a zero; bit 1: the
+// sample was held for more than 1.2 ms, so the reading may be too low
 //
-// byte 1: number of conversions that were interrupted for too long and repeated before this one
+// byte 1: number of conversions that were repeated for this report because they were interrupted
 //
 // bytes 2 and 3: counts, little-endian
 
-// Interval between readings if the lines are fast enough, as those of a Raspberry Pi are.
+// Interval between readings. The lines of a Raspberry Pi are fast enough for it.
 constexpr Duration kGpioAdcPeriod = std::chrono::milliseconds(2);
 
-// A monotonic clock and a function that waits by it.
+// A monotonic clock and a function that waits until a time of that clock.
 struct GpioClock {
     std::function<Timestamp()> now;
     std::function<void(Timestamp)> sleep_until;
@@ -39,9 +39,9 @@ struct GpioClock {
 Result<DeviceInfo> describe_gpio_adc(std::string const& address);
 
 // Opens the converter at `info.location` through libgpiod and takes trial readings. A conversion is
-// repeated if the scheduler interrupted it for so long that the sampled charge was lost. Lines that
-// are too slow for this even without interruption (those of a USB adapter) are used nevertheless,
-// and the reports are flagged.
+// repeated if the scheduler interrupted it for so long that the sampled charge was lost. The lines
+// of a USB adapter are too slow even without interruption; such lines are used nevertheless, and
+// the reports are flagged.
 //
 // Fails with a user error if the address is malformed or its lines are not available, and with a
 // device error if nothing answers on DOUT. read() fails with a device error when the lines fail.

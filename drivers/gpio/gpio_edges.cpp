@@ -58,9 +58,9 @@ bool is_chip_called(int chip, std::string const& name)
         && (kernel_name(info.name) == name || kernel_name(info.label) == name);
 }
 
-// Opens the chip with this name or label; the result is invalid, with errno set, if there is none.
-// The error of a chip without read permission is kept, because its label is unknown and it could be
-// the right one.
+// Opens the chip with this name or label. If there is none, the result is invalid, and errno is
+// set. The errno of a chip without read permission takes precedence, because that chip may have the
+// label, which cannot be read.
 EdgeDescriptor find_edge_chip(std::string const& name)
 {
     std::vector<fs::path> nodes;

@@ -41,8 +41,8 @@ constexpr Duration kGpioEdgesSettleTime = std::chrono::milliseconds(100);
 
 // Determines the starting state for counting on newly opened lines: a quiet moment after the
 // initial false edges, when the levels agree with the last edge. Earlier edges are discarded. Fails
-// with a user error if there is no quiet moment because the surface moves; also fails if `edges` or
-// `levels` fail.
+// with a user error if there is no quiet moment because the surface moves. Also fails if reading
+// `edges` or `levels` fails.
 Result<Quadrature::Beginning>
 find_beginning(GpioEdges& edges, std::function<Result<QuadratureLevels>()> const& levels,
                std::string const& chip);
@@ -53,7 +53,7 @@ constexpr unsigned kGpioEdgesKept = 4096;
 
 // Opens two lines of the chip with this name or label. Uses the kernel's interface directly
 // (linux/gpio.h, version 2, since kernel 5.10): libgpiod 1.6 uses version 1, whose edges have no
-// numbers, so lost ones would go unnoticed.
+// numbers, so that lost edges would go unnoticed.
 //
 // Fails with a user error if the chip or a line does not exist, may not be opened or is in use, or
 // if the chip does not report edges.

@@ -1,5 +1,5 @@
-// GpioLines through libgpiod 1.6 (Debian 12), where each line is an object and bulk requests have a
-// single direction.
+// Implements GpioLines with libgpiod 1.6 (Debian 12). There each line is an object, and all lines
+// of a bulk request have the same direction.
 
 #include "drivers/gpio/gpio_errors.h"
 #include "drivers/gpio/gpio_lines.h"

@@ -1,5 +1,5 @@
-// GpioLines through libgpiod 2 (Debian 13), where lines are offsets and one request covers both
-// directions.
+// Implements GpioLines with libgpiod 2 (Debian 13). There lines are offsets, and one request covers
+// both directions.
 
 #include "drivers/gpio/gpio_errors.h"
 #include "drivers/gpio/gpio_lines.h"
@@ -115,8 +115,9 @@ Chip open_if_called(fs::path const& node, std::string const& name)
     return nullptr;
 }
 
-// Opens the chip with this name or label; null, with errno set, if there is none. The error of a
-// chip without read permission is kept, because its label is unknown and it could be the right one.
+// Opens the chip with this name or label. If there is none, the result is null, and errno is set.
+// The errno of a chip without read permission takes precedence, because that chip may have the
+// label, which cannot be read.
 Chip find_chip(std::string const& name)
 {
     std::vector<fs::path> nodes;

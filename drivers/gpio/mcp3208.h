@@ -13,7 +13,8 @@ namespace tractus::drivers {
 // The MCP3008 (10 bits) and MCP3208 (12 bits), eight-channel converters, on four GPIO lines:
 // bit-banged SPI mode 0,0 as in section 5 of Microchip's DS21295 and DS21298.
 struct Mcp3208Wiring {
-    // Line offsets on the GPIO chip, named after the converter's pins; DIN is our output.
+    // Line offsets on the GPIO chip, named after the converter's pins. DIN is the converter's data
+    // input, so it is an output of the GPIO chip.
     unsigned clk = 0;
     unsigned din = 0;
     unsigned dout = 0;
@@ -43,12 +44,12 @@ struct Mcp3208Reading {
     Duration held {};     // Longest possible time from the end of sampling to the last bit.
 };
 
-// Longest time between sampling and the last bit, because the hold capacitor leaks (DS21298,
-// section 6.2). A conversion that the scheduler interrupted for longer reads too low and must be
-// repeated.
+// Longest acceptable time between sampling and the last bit, because the hold capacitor leaks
+// (DS21298, section 6.2). A conversion that the scheduler interrupted for longer reads too low and
+// must be repeated.
 constexpr Duration kMcp3208HoldLimit = std::chrono::microseconds(1200);
 
-// Converts once, in 51 kernel requests. `now` is a monotonic clock. Fails if the lines fail.
+// Makes one conversion, in 51 kernel requests. `now` is a monotonic clock. Fails if the lines fail.
 Result<Mcp3208Reading> convert_mcp3208(GpioLines& lines, Mcp3208Channel const& channel,
                                        std::function<Timestamp()> const& now);
 

@@ -40,7 +40,7 @@ public:
 
     std::int32_t count() const { return count_; } // Present count, which starts at 0.
 
-    // Lower bound on the number of missing edges; unless it is 0, `count` is wrong.
+    // Lower bound on the number of missing edges. Unless it is 0, count() is wrong.
     std::uint32_t lost_count() const { return lost_count_; }
 
 private:

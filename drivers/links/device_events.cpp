@@ -26,7 +26,7 @@ private:
     std::unique_ptr<udev_monitor, UdevUnreference> monitor_;
 };
 
-// Drains all pending events. True if one concerns a device that can be opened now.
+// Drains all pending events. Returns true if one of them concerns a device that can now be opened.
 bool UdevEvents::take()
 {
     bool is_any = false;

@@ -17,7 +17,7 @@ namespace tractus::drivers {
 // devices, and pens on serial lines, I2C and SPI. Their reports are made by EventPen and have the
 // kernel's event times.
 
-// Pens without a hidraw node, listed from sysfs; `root` is the root of the file system. A pen
+// Lists the pens without a hidraw node from sysfs; `root` is the root of the file system. A pen
 // without read permission has no report descriptor.
 std::vector<DeviceInfo> list_event_pens(std::filesystem::path const& root = "/");
 

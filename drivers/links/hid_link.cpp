@@ -28,7 +28,8 @@ std::string narrow(wchar_t const* text)
     return result;
 }
 
-// Rounds up to the milliseconds that hidapi takes; a negative timeout would make it wait forever.
+// Rounds up to whole milliseconds for hidapi. Negative timeouts become 0, because hidapi would
+// otherwise wait forever.
 int to_milliseconds(Duration timeout)
 {
     auto const count = std::chrono::ceil<std::chrono::milliseconds>(timeout).count();

@@ -52,7 +52,7 @@ std::string_view value_of(std::string_view text, std::string_view key)
     return {};
 }
 
-// Reads the ids from the value of HID_ID, such as "0003:0000056A:0000037A".
+// Reads bus, vendor and product id from the value of HID_ID, such as "0003:0000056A:0000037A".
 void read_ids(std::string_view text, DeviceInfo& info)
 {
     for (auto* const id : { &info.bus, &info.vendor_id, &info.product_id }) {
@@ -87,7 +87,7 @@ DeviceInfo describe(fs::path const& folder)
     return info;
 }
 
-// Compares in natural order: hidraw10 comes after hidraw9.
+// Orders nodes naturally: hidraw10 comes after hidraw9.
 bool comes_first(DeviceInfo const& a, DeviceInfo const& b)
 {
     return std::pair(a.location.size(), a.location) < std::pair(b.location.size(), b.location);

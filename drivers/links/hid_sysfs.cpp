@@ -6,7 +6,8 @@ namespace tractus::drivers {
 
 namespace fs = std::filesystem;
 
-// The path …/usb1/1-2/1-2:1.0/0003:256C:006D.0005 names the device, its interface, the HID device.
+// In a path such as …/usb1/1-2/1-2:1.0/0003:256C:006D.0005, the last three folders are the USB
+// device, its interface, and the HID device.
 std::optional<UsbParent> find_usb_parent(fs::path const& hidraw_folder)
 {
     std::error_code error;

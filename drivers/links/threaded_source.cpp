@@ -25,8 +25,8 @@ struct ThreadedSource::Shared {
 
     std::unique_ptr<ReportSource> source; // Only used by the reading thread once it runs.
     DeviceInfo info;                      // Copy of the source's description; never changes.
-    boost::lockfree::spsc_queue<RawReport, boost::lockfree::capacity<kRingReports>>
-        ring; // Waiting reports: written by the reading thread, read by the owner.
+    // Waiting reports: written by the reading thread, read by the owner.
+    boost::lockfree::spsc_queue<RawReport, boost::lockfree::capacity<kRingReports>> ring;
     std::atomic<bool> stop = false; // Set by the owner, read by the reading thread.
     // Set by the reading thread after `error` is written and no further report will follow.
     std::atomic<bool> ended = false;
@@ -86,7 +86,7 @@ Result<std::optional<RawReport>> ThreadedSource::read(Duration timeout)
 {
     RawReport report;
     for (auto left = timeout;; left -= kPollInterval) {
-        // Read before the ring: reports pushed before the end must still be found.
+        // `ended` must be read before the ring, because reports may be pushed until it is set.
         bool const ended = shared_->ended.load(std::memory_order_acquire);
         if (shared_->ring.pop(report))
             return std::optional(report);

@@ -15,7 +15,8 @@ namespace tractus::drivers {
 
 namespace {
 
-// Reads the lines of an evemu recording (src/evemu.c in evemu), chosen by their first letter.
+// Reads the lines of an evemu recording (src/evemu.c in evemu). Each line's first letter is its
+// kind.
 class EvemuReader {
 public:
     explicit EvemuReader(std::string_view name)
@@ -134,8 +135,8 @@ private:
     ForeignLogBuilder builder_;
     DeviceInfo info_;
     EventAbilities abilities_;
-    std::map<unsigned, unsigned>
-        next_bit_;                // Event type → code of the first bit on the type's next line.
+    // Event type → code of the first bit on the type's next line.
+    std::map<unsigned, unsigned> next_bit_;
     std::optional<EventPen> pen_; // Set when the first event has been read.
     std::size_t line_ = 0;
 };
@@ -147,8 +148,8 @@ bool begins_evemu_recording(std::string_view line)
     constexpr std::string_view kHead = "# EVEMU ";
     if (line.starts_with(kHead))
         return true;
-    // The oldest evemu recordings have no version line. Their I line has four ids, hid-recorder's
-    // has three.
+    // The oldest evemu recordings have no version line. Their I line has four ids, whereas the I
+    // line of a hid-recorder file has three.
     LogLine words(line.starts_with("I:") ? line.substr(2) : std::string_view());
     unsigned id = 0;
     int count = 0;

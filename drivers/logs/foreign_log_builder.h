@@ -15,7 +15,7 @@ public:
 
     Log& log() { return log_; }
 
-    // Adds a warning about something odd in a line.
+    // Adds a warning about something odd in the recording's line number `line`.
     void warn(std::size_t line, std::string message);
 
     // Appends a report. A report that no device could have sent is skipped with a warning. Fails

@@ -65,8 +65,8 @@ Result<std::int64_t> number_in(std::string_view text)
 struct RecordedEvents {
     EventAbilities abilities {};
     std::optional<EventPen> pen {}; // Set when an event of a pen has been read.
-    std::optional<std::size_t>
-        device {}; // Index in the log's devices; set when the device has sent an event.
+    // Index in the log's devices; set when the device has sent an event.
+    std::optional<std::size_t> device {};
     std::vector<std::int64_t> numbers {}; // Numbers of the list being read, in the file's order.
 };
 
@@ -150,7 +150,8 @@ private:
             levels_.back().has_key = false;
     }
 
-    // True if the innermost list or map is reached by these keys, where "" means a list.
+    // True if `path` leads to the innermost list or map. It consists of the keys of the maps around
+    // it, from the outside inwards, with "" for each list around it.
     bool is_at(std::initializer_list<std::string_view> path) const
     {
         if (levels_.size() != path.size() + 1)
@@ -165,7 +166,7 @@ private:
         return true;
     }
 
-    // True if the innermost list is a value of the map at this path, under any key.
+    // True if the innermost list is a value, under any key, of the map to which `path` leads.
     bool is_in_map_of(std::initializer_list<std::string_view> path) const
     {
         auto const depth = path.size() + 1;
@@ -317,7 +318,8 @@ private:
     }
 
     // Removes pens made of input events if raw reports of the same device exist. A hidraw node
-    // feeds several input devices, so both can be listed under different ones.
+    // feeds several input devices, so the raw reports may be listed under another one than the
+    // events.
     void remove_seen_twice()
     {
         auto const& devices = builder_.log().devices;
@@ -341,8 +343,8 @@ private:
     std::vector<Level> levels_;
     DeviceInfo info_; // The device being read.
     std::vector<std::uint16_t> ids_;
-    std::map<std::string, std::size_t>
-        nodes_;                      // The device's hidraw nodes → indices in the log's devices.
+    // The device's hidraw nodes → indices in the log's devices.
+    std::map<std::string, std::size_t> nodes_;
     std::vector<std::int64_t> time_; // Time of the report being read: seconds, microseconds.
     std::map<std::string, std::vector<std::byte>> reports_;
     std::size_t line_ = 0; // Line of the YAML event being handled.

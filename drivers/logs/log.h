@@ -67,13 +67,13 @@ struct LogRemainder; // Location of the reports that are not in memory.
 struct Log {
     std::string name; // The file's name, for messages.
     std::vector<DeviceInfo> devices;
-    std::vector<LogRecord>
-        records; // Records in the file's order; of a large file, only the first ones.
+    // Records in the file's order; of a large file, only the first ones.
+    std::vector<LogRecord> records;
     std::vector<std::byte> bytes;             // The bytes of all records, one after another.
     std::shared_ptr<LogRemainder const> rest; // Null if all reports are in memory.
     std::vector<LogTool> tools;               // Tools in the file's order.
-    std::string
-        rig_text; // The file's C lines, each ended by a line break; empty if there are none.
+    // The file's C lines, each ended by a line break; empty if there are none.
+    std::string rig_text;
     std::vector<LogWarning> warnings; // The first kMaxLogWarnings warnings.
     std::size_t warning_count = 0;    // Number of all warnings, including those that were not kept.
 
@@ -149,7 +149,7 @@ Result<Log> parse_log(std::string_view text, std::string_view name);
 // kMaxPipedLogBytes of reports.
 Result<Log> read_log(std::filesystem::path const& path);
 
-// Limits of the reports in memory; each takes sizeof(LogRecord) and its own bytes.
+// Limits of the memory for reports; each report takes sizeof(LogRecord) and its own bytes.
 constexpr std::size_t kMaxLogBytes = std::size_t { 1 } << 20;
 constexpr std::size_t kMaxPipedLogBytes = std::size_t { 32 } << 20;
 

@@ -11,8 +11,8 @@
 
 namespace tractus::drivers {
 
-// Reads one line of a device log from left to right. Each reader skips blanks first and says
-// whether it found what it was asked for.
+// Reads one line of a device log from left to right. Each member function skips blanks first. Those
+// that return a bool return false if the line does not continue with what they read.
 class LogLine {
 public:
     explicit LogLine(std::string_view line)

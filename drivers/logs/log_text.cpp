@@ -136,13 +136,13 @@ Result<void> LogText::read_line(std::string_view line)
     return read_described_line(line[0], content);
 }
 
-// Reads a line that is neither report nor disconnection. Its content stays in memory, however long
-// the log is.
+// Reads a line that describes a device, the rig or a change of tool. What it describes stays in
+// memory, however long the log is.
 Result<void> LogText::read_described_line(char kind, std::string_view content)
 {
     if (std::string_view("RDNPMUASITC").find(kind) == std::string_view::npos)
         return {};
-    if (kind != 'D' && kind != 'I') // D and I lines add nothing that stays in memory for each line.
+    if (kind != 'D' && kind != 'I') // D and I lines take no memory that grows with their number.
         described_bytes_ += content.size() + sizeof(LogTool);
     if (described_bytes_ > kMaxDescribedBytes)
         return broken(fmt::format("more than {} bytes that describe devices, the rig and tools: "
@@ -270,8 +270,8 @@ void LogText::begin_part(Timestamp time)
     place_.latest.reset();
 }
 
-// Shifts the changes of tool that are written between two recordings and belong, by their times, to
-// the second.
+// Shifts changes of tool that are written between two recordings. Only those whose times show that
+// they belong to the second recording are shifted.
 void LogText::move_last_tools(Timestamp time, Duration shift, std::size_t count_before)
 {
     for (auto tool = log_.tools.rbegin();

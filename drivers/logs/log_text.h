@@ -22,18 +22,20 @@ struct LogDeviceNumber {
     bool is_there = false;
 };
 
-// A position at a line's start in a log's text, and the state that reading on from there needs.
+// A position at a line's start in a log's text, and the state with which reading can continue
+// there.
 struct LogPlace {
     std::uint64_t offset = 0;
     std::size_t line = 0;                     // Number of lines before this position.
     std::vector<LogDeviceNumber> numbered {}; // Device numbers, parallel to Log::devices.
     std::size_t number = 0;                   // Device number of the last D line.
-    std::optional<std::size_t>
-        device {};               // Index of the current device; no value until a line describes it.
+    // Index of the current device; no value until a line describes it.
+    std::optional<std::size_t> device {};
     Duration shift {};           // Added to times in the file to give the times of records.
     bool has_second_rig = false; // True after the warning about a second calibration.
-    std::optional<Timestamp>
-        latest {}; // Time in the file of the latest record of the current part.
+    // Time, as written in the file, of the latest record of the recording that is being read. A
+    // file may contain several recordings.
+    std::optional<Timestamp> latest {};
 };
 
 // Totals over all records of a log.

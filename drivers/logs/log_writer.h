@@ -13,7 +13,7 @@
 
 namespace tractus::drivers {
 
-// Contents of a log's header.
+// Content of a log's header.
 struct LogHeader {
     std::vector<DeviceInfo> devices {};
     std::string rig_text {}; // The rig's calibration, as any text; empty if there is none.

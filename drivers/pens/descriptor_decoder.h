@@ -11,11 +11,11 @@
 namespace tractus::drivers {
 
 // Makes a decoder for the pen that the device's report descriptor describes (PenLayout). The active
-// area's size comes from the descriptor if it is plausible there, otherwise from `size_mm`, which
-// is that of our table, otherwise from the kernel. Without any of these, `width_to_height` gives
-// its proportions.
+// area's size comes from the descriptor if it is plausible there, otherwise from `size_mm`, the
+// size in the table of tablets, otherwise from the kernel. Without any of these, `width_to_height`
+// gives its proportions.
 //
-// Fails with a user error with the reason if the device is not a pen or sends reports in its
+// Fails with a user error that gives the reason if the device is not a pen or sends reports in its
 // maker's own format, and with a device error if its descriptor is broken.
 Result<std::unique_ptr<PenDecoder>>
 make_descriptor_decoder(DeviceInfo const& info, std::optional<Vec2> const& size_mm = std::nullopt,

@@ -20,18 +20,18 @@ struct FamilyState {
     bool is_pen = true;     // True for a pen, false for a mouse on the tablet.
     bool is_inside = false; // True while the pen is in range.
 
-    // Index of the requested pen state within a report; see PenFamily::frames.
+    // Index of the pen state to decode, in a report that contains several; see PenFamily::frames.
     std::size_t frame = 0;
 
     // The tablet's maximum x in counts; 0 if not known. It never changes.
     std::int32_t x_maximum = 0;
 
-    // Resets the state when the tool leaves, since the next tool may be a different one.
+    // Resets the state when a pen or mouse leaves, since the next one may be different.
     void forget_tool() { *this = { .x_maximum = x_maximum }; }
 };
 
-// A maker's own report format, which no report descriptor describes. Many tablets share each
-// format; sizes and maxima belong to the tablet (TabletShape).
+// A maker's own report format, which no report descriptor describes. Many tablets share one format;
+// sizes and maxima belong to the tablet (TabletShape).
 struct PenFamily {
     std::string_view name; // Unique name, such as "wacom-intuos4".
 

@@ -10,7 +10,7 @@ struct KnownHabits {
     PenHabits habits {};
 };
 
-// Pens that report leaving and then hovering when their second button is pressed.
+// Habits of pens that report leaving and then hovering when their second button is pressed.
 constexpr PenHabits kArtist24 {
     .second_button_is_eraser = true,
     .false_leave = std::chrono::milliseconds(20),
@@ -23,10 +23,10 @@ constexpr PenHabits kArtistProGen2 {
 
 constexpr PenHabits kKamvasPro19 { .third_button_is_invert = true };
 
-// Huion and Gaomon tablets before a driver switches their mode.
+// Habits of the pens of Huion and Gaomon tablets before a driver switches the tablet's mode.
 constexpr PenHabits kHuion { .second_button_is_eraser = true };
 
-// A mouse used as a pen (app/controllers/mouse_rig.h).
+// Habits of a mouse used as a pen (app/controllers/mouse_rig.h).
 constexpr PenHabits kMouse { .rests_in_silence = true };
 
 constexpr KnownHabits kKnown[] = {

@@ -22,11 +22,11 @@ inline constexpr std::uint16_t kMousePenProduct = 3;
 // Returns the known habits of a pen whose report descriptor is misleading, and default habits for
 // all other pens.
 //
-// Linux can correct such a descriptor ("HID-BPF"): a descriptor that declares a second barrel
-// button by its own usage has been corrected, and its pen needs no habits. A pen with one button
-// and an eraser but no invert switch really has two buttons and no eraser: this holds for all pens
-// by XP-Pen and UGEE. Huion and Gaomon declare a secondary tip switch that their pens never send;
-// the upper button sends the eraser's bit instead.
+// Linux can correct such a descriptor ("HID-BPF"). If a descriptor declares a second barrel button
+// by its own usage, it has been corrected, and its pen needs no habits. A pen with one button and
+// an eraser but no invert switch really has two buttons and no eraser; this is so for all pens by
+// XP-Pen and UGEE. Huion and Gaomon declare a secondary tip switch that their pens never send; the
+// upper button sends the eraser's bit instead.
 PenHabits known_habits(std::uint16_t vendor_id, std::uint16_t product_id,
                        PenButtons const& buttons);
 

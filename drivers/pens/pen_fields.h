@@ -16,8 +16,8 @@ struct PenFields {
     std::int32_t x = 0;
     std::int32_t y = 0;
 
-    std::optional<std::int32_t>
-        pressure {}; // Pressure in counts. No value: unchanged since the previous report.
+    // Pressure in counts. No value: unchanged since the previous report.
+    std::optional<std::int32_t> pressure {};
 
     // Tilt to the right and towards the user, from upright. No value: unchanged since the previous
     // report.
@@ -25,11 +25,11 @@ struct PenFields {
 
     // True if the pen is in range. No value: true, because the pen reports.
     std::optional<bool> in_range {};
-    std::optional<bool>
-        tip {}; // True if the pen's tip is down. No value: derived from the pressure.
-    // The eraser end points at the tablet; if `tip` is set too, the eraser is down.
+    // True if the pen's tip is down. No value: derived from the pressure.
+    std::optional<bool> tip {};
+    // True if the eraser end points at the tablet. If `tip` is set too, the eraser is down.
     bool invert = false;
-    bool eraser_touch = false; // The eraser end is down, regardless of `tip` and `invert`.
+    bool eraser_touch = false; // True if the eraser end is down, regardless of `tip` and `invert`.
     std::uint32_t buttons = 0; // Bit 0: first barrel button, bit 1: second, …
 
     // Serial number and type of the pen; 0 if not in the report.

@@ -64,8 +64,8 @@ void PenState::read_pressure(PenSample& sample, PenFields const& fields,
     sample.pressure = std::clamp(above / range, 0.0, 1.0);
 }
 
-// Converts the position and tilt. Y changes direction: reports count from the far edge, the tablet
-// frame from the near one.
+// Converts the position and tilt. Y is inverted, because reports count from the tablet's far edge,
+// and the tablet frame counts from the near edge.
 void PenState::place(PenSample& sample, PenFields const& fields, PenScale const& scale) const
 {
     if (scale.has_tilt)

@@ -11,7 +11,7 @@
 
 namespace tractus::drivers {
 
-// Scale and ranges that convert a report's counts into units.
+// Factors and ranges that convert a report's counts into units.
 struct PenScale {
     std::int32_t x_minimum = 0;
     std::int32_t y_maximum = 0; // Y in counts at the edge near the user.
@@ -26,7 +26,7 @@ struct PenScale {
     bool has_tilt = false;
 };
 
-// Ways in which a device deviates from what its reports say. By default there are none.
+// Deviations of a device from what its reports say. By default there are none.
 struct PenHabits {
     // False: reports never say that the pen has left, even if they contain an in-range flag; a
     // silence means it instead (PenState::silence_limit()).
@@ -59,14 +59,14 @@ struct PenHabits {
 class PenState {
 public:
     // When the pen leaves and the format cannot report it, the tablet stops sending. A hovering pen
-    // counts as gone after this time, as in Linux's driver; nothing is lost if it only rested. A
+    // counts as gone after kSilence, as in Linux's driver; nothing is lost if it only rested. A
     // touching pen of a streaming tablet counts as gone after kSilentIntervals of the tablet's
-    // report intervals, but not before this time, because the computer may read late.
+    // report intervals, but not before kSilence, because the computer may read late.
     static constexpr Duration kSilence = std::chrono::milliseconds(100);
     static constexpr int kSilentIntervals = 16;
 
-    // Silence after which a pen counts as gone although the format can report leaving and has not.
-    // It is this long so that a computer that stalls for less loses nothing.
+    // Silence after which a pen counts as gone although the format can report leaving and has not
+    // done so. It is long, so that nothing is lost if the computer stalls for less than this time.
     static constexpr Duration kUnreportedLeaveSilence = std::chrono::seconds(1);
 
     // A touching pen that rested in silence and is next reported farther away than this was lifted
@@ -108,8 +108,8 @@ private:
     bool went_silent_touching_ = false;
     bool has_position_ = false;
     bool says_in_range_ = false; // True if the last report contained an in-range flag.
-    std::optional<Timestamp>
-        reported_left_at_; // Time at which the device reported that the pen had left.
+    // Time at which the device reported that the pen had left.
+    std::optional<Timestamp> reported_left_at_;
 };
 
 } // namespace tractus::drivers

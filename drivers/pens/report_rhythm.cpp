@@ -11,7 +11,8 @@ constexpr std::size_t kRemembered = 64; // Number of intervals in the running me
 constexpr std::size_t kProof = 3;
 // Intervals up to this multiple of the mean belong to the tablet's pace.
 constexpr int kOwnPace = 4;
-// Longer pauses do not count towards the pace: the slowest tablets send 30 reports a second.
+// Longer pauses do not count towards the pace, since even the slowest tablets send 30 reports a
+// second.
 constexpr Duration kLongestInterval = std::chrono::milliseconds(60);
 
 } // namespace

@@ -12,10 +12,10 @@ namespace tractus::drivers {
 // keeps reporting a pen that rests; others report only changes and are silent while the pen rests.
 // Only on a streaming tablet does a silence mean that the pen has left.
 //
-// The proof of streaming is a run of four equal reports at the tablet's own pace: in 40 public
-// recordings of 20 tablets, all streaming tablets send such runs within seconds, and the others
-// never send even three. The proof is revoked for good when a pen that fell silent touches again at
-// the same place without having hovered: it had only rested.
+// The proof of streaming is a run of four equal reports at the tablet's own pace. In 40 public
+// recordings of 20 tablets, all streaming tablets send such runs within seconds, and the others do
+// not even send three equal reports in a row. The proof is revoked for good when a pen that fell
+// silent touches again at the same place without having hovered: it had only rested.
 class ReportRhythm {
 public:
     // Adds a report received while the pen was in range.

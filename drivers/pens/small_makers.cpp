@@ -51,8 +51,8 @@ std::optional<PenFields> decode_waltop(Report report, FamilyState&)
     };
 }
 
-// Decodes reports like Waltop's, but without a tip bit. Their tilt is an azimuth and an altitude at
-// unknown offsets, and is not decoded.
+// Decodes reports of Lifetec tablets, which are like Waltop's, but without a tip bit. Their tilt is
+// an azimuth and an altitude at unknown offsets, and is not decoded.
 std::optional<PenFields> decode_lifetec(Report report, FamilyState&)
 {
     if (!has_id(report, 0x02, 8))
@@ -65,8 +65,8 @@ std::optional<PenFields> decode_lifetec(Report report, FamilyState&)
     };
 }
 
-// Decodes Robotpen's reports. Byte 1 is 0x42 while the pen is near. The button is said to be a bit
-// of the pressure, and is not decoded.
+// Decodes Robotpen's reports. Byte 1 is 0x42 while the pen is near. One bit of the pressure may be
+// the button; it is not decoded as a button.
 std::optional<PenFields> decode_robotpen(Report report, FamilyState&)
 {
     if (report.size() < 12)

@@ -23,8 +23,8 @@ PenFields base_fields(Report report)
     };
 }
 
-// Decodes any report that begins like UC-Logic's formats, using only its flags. Some of these
-// tablets have no tip bit.
+// Decodes any report that begins like UC-Logic's formats, whatever its report id. Some of these
+// tablets have no tip bit, so any pressure counts as a touch.
 std::optional<PenFields> decode_generic(Report report, FamilyState&)
 {
     if (report.size() < 8)

@@ -12,7 +12,7 @@ using Report = std::span<std::byte const>;
 using Fields = std::optional<PenFields>;
 
 constexpr std::uint8_t kPenReport = 0x02;
-// Id of a second kind of pen report; also used by IntuosV2.
+// Report id of a second kind of pen report; the format IntuosV2 uses it, too.
 constexpr std::uint8_t kSecondPenReport = 0x10;
 constexpr std::uint8_t kLongPenReport = 0x1E;
 constexpr std::uint8_t kShortPenReport = 0x1F;
@@ -117,8 +117,8 @@ Vec2 intuos_pro_tilt_deg(Report report)
     return { ((u8(report, 7) << 1 & 0x7E) | u8(report, 8) >> 7) - 64, (u8(report, 8) & 0x7F) - 64 };
 }
 
-// Meaning of the four-bit kind of a report. In reports of an ordinary pen these bits include the
-// buttons.
+// Meaning of four bits of a report, which give its kind. In reports of an ordinary pen these bits
+// include the buttons.
 enum class IntuosProKind { Pen, Rotation, Airbrush, Other };
 
 IntuosProKind kind_of(Report report)
@@ -161,8 +161,8 @@ PenFields intuos_pro_fields(Report report, FamilyState& state)
     return fields;
 }
 
-// True if an Intuos5 or Pro draws at its right edge, where it falsely reports that the pen is too
-// high.
+// True if the pen draws at the right edge of an Intuos5 or Pro. There the tablet falsely reports
+// that the pen is too high.
 bool presses_at_right_edge(Report report, FamilyState const& state)
 {
     constexpr int kSurely = 10; // Pressure above the noise of the sensor, in counts.
@@ -199,7 +199,7 @@ Fields decode_intuos_pro(Report report, FamilyState& state)
     return intuos_pro_fields(report, state);
 }
 
-// Offsets that differ between the reports of the second and the third Intuos Pro.
+// Offsets that the reports of the second and the third Intuos Pro have in different places.
 struct WideLayout {
     std::size_t flags = 0;
     unsigned eraser_bit = 0;
@@ -226,8 +226,8 @@ PenFields wide_fields(Report report, WideLayout const& at)
     };
 }
 
-// Decodes reports of the second Intuos Pro (PTH-x60), CTL-4100 and its relatives, and One: 24-bit
-// axes.
+// Decodes reports of the second Intuos Pro (PTH-x60), of CTL-4100 and its relatives, and of the
+// Wacom One, whose axes have 24 bits.
 Fields decode_intuos_v2(Report report, FamilyState&)
 {
     static constexpr WideLayout kPlain { .flags = 1,
@@ -254,8 +254,8 @@ Fields decode_intuos_v2(Report report, FamilyState&)
     return has_bit(report, at.flags, at.near_bit) ? wide_fields(report, at) : kAway;
 }
 
-// Decodes reports of the third Intuos Pro, Movink and the second One. Short reports have 16-bit
-// axes.
+// Decodes reports of the third Intuos Pro, the Movink and the second Wacom One. Short reports have
+// axes of 16 bits.
 Fields decode_intuos_v3(Report report, FamilyState&)
 {
     if (report.size() < 15)

@@ -45,7 +45,7 @@ std::optional<PenFields> decode_xp_pen(Report report, FamilyState&)
     return fields;
 }
 
-// Decodes reports in which the upper bits of the pressure have another meaning.
+// Decodes reports with 13 bits of pressure; the upper bits of the field have another meaning.
 std::optional<PenFields> decode_offset_pressure(Report report, FamilyState& state)
 {
     auto fields = decode_xp_pen(report, state);
@@ -77,7 +77,7 @@ std::optional<PenFields> decode_offset_keys(Report report, FamilyState&)
 
 std::optional<PenFields> decode_xencelabs(Report report, FamilyState&)
 {
-    if (report.size() < 10 || (u8(report, kXpPenFlags) & 0xF0) == 0xF0) // A report of keys.
+    if (report.size() < 10 || (u8(report, kXpPenFlags) & 0xF0) == 0xF0) // A report of the keys.
         return std::nullopt;
     auto fields = xp_pen_fields(report);
     fields.in_range = has_bit(report, kXpPenFlags, 5);

@@ -11,7 +11,7 @@ namespace tractus::drivers {
 
 namespace {
 
-// Maximum number of ports on the way to a device: USB 2.0, section 4.1.1, allows seven tiers.
+// Maximum number of ports in the path to a device: USB 2.0, section 4.1.1, allows seven tiers.
 constexpr std::size_t kMaxPorts = 7;
 constexpr std::string_view kNodes = "/dev/hidraw";
 constexpr std::string_view kEventNodes = "/dev/input/event";
@@ -118,7 +118,7 @@ Result<DeviceAddress> parse_encoder(std::string_view text, std::string_view rest
                                 .b_line = (*lines)[1] };
 }
 
-// Parses from the right, since a chip's label may contain colons.
+// Parses the address from right to left, since a chip's label may contain colons.
 Result<DeviceAddress> parse_gpio(std::string_view text, std::string_view rest)
 {
     if (rest.ends_with(kQuadrature))

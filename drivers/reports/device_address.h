@@ -49,7 +49,8 @@ struct UsbAddress {
 struct GpioAddress {
     std::string chip {}; // The chip's name ("gpiochip0") or label ("pinctrl-bcm2711").
 
-    // Line offsets on the chip, named after the converter's pins: DIN receives what the host sends.
+    // Line offsets on the chip, named after the converter's pins. DIN is the converter's data
+    // input.
     unsigned clk_line = 0;
     unsigned din_line = 0;
     unsigned dout_line = 0;
@@ -96,8 +97,8 @@ struct EventAddress {
 using DeviceAddress = std::variant<HidrawAddress, LibusbAddress, UsbAddress, GpioAddress,
                                    GpioEncoderAddress, SerialAddress, IioAddress, EventAddress>;
 
-// True for devices that are read only if the user names them: what is connected to a GPIO chip's
-// lines is unknown, and a serial port or an analogue input can be anything.
+// True for devices that are read only if the user names them. The reason is that nobody can tell
+// what is connected to a GPIO chip's lines, to a serial port or to an analogue input.
 inline bool needs_explicit_name(DeviceAddress const& address)
 {
     return !std::holds_alternative<HidrawAddress>(address)
@@ -113,7 +114,7 @@ inline bool is_on_gpio(DeviceAddress const& address)
         || std::holds_alternative<GpioEncoderAddress>(address);
 }
 
-// Parses an address. Fails with a user error with the form that was expected.
+// Parses an address. Fails with a user error that names the form that was expected.
 Result<DeviceAddress> parse_device_address(std::string_view text);
 
 // Prints an address as parse_device_address() reads it.

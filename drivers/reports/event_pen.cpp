@@ -23,7 +23,7 @@ constexpr std::byte kEventPenReport { 1 }; // Report id of all reports made by E
 constexpr std::array<std::uint16_t, 4> kDrawingTools { BTN_TOOL_PEN, BTN_TOOL_BRUSH,
                                                        BTN_TOOL_PENCIL, BTN_TOOL_AIRBRUSH };
 
-// A switch in the report; `bit` counts in the first byte after the report id.
+// A switch in the report. `bit` is its position in the first byte after the report id.
 struct PenSwitch {
     unsigned bit;
     std::uint16_t usage_page;

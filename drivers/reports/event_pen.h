@@ -37,7 +37,7 @@ struct EventAbilities {
 bool is_event_pen(EventAbilities const& abilities);
 
 // Returns a HID 1.11 report descriptor for the pen's reports, with the usages of a digitizer pen.
-// Lengths are declared for axes with a known resolution.
+// Physical lengths are declared only for axes whose resolution is known.
 std::vector<std::byte> describe_event_pen(EventAbilities const& abilities);
 
 // Converts the events of one device into the reports that describe_event_pen() describes.
@@ -50,9 +50,10 @@ public:
     EventPen& operator=(EventPen&&) noexcept;
 
     // Handles one event, given as in struct input_event. Returns the report that it completes,
-    // valid until the next call; empty for events within a frame, for frames that are not about the
-    // pen, and until the pen's position is known. After SYN_DROPPED, events are ignored until the
-    // end of the frame. The device's state before its first event is pushed in the same way.
+    // valid until the next call. The result is empty for events within a frame, for frames that are
+    // not about the pen, and until the pen's position is known. After SYN_DROPPED, events are
+    // ignored until the end of the frame. The caller pushes the device's initial state in the form
+    // of events, too.
     std::span<std::byte const> push(std::uint16_t type, std::uint16_t code, std::int32_t value);
 
 private:

@@ -46,8 +46,8 @@ constexpr double kUsualProportions = 16.0 / 10;
 
 enum class Tool { None, Pen, Mouse };
 
-// Maps a usage of Wacom's page 0xFF0D to the standard one: it has the numbers of the Digitizers
-// page, and from 0x100 on those of Generic Desktop.
+// Maps a usage of Wacom's page 0xFF0D to the standard one. Wacom's page has the usage numbers of
+// the Digitizers page, and from 0x100 on those of the Generic Desktop page.
 HidUsage standard_usage(HidUsage usage)
 {
     constexpr HidUsage kWacomDigitizer = 0xFF0D, kDigitizers = 0x000D, kGenericDesktop = 0x0001;
@@ -106,7 +106,8 @@ struct Draft {
     PenLayout layout {};
 };
 
-// Returns the member of the draft for a usage; null for usages that are not about a pen.
+// Returns the member of the draft that a usage belongs to; null for usages that are not about a
+// pen.
 std::optional<HidField>* slot(Draft& draft, HidUsage usage)
 {
     auto& layout = draft.layout;
@@ -200,8 +201,8 @@ bool is_plausible(HidField const& field, std::optional<double> side_mm)
         && counts(field) / *side_mm <= kMaxCountsPerMm;
 }
 
-// Returns a physical length that has no unit: some makers use thousandths of an inch and omit the
-// unit.
+// Returns the physical length of a field without a unit. It is read as thousandths of an inch, for
+// which some makers omit the unit.
 std::optional<double> span_without_unit_mm(HidField const& field)
 {
     auto const span = field.physical_maximum - field.physical_minimum;

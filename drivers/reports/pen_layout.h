@@ -43,18 +43,20 @@ struct PenLayout {
     Vec2 size_mm = Vec2::Zero();            // Size of the active area.
     Vec2 tilt_rad_per_count = Vec2::Zero(); // Factor from the logical value to radians.
 
-    // Origin of the size: the descriptor's physical range (Declared), or a guess if that is missing
-    // or implausible (a side outside 20 to 800 mm, or more than 1000 counts per mm). The guess is,
-    // for a mouse, the size in the same device's pen reports; for a range without a unit,
-    // thousandths of an inch; else 5080 counts per inch, as on most tablets, or 2540, whichever
-    // gives a longer side of 80 to 500 mm; else a longer side of 250 mm. If both axes have the same
-    // range, which fits no tablet's surface, the sides are assumed to be 16:10, as on most tablets.
+    // Origin of the size: the descriptor's physical range (Declared), another source (Known), or a
+    // guess (Assumed) if the range is missing or implausible (a side outside 20 to 800 mm, or more
+    // than 1000 counts per mm). The guess for a mouse is the size in the same device's pen reports.
+    // The guess for a range without a unit is thousandths of an inch. Other guesses are 5080 counts
+    // per inch, as on most tablets, or 2540, whichever gives a longer side of 80 to 500 mm, or else
+    // a longer side of 250 mm. If both axes have the same range, which fits no tablet's surface,
+    // the sides are assumed to be 16:10, as on most tablets.
     enum class Size { Declared, Known, Assumed } size_source = Size::Declared;
 
-    // Sets a size known from elsewhere if the descriptor declares none, or has X and Y exchanged.
+    // Sets a size known from another source if the descriptor declares none, or has X and Y
+    // exchanged.
     void take_known_size(Vec2 const& known_size_mm);
 
-    // Sets the proportions, known from elsewhere, of a size that is a guess.
+    // Sets the proportions, known from another source, of a size that is a guess.
     void take_proportions(double width_to_height);
 
     // True if both axes have the same range, which therefore does not give the proportions.

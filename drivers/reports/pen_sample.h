@@ -15,8 +15,8 @@ namespace tractus::drivers {
 struct PenSample {
     Timestamp time {}; // Arrival time of the report; the tablet's latency is not subtracted.
     Vec2 position_mm = Vec2::Zero(); // Position; while the pen is out of range, the last known one.
-    std::optional<double>
-        pressure {}; // Pressure from 0 to 1; no value if the device does not report it.
+    // Pressure from 0 to 1; no value if the device does not report it.
+    std::optional<double> pressure {};
     // Tilt from upright towards +x and +y; no value if the device does not report it.
     std::optional<Vec2> tilt_rad {};
     bool in_range = false;

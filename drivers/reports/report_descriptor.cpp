@@ -19,7 +19,7 @@ static constexpr std::size_t kMaxFields = std::size_t { 1 } << 16;
 
 namespace {
 
-// The supported items: the prefix byte with its two size bits cleared.
+// The supported items of a report descriptor: each prefix byte with its two size bits cleared.
 enum class Tag : std::uint8_t {
     Input = 0x80,
     Output = 0x90,
@@ -43,7 +43,7 @@ enum class Tag : std::uint8_t {
     UsageMaximum = 0x28,
 };
 
-// A short item (section 6.2.2.2): prefix and data.
+// A short item (HID 1.11, section 6.2.2.2): prefix and data.
 struct Item {
     Tag tag {};
     std::uint8_t size = 0; // Bytes of data: 0, 1, 2 or 4.
@@ -87,8 +87,8 @@ struct UsageRange {
     bool has_own_page = false; // True if the usage was written in four bytes, with its page.
 };
 
-// Iterates over the usages of one main item; the last one repeats for the remaining fields
-// (6.2.2.8).
+// Iterates over the usages of one main item. If there are more fields than usages, the last usage
+// repeats (HID 1.11, section 6.2.2.8).
 class UsageCursor {
 public:
     explicit UsageCursor(std::span<UsageRange const> ranges)
@@ -179,7 +179,8 @@ Result<HidReportDescriptor> Parser::parse()
     return std::move(result_);
 }
 
-// Reads the next short item. Long items (6.2.2.3), none of which is defined, are skipped.
+// Reads the next short item. Long items (HID 1.11, section 6.2.2.3), of which none is defined, are
+// skipped.
 Result<std::optional<Item>> Parser::next_item()
 {
     while (position_ < bytes_.size()) {
@@ -208,7 +209,7 @@ Result<std::optional<Item>> Parser::next_item()
 
 Result<void> Parser::apply(Item const& item)
 {
-    // A main item has both bits of its type clear (6.2.2.4).
+    // In a main item both bits of the type are 0 (HID 1.11, section 6.2.2.4).
     if ((static_cast<unsigned>(item.tag) & 0x0C) == 0)
         complete_usages();
     switch (item.tag) {
@@ -235,7 +236,7 @@ Result<void> Parser::apply(Item const& item)
     default:
         return apply_global(item);
     }
-    // Local items hold for one main item (6.2.2.8).
+    // Local items apply to one main item only (HID 1.11, section 6.2.2.8).
     usages_.clear();
     usage_minimum_.reset();
     return {};
@@ -296,7 +297,8 @@ Result<void> Parser::apply_global(Item const& item)
     return {};
 }
 
-// Returns an item's usage with its page: a usage of four bytes contains it (6.2.2.8).
+// Returns an item's usage with its page. A usage of four bytes contains the page (HID 1.11, section
+// 6.2.2.8).
 HidUsage Parser::with_page(Item const& item) const
 {
     return item.size == 4 ? item.data : globals_.usage_page << 16 | item.data;
@@ -315,9 +317,9 @@ void Parser::apply_local(Item const& item)
     }
 }
 
-// Adds the page to usages that have none. The last page declared before the main item counts
-// (6.2.2.7), so usages may precede their page. If one item has usages of two pages, each keeps its
-// own page, as in Linux.
+// Adds the page to usages that have none. The last page declared before the main item counts (HID
+// 1.11, section 6.2.2.7), so usages may precede their page. If one item has usages of two pages,
+// each keeps its own page, as in Linux.
 void Parser::complete_usages()
 {
     for (auto range = usages_.rbegin(); range != usages_.rend(); ++range) {
@@ -358,8 +360,8 @@ Parser::ReportLayout& Parser::layout(HidReportKind kind, std::uint8_t id)
 
 HidField Parser::field_template(Item const& item, HidReportKind kind) const
 {
-    // A maximum is unsigned if the minimum is not negative, although many devices encode 255 in one
-    // byte.
+    // A maximum is unsigned if the minimum is not negative. Many devices encode a maximum of 255 in
+    // one byte, which would be -1 as a signed number.
     auto const maximum = [](Bound const& low, Bound const& high) {
         return low.as_signed < 0 ? high.as_signed : high.as_unsigned;
     };
@@ -418,8 +420,8 @@ double power_of_ten(int exponent)
     return std::pow(10.0, exponent);
 }
 
-// Returns the physical range in the field's unit; the logical range if the descriptor has no
-// physical one (6.2.2.7).
+// Returns the physical range in the field's unit, or the logical range if the descriptor declares
+// no physical one (HID 1.11, section 6.2.2.7).
 std::optional<double> physical_span(HidField const& field)
 {
     auto span = field.physical_maximum - field.physical_minimum;
@@ -448,8 +450,8 @@ Result<HidReportDescriptor> parse_report_descriptor(std::span<std::byte const> b
 std::int64_t read_field(HidField const& field, std::span<std::byte const> report)
 {
     auto const first = field.bit_offset / 8;
-    auto const last = (field.bit_offset + field.bit_size + 7)
-        / 8; // End of the field: index of the byte after its last one.
+    // Index of the byte after the field's last one.
+    auto const last = (field.bit_offset + field.bit_size + 7) / 8;
     CHECK(field.bit_size >= 1 && field.bit_size <= 32 && last <= report.size());
     // Little-endian (HID 1.11, section 8.4). At most five bytes are needed; eight are loaded if the
     // report has them.

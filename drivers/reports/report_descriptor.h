@@ -71,7 +71,7 @@ struct HidReportDescriptor {
 
 // Parses a report descriptor (HID 1.11, section 6.2.2).
 //
-// Fails with a device error with the offset of the invalid item: an empty descriptor, a
+// Fails with a device error that names the offset of the invalid item, for: an empty descriptor, a
 // truncated item, unbalanced collections or pushes, a report id of 0 or above 255. Memory is
 // bounded for any input: descriptors above 64 KiB, reports above 16 KiB, fields above 256 bits,
 // more than 64 pushes, and more than 65,536 fields are refused.

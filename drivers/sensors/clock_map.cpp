@@ -15,7 +15,8 @@ constexpr std::int64_t kWindowUs = 500'000;
 // Shortest time for a fit; over shorter times the slope would be noise.
 constexpr std::int64_t kShortestFitUs = 1'000'000;
 constexpr std::int64_t kNewClockUs = 500'000;
-// Nanoseconds per microsecond; a clock that is wrong by more than 0.5 % is considered broken.
+// Greatest slope of the line, in nanoseconds of delay per microsecond: a clock that is wrong by
+// more than 0.5 % is considered broken.
 constexpr double kMaxSlope = 5;
 
 std::int64_t to_us(Duration duration)
@@ -83,7 +84,8 @@ void ClockMap::begin(std::uint32_t device_us, Timestamp arrival)
     count_ = 1; // The first message is the origin of both coordinates.
 }
 
-// Advances last_us_ to `device_us`. Returns false if the time must be from a restarted clock.
+// Advances last_us_ to `device_us`. Returns false if that time can only come from a restarted
+// clock.
 bool ClockMap::advance(std::uint32_t device_us, Timestamp arrival, Order order)
 {
     auto const since_us = device_us - first_us_;
@@ -105,9 +107,9 @@ double ClockMap::above_line(Point const& point) const
     return double(point.delay_ns) - (offset_ns_ + slope_ * double(point.sent_us));
 }
 
-// Fits the line: takes the edge of the points' lower convex hull that spans their mean time. Of all
-// lines below the points it minimises the sum of distances (Moon, Skelly and Towsley 1999, section
-// IV).
+// Fits the line below the points: the edge of their lower convex hull that spans their mean time.
+// Of all lines below the points, it has the least sum of distances to them (Moon, Skelly and
+// Towsley 1999, section IV).
 void ClockMap::fit()
 {
     auto const points = std::span(lowest_).first(count_);

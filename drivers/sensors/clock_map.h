@@ -39,13 +39,13 @@ public:
     // of the last message. At least one message must have been added.
     Timestamp host_time(std::uint32_t device_us) const;
 
-    // Slowness of the device's clock, in parts per million of the device's own time. 0 during the
-    // first second.
+    // Rate by which the device's clock is slow, in parts per million of the device's own time. 0
+    // during the first second.
     double drift_ppm() const { return slope_ * 1e3; }
 
 private:
-    // An arrival: when the device sent the message, counted from the first message, and by how much
-    // longer it was under way than the first message.
+    // Arrival of one message. `sent_us` is when the device sent it, counted from the first message;
+    // `delay_ns` is by how much longer than the first message it was under way.
     struct Point {
         std::int64_t sent_us = 0;
         std::int64_t delay_ns = 0;

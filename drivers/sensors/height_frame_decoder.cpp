@@ -45,8 +45,8 @@ private:
 
     std::uint16_t full_scale_;
     HeightFrameParser parser_;
-    std::vector<HeightFrame>
-        frames_; // Frames of the current report. A member only to reuse its memory.
+    // Frames of the current report. A member only to reuse its memory.
+    std::vector<HeightFrame> frames_;
     ClockMap clock_;
     std::optional<std::uint16_t> last_sequence_;
     Timestamp last_time_ = Timestamp::min();
@@ -116,7 +116,7 @@ ClockMap::Order HeightFrameDecoder::count_sequence(HeightFrame const& frame)
 {
     // Longest step in frame numbers that the clock map cannot mistake for a restart.
     constexpr std::uint16_t kNext = 64;
-    // A step of at least this means that the frame numbers went back.
+    // A step of at least this size means that the frame numbers went back.
     constexpr std::uint16_t kForward = 0x8000;
     bool const is_start = (frame.flags & kHeightFrameStart) != 0 || !last_sequence_;
     if (is_start) {

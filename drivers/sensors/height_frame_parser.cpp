@@ -11,7 +11,7 @@ namespace {
 
 using Bytes = std::span<std::byte const>;
 
-// True if the bytes are, or may be the beginning of, a frame's head.
+// True if the bytes are the head of a frame, or could be the beginning of one.
 bool may_be_frame(Bytes bytes)
 {
     auto const length = std::min(bytes.size(), kHeightFrameMagic.size());
@@ -51,7 +51,7 @@ void HeightFrameParser::push(Bytes bytes, std::vector<HeightFrame>& out)
     unfinished_.erase(unfinished_.begin(), unfinished_.begin() + static_cast<std::ptrdiff_t>(used));
 }
 
-// Parses complete frames. Returns the number of bytes that are no longer needed.
+// Parses all complete frames in `bytes`. Returns how many of the bytes have been dealt with.
 std::size_t HeightFrameParser::parse(Bytes bytes, std::vector<HeightFrame>& out)
 {
     std::size_t at = 0;

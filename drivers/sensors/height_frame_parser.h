@@ -17,10 +17,8 @@ public:
     // Appends the frames that end in `bytes` to `out`, in order.
     void push(std::span<std::byte const> bytes, std::vector<HeightFrame>& out);
 
-    std::uint64_t corrupt_frames() const
-    {
-        return corrupt_frames_;
-    } // Number of frames with a wrong CRC.
+    // Number of frames with a wrong CRC.
+    std::uint64_t corrupt_frames() const { return corrupt_frames_; }
     // Number of bytes outside valid frames, including those of corrupt frames.
     std::uint64_t garbage_bytes() const { return garbage_bytes_; }
 

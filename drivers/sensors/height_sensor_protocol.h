@@ -41,8 +41,8 @@ enum class HeightReference : std::uint8_t {
     Internal = 1, // The converter's internal reference.
 };
 
-// A frame is a header, readings of two bytes each, and a CRC. It is always one packet of the bulk
-// endpoint, also at full speed, and never fills it.
+// A frame is a header, readings of two bytes each, and a CRC. It is always sent as one packet of
+// the bulk endpoint, and is shorter than the maximum packet, even at full speed.
 constexpr std::array<std::uint8_t, 4> kHeightFrameMagic { 'T', 'R', 'H', 1 };
 constexpr std::size_t kHeightFrameHeaderBytes = 14;
 constexpr std::size_t kHeightFrameCrcBytes = 2;

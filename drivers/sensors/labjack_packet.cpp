@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::byte kExtended { 0xF8 };
 
-// Returns the sum of bytes 1 to 5, with the carry added back twice.
+// Returns the sum of bytes 1 to 5 in eight bits, with the carry added back twice.
 std::byte header_checksum(std::span<std::byte const> packet)
 {
     unsigned sum = 0;

@@ -7,8 +7,8 @@
 
 namespace tractus::drivers {
 
-// The U3's extended packets (U3 user's guide, section 5.2): a checksum of the header, 0xF8, the
-// number of 16-bit data words, the command, a checksum of the data, the data.
+// The U3's extended packets (U3 user's guide, section 5.2) consist of a checksum of the header,
+// 0xF8, the number of 16-bit data words, the command, a checksum of the data, and the data.
 constexpr std::size_t kLabJackHeaderBytes = 6;
 
 enum class LabJackCommand : std::uint8_t {

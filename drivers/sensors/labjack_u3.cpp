@@ -39,8 +39,8 @@ double fixed_point(Bytes bytes, std::size_t at)
     return static_cast<std::int32_t>(u32(bytes, at + 4)) + u32(bytes, at) / 4294967296.0;
 }
 
-// Matches the reply to a command. The U3's own "bad checksum" packet, sent if ours was corrupted,
-// is not a reply.
+// Returns a test for the reply to a command. It rejects the U3's "bad checksum" packet, which the
+// U3 sends if our command was corrupted.
 PacketTest answers(LabJackCommand command)
 {
     return [command](Bytes packet) {
@@ -95,7 +95,8 @@ struct Calibration {
     double offset_volts = 0;
 };
 
-// Reads a block of 32 bytes, which follows the error code and a spare byte.
+// Reads a block of 32 bytes from the U3's memory. In the reply it follows the error code and a
+// spare byte.
 Result<std::vector<std::byte>> read_block(PacketLink& link, unsigned block, std::string const& who)
 {
     auto data = TRY(ask(
@@ -105,8 +106,9 @@ Result<std::vector<std::byte>> read_block(PacketLink& link, unsigned block, std:
     return data;
 }
 
-// Reads the calibration (section 5.4): block 0 has slope and offset of the single-ended low-voltage
-// inputs; blocks 3 and 4 have the slopes and the offsets of the four high-voltage inputs.
+// Reads the calibration (U3 user's guide, section 5.4). Block 0 has slope and offset of the
+// single-ended low-voltage inputs; blocks 3 and 4 have the slopes and the offsets of the four
+// high-voltage inputs.
 Result<Calibration> read_calibration(PacketLink& link, bool is_high_voltage, int channel,
                                      std::string const& who)
 {

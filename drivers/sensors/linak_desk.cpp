@@ -28,7 +28,7 @@ constexpr std::byte kDeskStatusLength { 0x38 }; // Second byte of a valid status
 constexpr std::size_t kDeskFirstValueAt = 2;
 constexpr std::size_t kDeskHeightAt = 4;
 
-// Polling interval. The cable's maximum polling rate is not documented.
+// Interval between two requests. The fastest rate that the cable supports is not documented.
 constexpr Duration kLinakPeriod = 20ms;
 constexpr int kLinakAttempts = 3;
 constexpr int kLinakInitialisations = 3;
@@ -61,8 +61,8 @@ DeskReport desk_initialisation()
     return { std::byte { 0x03 }, std::byte { 0x04 }, std::byte { 0x00 }, std::byte { 0xfb } };
 }
 
-// Returns the target positions of four motors, all meaning "stay where you are". It is the only
-// motor command in this program.
+// Returns a report with the target positions of four motors, all of which mean "stay where you
+// are". It is the only motor command in this program.
 DeskReport desk_stop()
 {
     DeskReport report { std::byte { 0x05 } };

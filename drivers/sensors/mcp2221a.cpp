@@ -21,16 +21,15 @@ constexpr std::uint16_t kMicrochipProductId = 0x00DD;
 constexpr std::size_t kPacketBytes = 64;
 using Packet = std::array<std::byte, kPacketBytes>;
 
-// Commands (datasheet, section 3.1): the first byte; the reply repeats it.
+// Commands (MCP2221A datasheet, section 3.1): the packet's first byte, which the reply repeats.
 constexpr std::byte kStatus { 0x10 };
 constexpr std::byte kSetSettings { 0x60 };
 constexpr std::byte kGetSettings { 0x61 };
 constexpr std::byte kDone { 0x00 };
 
 constexpr std::byte kChange { 0x80 };
-constexpr std::byte kConverterFunction {
-    0x02
-}; // Pin function of GP1 to GP3: input of the converter.
+// Pin function of GP1 to GP3: input of the converter.
+constexpr std::byte kConverterFunction { 0x02 };
 // Offset of the reference in the command that changes the settings.
 constexpr std::size_t kReferenceAt = 5;
 constexpr std::size_t kChangePinsAt = 7;
@@ -47,8 +46,8 @@ constexpr int kMcp2221aAttempts = 5;
 constexpr std::int32_t kMcp2221aFullScale = 1023;
 constexpr std::string_view kPinMark = ", GP";
 
-// Returns the bits of a reference: bits 2 and 1 select an internal voltage; bit 0 selects it
-// instead of the supply.
+// Returns the bits of a reference. Bit 0 is set for an internal voltage and clear for the supply;
+// bits 2 and 1 select the internal voltage.
 std::byte reference_bits(Mcp2221aReference reference)
 {
     auto const index = static_cast<unsigned>(reference);
@@ -85,7 +84,8 @@ Result<RawReport> ask(PacketLink& link, Packet const& command, std::string const
 }
 
 // Configures the pin and the reference. Setting the pins resets the reference to the supply, so one
-// command sets both (section 1.8.1.1); it also sets the other pins, to their present state.
+// command sets both (MCP2221A datasheet, section 1.8.1.1). It also sets the other pins, to their
+// present state.
 Result<void> set_up(PacketLink& link, Mcp2221aOptions const& options, std::string const& who)
 {
     auto const settings = TRY(ask(link, Packet { kGetSettings }, who));

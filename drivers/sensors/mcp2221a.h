@@ -14,12 +14,8 @@ namespace tractus::drivers {
 // Microchip's MCP2221A, a ready-made USB chip with a 10-bit converter, as a height sensor: the
 // wiper of a string potentiometer is connected to one of its pins (datasheet DS20005565).
 
-enum class Mcp2221aReference {
-    Supply,
-    Volts1024,
-    Volts2048,
-    Volts4096
-}; // Voltage reference: the supply, or an internal 1.024 V, 2.048 V or 4.096 V.
+// Voltage reference: the supply, or an internal voltage of 1.024 V, 2.048 V or 4.096 V.
+enum class Mcp2221aReference { Supply, Volts1024, Volts2048, Volts4096 };
 
 struct Mcp2221aOptions {
     int pin = 1; // Pin of the wiper: GP1, GP2 or GP3.

@@ -27,9 +27,9 @@ struct NumberFormat {
     int decimals = 0;
 };
 
-// Parses "max=…"; returns no value for another word. Fails with a user error if there is no
-// valid number, if it is not above 0, or if it has more than six decimals or exceeds 2,000,000,000
-// counts.
+// Parses a setting "max=…"; returns no value for any other word. Fails with a user error if the
+// number is invalid, if it is not above 0, or if it has more than six decimals or exceeds
+// 2,000,000,000 counts.
 Result<std::optional<NumberFormat>> parse_greatest_number(std::string_view word);
 
 // Makes the decoder for reports that contain a number. Values slightly below 0, which differential

@@ -14,8 +14,8 @@ constexpr Duration kAnswerTime = 50ms; // Longest wait for a reply; devices take
 constexpr Duration kSilenceLimit = 1s;
 constexpr int kMaxStale = 128; // Most packets dropped at once: more than a kernel queue can hold.
 
-// Drops late replies, which would be taken for the reply to the next command. Returns true if one
-// of them shows that the settings were changed.
+// Drops late replies, which would otherwise be taken for the reply to the next command. Returns
+// true if one of them shows that the settings were changed.
 Result<bool> drop_stale(PacketLink& link, PacketTest const& spoils)
 {
     bool is_spoilt = false;

@@ -97,8 +97,8 @@ private:
     UsbDevice device_;
     std::uint16_t interface_;
     std::string who_;
-    std::unique_ptr<UsbReader>
-        reader_; // Declared last, since it must be destroyed before the device.
+    // Declared last, since it must be destroyed before the device.
+    std::unique_ptr<UsbReader> reader_;
 };
 
 Result<std::vector<std::byte>> UsbHeightSensorLink::get(HeightSensorRequest request,
@@ -167,8 +167,8 @@ Result<void> check_identity(HeightSensorLink& link, std::string const& who)
     return {};
 }
 
-// Stops the stream and discards frames sent earlier, which would arrive late and be taken for new
-// ones.
+// Stops the stream and discards frames that were sent before, since they would later be taken for
+// new ones.
 Result<void> stop_and_forget(HeightSensorLink& link)
 {
     constexpr int kMaxFrames = 256;

@@ -19,8 +19,8 @@ namespace tractus::drivers {
 // unchanged.
 struct UsbHeightSensorOptions {
     std::optional<std::uint16_t> period_us {}; // Time between readings in microseconds.
-    std::optional<std::uint8_t>
-        samples_per_frame {}; // Number of readings per frame, 1 to kMaxHeightFrameSamples.
+    // Number of readings per frame, 1 to kMaxHeightFrameSamples.
+    std::optional<std::uint8_t> samples_per_frame {};
     std::optional<HeightReference> reference {};
 };
 

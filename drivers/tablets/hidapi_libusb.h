@@ -13,9 +13,9 @@
 namespace tractus::drivers {
 
 // Hidapi's libusb back end, used beside its hidraw back end. The two libraries use the same symbol
-// names and would call each other's functions, so this one is linked from its static library, with
-// symbols renamed at build time (see the CMakeLists.txt here). This also works with sanitizers,
-// which do not support separating two shared libraries at run time.
+// names and would call each other's functions, so the libusb back end is linked from its static
+// library, with symbols renamed at build time (see drivers/tablets/CMakeLists.txt). This also works
+// with sanitizers, which do not support separating two shared libraries at run time.
 //
 // The kernel's driver is detached from the interface while it is open. After a crash the interface
 // has no driver until the device is plugged in again.

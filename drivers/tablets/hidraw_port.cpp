@@ -58,7 +58,7 @@ fs::path folder_of(fs::path const& class_folder, DeviceInfo const& info)
     return class_folder / fs::path(info.location).filename();
 }
 
-// True for Linux drivers that switch the mode of tablets that they know.
+// True for the Linux drivers that switch the mode of the tablets they know.
 bool is_switching_driver(std::string const& driver)
 {
     return driver == "wacom" || driver == "uclogic";

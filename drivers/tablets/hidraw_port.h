@@ -14,14 +14,15 @@ namespace tractus::drivers {
 // Kinds of reports that the host sends to a tablet.
 enum class HostReportKind { Feature, Output };
 
-// Returns the index of the tablet's interface that accepts a report: the interface whose descriptor
-// declares the report, preferably `own`; also `own` if no descriptor declares it.
+// Returns the index of the tablet's interface that accepts a report: an interface whose descriptor
+// declares the report, preferably the interface `own`. Returns `own` if no descriptor declares it.
 std::size_t find_receiver(std::vector<DeviceInfo> const& interfaces, std::size_t own,
                           HostReportKind kind, std::uint8_t report_id);
 
-// Communicates with a tablet through the kernel's hidraw nodes: the node for which it is opened, or
-// another node of the same tablet for reports that only the other one accepts. String descriptors,
-// which hidraw cannot read, are requested from the USB device itself, regardless of its driver.
+// Communicates with a tablet through the kernel's hidraw nodes. Reports go to the node for which
+// the port is opened, or to another node of the same tablet if only that one accepts them. String
+// descriptors, which hidraw cannot read, are requested from the USB device itself, regardless of
+// its driver.
 class HidrawPort final : public TabletPort {
 public:
     // `all` lists all HID devices of the computer.

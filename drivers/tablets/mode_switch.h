@@ -17,8 +17,8 @@ enum class SwitchedBy { Nobody, Kernel };
 //    lists for it, in the table's order.
 //
 // The strings are stored in `info.strings`, as an empty text if the tablet lacks one. Failures are
-// stored in `info.warnings`, at most one sentence for each of the three kinds; the tablet then
-// stays in its mode, and its decoder will be the one for that mode.
+// stored in `info.warnings`, at most one sentence for each of the three kinds of steps. After a
+// failure the tablet stays in its mode, and will be decoded as in that mode.
 void switch_to_full_mode(DeviceInfo& info, TabletPort& port, SwitchedBy switched_by);
 
 } // namespace tractus::drivers

@@ -57,8 +57,8 @@ public:
     struct Parts {
         PenFamily family;
         std::unique_ptr<PenDecoder> own; // Decoder of the maker's own reports; never null.
-        std::unique_ptr<PenDecoder>
-            described; // Decoder of the described reports; null if the descriptor describes no pen.
+        // Decoder of the described reports; null if the descriptor describes no pen.
+        std::unique_ptr<PenDecoder> described;
         ReportIds described_ids;
         bool own_comes_first = false;
         bool use_ids = true;
@@ -90,7 +90,7 @@ private:
     RawReport with_id_; // Copy of a report that came without an id, with an id in front.
 };
 
-// Returns the decoder for a report; null if it is not about a pen.
+// Returns the decoder for a report; null if the report is not about a pen.
 PenDecoder* TabletDecoder::decoder_for(std::span<std::byte const> report) const
 {
     FamilyState ignored;
@@ -126,8 +126,8 @@ Result<void> TabletDecoder::decode_with_id(Timestamp received, std::span<std::by
     TRY(decoder->decode(received, as_it_came, out));
     if (out.size() == first || decoder == last_)
         return {};
-    // The first decoder's leaving replaces the first sample of the second, as when a pen is turned
-    // over.
+    // The pen leaves the previous decoder before it arrives in the new one, as when a pen is turned
+    // over. The sample in which it leaves replaces the new decoder's first sample.
     if (auto const left = std::exchange(last_, decoder)->leave(out[first].time))
         out[first] = *left;
     return {};
@@ -156,8 +156,8 @@ TabletShape tablet_shape(DeviceInfo const& info, TabletMatch const& match)
     if (shape.is_size_assumed && info.size_mm) {
         shape.size_mm = *info.size_mm;
         shape.is_size_assumed
-            = match.identifier
-                  ->is_any_product; // An unknown model may have another number of counts.
+            // An unknown model may have another number of counts.
+            = match.identifier->is_any_product;
     }
     return shape;
 }

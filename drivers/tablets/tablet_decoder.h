@@ -10,8 +10,9 @@
 
 namespace tractus::drivers {
 
-// Returns the size and ranges of a tablet, from its string 200 or 100, or else from the table. The
-// size counts as assumed if the table marks it as doubtful or if other tablets would match as well.
+// Returns the size and ranges of a tablet, from its USB string 200 or 100 if possible, otherwise
+// from the table. The size counts as assumed if the table marks it as doubtful or if other tablets
+// would match as well.
 TabletShape tablet_shape(DeviceInfo const& info, TabletMatch const& match);
 
 // Makes the decoder for a tablet in the table. One node may send both reports in its maker's own
@@ -26,7 +27,7 @@ TabletShape tablet_shape(DeviceInfo const& info, TabletMatch const& match);
 //   the family's format;
 // - all other reports (mice, keys, touches) are not about a pen.
 //
-// When the pen continues in reports of the other kind, it is first reported as leaving.
+// When the pen changes from one kind of report to the other, it is first reported as leaving.
 //
 // Fails like make_descriptor_decoder() if the node carries no pen data and with a user error if
 // its format is not known.

@@ -22,7 +22,8 @@ struct Candidate {
     std::size_t conditions_held = 0;
     bool is_refuted = false; // True if one of the tablet's strings contradicts the candidate.
 
-    // Returns what matters for decoding reports: candidates with equal shapes are interchangeable.
+    // Returns the properties that decoding depends on: candidates with equal shapes are
+    // interchangeable.
     auto shape() const
     {
         return std::tuple(tablet->size_mm.x(), tablet->size_mm.y(), tablet->x_maximum,
@@ -37,7 +38,7 @@ bool matches(std::string const& text, std::string const& pattern)
     return std::regex_search(text, std::regex(pattern));
 }
 
-// Compares a device with a table row. No value if the ids or the interface differ.
+// Compares a device with a row of the table. No value if the ids or the interface number differ.
 std::optional<Candidate> weigh(Tablet const& tablet, TabletIdentifier const& identifier,
                                DeviceInfo const& info)
 {

@@ -24,15 +24,15 @@ struct TabletMatch {
     std::optional<double> width_to_height {};
 };
 
-// Identifies a device by its ids, its strings and the lengths of its reports; the result may also
-// be the interface of a tablet's keys (kPadFamily). No value if no known tablet has its ids.
+// Identifies a device by its ids, its strings and the lengths of its reports. The match may also be
+// the interface of a tablet's keys (kPadFamily). No value if no known tablet has the device's ids.
 //
 // Many models share ids. They are distinguished by, strongest first: a string in
 // DeviceInfo::strings; the maxima in string 200 or 100; the model's name within the device's name;
 // the lengths of the longest input and output reports in the descriptor (which is wrong on some
 // tablets). If none of these decides, the shape that most models have is taken, and the first model
-// with that shape. The same happens if the strings match no model: new models appear with old ids
-// and differ little.
+// with that shape. The same happens if the strings match no model, because new models appear with
+// the ids of old ones and differ little from them.
 std::optional<TabletMatch> find_tablet(DeviceInfo const& info);
 
 // Identifies a device in the given table.

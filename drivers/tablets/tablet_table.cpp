@@ -19,7 +19,7 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(' ') + 1 - first);
 }
 
-// Removes the part before the separator from the text, and the separator, and returns that part.
+// Removes the text up to and including the separator, and returns the part before the separator.
 std::string_view take(std::string_view& text, std::string_view separator)
 {
     auto const end = text.find(separator);
@@ -80,7 +80,7 @@ bool read_sizes(std::string_view text, TabletIdentifier& identifier)
     return text.empty() || read_number(text, identifier.output_size.emplace());
 }
 
-// Parses a clause such as "string 200" or "if 201 HUION_…". An unknown word is an error.
+// Parses a clause such as "string 200" or "if 201 HUION_…". Fails if its word is not known.
 bool read_clause(std::string_view clause, TabletIdentifier& identifier)
 {
     auto& setup = identifier.setup;

@@ -13,12 +13,12 @@
 
 namespace tractus::drivers {
 
-// Steps, in this order, that switch a tablet from its power-up mode, which often is that of a
-// mouse.
+// Steps that switch a tablet from its power-up mode, in which it often acts as a mouse, to its full
+// mode. They are performed in the order of the members.
 struct TabletSetup {
     std::vector<int> strings {}; // USB string descriptors; reading them switches the tablet.
-    std::vector<std::vector<std::byte>>
-        feature_reports {}; // Complete reports, each beginning with its report id.
+    // Complete reports, each beginning with its report id.
+    std::vector<std::vector<std::byte>> feature_reports {};
     std::vector<std::vector<std::byte>> output_reports {};
 
     bool empty() const
@@ -40,8 +40,8 @@ struct TabletIdentifier {
     std::uint16_t product_id = 0;
     // True: matches all otherwise unknown products whose longest input report has `input_size`.
     bool is_any_product = false;
-    // Length of the interface's longest report in bytes. A report id counts even if the device uses
-    // none. 0: it has no such report. No value: not known.
+    // Lengths in bytes of the interface's longest input and output report, counting a report id
+    // even if the device uses none. 0: there is no such report. No value: not known.
     std::optional<std::size_t> input_size {};
     std::optional<std::size_t> output_size {};
 

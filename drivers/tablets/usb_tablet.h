@@ -31,8 +31,7 @@ private:
 };
 
 // Lists all HID interfaces on USB with their libusb addresses, "libusb:1-2.3:0", sorted by port.
-// Reads only sysfs, so report descriptors, which are available only from an open device, are
-// missing.
+// Reads only sysfs, so report descriptors are missing: only an open device provides them.
 std::vector<DeviceInfo> list_usb_tablets(std::filesystem::path const& devices_folder
                                          = "/sys/bus/usb/devices");
 

@@ -16,9 +16,9 @@ struct libusb_device_handle;
 
 namespace tractus::drivers {
 
-// Owners for libusb's handles. A context sees the devices that existed when it was made: without
-// udev, an old context never learns of a new device. Each opening therefore makes a new context,
-// owned by the device, and nothing here depends on hot-plug events.
+// Owners for libusb's handles. Without udev, a context only sees the devices that existed when it
+// was made. Each opening therefore makes a new context, owned by the device, so that hot-plug
+// events are not needed.
 
 struct CloseUsbContext {
     void operator()(libusb_context* context) const;

@@ -18,8 +18,8 @@ struct UsbInterface {
     int subclass = 0;
     int protocol = 0;
 
-    // Names, ids, interface number and physical path; the location is left to the driver that opens
-    // it.
+    // Names, ids, interface number and physical path. The location is empty; the driver that opens
+    // the interface sets it.
     DeviceInfo info {};
 
     // Returns the folder of the device in sysfs, with its names and ids.

@@ -56,8 +56,8 @@ private:
     std::string who_;
     std::array<std::unique_ptr<Transfer>, kTransfers> transfers_ {};
     std::deque<RawReport> ready_;
-    std::string
-        failure_; // Reason why no more transfers will be received; empty while there is none.
+    // Reason why no more transfers will be received; empty while there is none.
+    std::string failure_;
     bool is_stopping_ = false;
 };
 
@@ -88,8 +88,9 @@ void LIBUSB_CALL Reader::ended(libusb_transfer* transfer)
         own.reader->finish(own);
 }
 
-// Handles a completed transfer. Unplugging is reported as an error, as no device, or by a failure
-// to submit the transfer again, at random, so anything but success ends the reading.
+// Handles a completed transfer. Any status but success ends the reading, because unplugging is
+// reported at random as an error, as a missing device, or by a failure to submit the transfer
+// again.
 void Reader::finish(Transfer& transfer)
 {
     if (transfer.handle->status != LIBUSB_TRANSFER_COMPLETED) {

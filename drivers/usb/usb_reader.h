@@ -12,8 +12,8 @@
 namespace tractus::drivers {
 
 // Reads a bulk IN endpoint with several transfers pending at once, so that the device can always
-// send, and gives each transfer a time stamp when it ends. Called from one thread only; no code
-// runs between its calls, but the system continues to fill the transfers.
+// send, and gives each transfer a time stamp when it ends. Called from one thread only. No code of
+// this class runs between its calls, but the system continues to fill the transfers.
 class UsbReader {
 public:
     // Starts reading. `device` must outlive the reader and must have claimed the endpoint's

@@ -17,7 +17,7 @@ void advise_huge_pages(void* memory, std::size_t bytes)
     auto const address = reinterpret_cast<std::uintptr_t>(memory);
     auto const begin = address / page * page;
     auto const end = (address + bytes + page - 1) / page * page;
-    if (bytes >= kHugePageBytes) // Advice that the kernel does not follow does no harm.
+    if (bytes >= kHugePageBytes) // The kernel may ignore the advice, so a failure does no harm.
         ::madvise(static_cast<char*>(memory) - (address - begin), end - begin, MADV_HUGEPAGE);
 }
 

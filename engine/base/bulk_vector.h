@@ -28,7 +28,7 @@ template<typename Value> struct BulkAllocator {
     }
     void deallocate(Value* memory, std::size_t count) { free_bulk(memory, count * sizeof(Value)); }
 
-    // Leaves numbers uninitialised: the caller writes every element it makes room for.
+    // Leaves numbers uninitialised: the caller must write every element that it adds.
     template<typename Other> void construct(Other* place)
     {
         ::new (static_cast<void*>(place)) Other;
@@ -50,7 +50,8 @@ template<typename Value> using BulkVector = std::vector<Value, BulkAllocator<Val
 // effect if that part is too small or the kernel has no huge pages.
 void advise_huge_pages(void* memory, std::size_t bytes);
 
-// Gives an empty vector its size, as resize() does, on huge pages.
+// Resizes an empty vector as resize() does, but asks for huge pages before the elements are
+// written.
 template<typename Value> void resize_empty(std::vector<Value>& vector, std::size_t size)
 {
     vector.reserve(size);

@@ -21,7 +21,7 @@ Result<void> read_file_in_pieces(fs::path const& path, std::size_t max_bytes,
     auto const type = fs::status(path, ignored).type();
     if (type == fs::file_type::directory)
         return fail(Fault::User, fmt::format("cannot read {}: it is a folder", path.string()));
-    // Devices such as /dev/zero may never end.
+    // A device such as /dev/zero may never end.
     if (type == fs::file_type::character || type == fs::file_type::block)
         return fail(Fault::User, fmt::format("cannot read {}: it is a device", path.string()));
     std::ifstream in(path, std::ios::binary);
@@ -77,7 +77,7 @@ Result<std::string> read_text_file(fs::path const& path, std::size_t max_bytes)
     return text;
 }
 
-// True for devices and pipes such as /dev/stdout or /dev/full. They cannot be replaced by a rename.
+// True for devices and pipes such as /dev/stdout or /dev/full, which a rename cannot replace.
 static bool is_stream(fs::path const& path)
 {
     std::error_code ignored;
@@ -101,8 +101,9 @@ void flush_name_to_disk(fs::path const& path)
     flush_to_disk(path.has_parent_path() ? path.parent_path() : fs::path("."));
 }
 
-// Flushes the file before the rename, so that the new name never refers to incomplete data, and the
-// folder after it, so that the rename is not lost.
+// Renames `written` to `path`. Flushes the file before the rename, so that the new name never
+// refers to incomplete data, and the folder after it, so that the rename is not lost. Returns 0 or
+// the error number.
 static int put_in_place(fs::path const& written, fs::path const& path)
 {
     if (int const error = flush_to_disk(written))
@@ -122,8 +123,8 @@ Result<void> rename_on_disk(fs::path const& from, fs::path const& to)
     return {};
 }
 
-// Creates the replacement of a file with the permissions of the original, so that a file with mode
-// 0600 is never readable by others. Errors are ignored here: writing will report them.
+// Creates the replacement `written` of the file `path` with the permissions of that file, so that a
+// file with mode 0600 is never readable by others. Errors are ignored: writing will report them.
 static void begin_with_permissions_of(fs::path const& path, fs::path const& written)
 {
     struct stat before { };
@@ -133,12 +134,13 @@ static void begin_with_permissions_of(fs::path const& path, fs::path const& writ
     int const file = ::open(written.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (file < 0)
         return;
-    ::fchmod(file, mode | S_IWUSR); // Sets the mode regardless of the umask. The owner's write bit
-                                    // is needed to open the file again.
+    // Sets the mode regardless of the umask. The owner's write bit is needed to open the file
+    // again.
+    ::fchmod(file, mode | S_IWUSR);
     ::close(file);
 }
 
-// Writes to `written`, then renames it to `path` unless the two are the same.
+// Writes to `written`, then renames it to `path`. The two are the same for a device or a pipe.
 static Result<void> write_and_rename(fs::path const& path, fs::path const& written,
                                      std::function<Result<void>(std::ostream&)> const& write)
 {
@@ -181,7 +183,7 @@ static Result<void> write_and_rename(fs::path const& path, fs::path const& writt
     return {};
 }
 
-// Resolves symbolic links, even if the last one points to a file that does not exist yet.
+// Resolves the symbolic links of a path, even if the last one points to a file that does not exist.
 static fs::path follow_links(fs::path path)
 {
     constexpr int kMaxLinks = 40; // The same limit as the kernel's.
@@ -201,9 +203,9 @@ Result<void> make_folder(fs::path const& folder)
     return {};
 }
 
-// Returns the error number with which a folder refuses a new file, or 0. Tries it, since
-// permissions alone do not decide: with an unnamed temporary file, or, where the file system does
-// not support these, with a named file that is removed at once.
+// Returns the error number with which a folder refuses a new file, or 0 if it accepts one. Found by
+// trying, since permissions alone do not decide: creates an unnamed temporary file or, where the
+// file system does not support these, a named file that is removed at once.
 static int new_file_refusal(fs::path const& folder)
 {
     int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);

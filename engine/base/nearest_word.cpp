@@ -14,7 +14,7 @@ static bool is_same_letter(char a, char b)
         == std::tolower(static_cast<unsigned char>(b));
 }
 
-// Restricted Damerau-Levenshtein distance, computed row by row.
+// Returns the restricted Damerau-Levenshtein distance of two words, computed row by row.
 static std::size_t edit_distance(std::string_view a, std::string_view b)
 {
     std::vector<std::size_t> before_last(b.size() + 1);
@@ -38,7 +38,7 @@ static std::size_t edit_distance(std::string_view a, std::string_view b)
 
 std::optional<std::string> nearest_word(std::string_view typed, std::span<std::string const> words)
 {
-    constexpr std::size_t kLongestWord = 64; // Longer input is not a mistyped word.
+    constexpr std::size_t kLongestWord = 64; // Longer input is not taken for a mistyped word.
     if (typed.empty() || typed.size() > kLongestWord)
         return std::nullopt;
     std::string const* nearest = nullptr;

@@ -17,9 +17,9 @@ namespace tractus {
 
 // Runs one kind of long computation on a thread of its own while the caller continues. Only the
 // newest request counts: an older request that has not started is dropped. A computation that has
-// started is finished, unless `make` accepts a stop token: then it is asked to stop when this
-// object is destroyed, or when a newer request arrives after it has run for kPatience; its result
-// is discarded.
+// started is finished, unless `make` accepts a stop token. In that case the computation is asked to
+// stop, and its result is discarded, when this object is destroyed, or when a newer request arrives
+// after the computation has run for kPatience.
 //
 // The computation never interrupts the thread that shows ink (urgency.h).
 //
@@ -27,8 +27,8 @@ namespace tractus {
 // request refers to must not change.
 template<typename Wanted, typename Made> class NewestJob {
 public:
-    // How long a computation runs before a newer request may stop it: long enough that the user of
-    // a slider sees every result that takes less time.
+    // How long a computation runs before a newer request may stop it. Results that take less time
+    // are thus all shown while the user moves a slider.
     static constexpr std::chrono::milliseconds kPatience { 200 };
 
     // `make` is called with the request, and with a std::stop_token if it accepts one.
@@ -51,7 +51,7 @@ public:
     NewestJob(NewestJob const&) = delete;
     NewestJob& operator=(NewestJob const&) = delete;
 
-    // Waits until the computation in progress has finished or stopped.
+    // Waits until the computation in progress, if any, has finished or stopped.
     ~NewestJob()
     {
         {
@@ -75,14 +75,14 @@ public:
         changed_.notify_all();
     }
 
-    // True if a request was made whose result take() has not returned yet.
+    // True if there is a request whose result take() has not returned yet.
     bool is_busy() const
     {
         std::lock_guard const lock(mutex_);
         return wanted_ || is_at_work_ || made_;
     }
 
-    // Returns the newest result, if one was finished since the last call.
+    // Returns the newest result, or no value if none was finished since the last call.
     std::optional<Made> take()
     {
         Lock lock(mutex_);
@@ -90,7 +90,7 @@ public:
         return std::exchange(made_, std::nullopt);
     }
 
-    // Waits until the newest result is ready for take().
+    // Waits until no request is pending and no computation is in progress.
     void settle()
     {
         Lock lock(mutex_);
@@ -113,7 +113,7 @@ private:
         }
     }
 
-    // Runs the computation in the caller, which has to wait, if there is no other thread.
+    // If the thread could not be started, runs the computation in the caller, which has to wait.
     void catch_up(Lock& lock)
     {
         if (!thread_.joinable() && wanted_)
@@ -138,8 +138,8 @@ private:
         is_at_work_ = false;
         changed_.notify_all();
         lock.unlock();
-        // Frees a result that was never taken, or that of a stopped computation. Freeing a large
-        // result may take long, so the lock is released meanwhile.
+        // Frees a result that take() never returned, or the result of a stopped computation. This
+        // may take long, so the lock is released meanwhile.
         made.reset();
         lock.lock();
     }

@@ -18,7 +18,8 @@
 extern "C" void __tsan_acquire(void* address); // NOLINT(bugprone-reserved-identifier)
 extern "C" void __tsan_release(void* address); // NOLINT(bugprone-reserved-identifier)
 // The library passes its own memory between threads in ways that the sanitizer cannot see. This
-// suppresses reports about the library itself, not about our work functions in its threads.
+// function suppresses reports about the library itself, not about our work functions in its
+// threads.
 extern "C" char const* __tsan_default_suppressions(); // NOLINT(bugprone-reserved-identifier)
 extern "C" char const* __tsan_default_suppressions()  // NOLINT(bugprone-reserved-identifier)
 {
@@ -67,7 +68,8 @@ void parallel_for(std::size_t count, std::size_t grain,
     grain = std::max<std::size_t>(grain, 1);
     if (count <= grain)
         return work(0, count);
-    // The addresses of `begun` and `done` identify the two synchronisation points of the loop.
+    // The addresses of `begun` and `done` identify the loop's two synchronisation points for the
+    // thread sanitizer.
     char begun = 0;
     char done = 0;
     auto const urgency = present_urgency();
@@ -84,7 +86,8 @@ void parallel_for(std::size_t count, std::size_t grain,
 
 void parallel_in_order(std::size_t slots, OrderedWork const& work)
 {
-    // Each stage sees what the previous stage wrote to its slot, and its own earlier writes.
+    // The addresses of these variables tell the thread sanitizer what a stage sees: what the
+    // previous stage wrote to the slot, and the stage's own earlier writes.
     std::vector<char> slot_order(slots);
     char next_order = 0;
     char use_order = 0;
@@ -126,7 +129,7 @@ void parallel_in_order(std::size_t slots, OrderedWork const& work)
                                & tbb::make_filter<std::size_t, void>(Mode::serial_in_order, use));
     acquire(&next_order);
     acquire(&use_order);
-    for (char& order : slot_order) // Also synchronise with pieces that were made and never used.
+    for (char& order : slot_order) // Also synchronises with pieces that were made but not used.
         acquire(&order);
 }
 

@@ -6,9 +6,9 @@
 namespace tractus {
 
 // Calls work(begin, end) for pieces that together cover [0, count), on as many threads as the
-// machine has. Pieces have about `grain` elements and at least one. Returns when all are done. The
-// result of `work` must not depend on how the range is cut or in which order the pieces run. Loops
-// may be nested.
+// machine has. Returns when all pieces are done. A piece of more than `grain` elements may be split
+// further, down to one element. The result of `work` must not depend on how the range is split or
+// in which order the pieces run. Loops may be nested.
 //
 // Every parallel loop must go through this function: the library behind it is not built for the
 // thread sanitizer, so this is where the sanitizer learns the order between the caller and the
@@ -16,7 +16,7 @@ namespace tractus {
 void parallel_for(std::size_t count, std::size_t grain,
                   std::function<void(std::size_t begin, std::size_t end)> const& work);
 
-// The number of threads that parallel loops may use on this machine.
+// Returns the number of threads that parallel loops may use on this machine.
 int thread_count();
 
 // The three stages of parallel_in_order(). A slot is the storage of one piece of work while it
@@ -25,7 +25,7 @@ struct OrderedWork {
     // Puts the next piece into a slot; returns false if there are no more. Called for one piece at
     // a time.
     std::function<bool(std::size_t slot)> next;
-    // The long part of the work: called for several slots at once, on any thread.
+    // Does the long part of the work. Called for several slots at once, on any thread.
     std::function<void(std::size_t slot)> make;
     // Consumes a finished piece. Called for one piece at a time, in the order of next(). Returning
     // false ends the run: pieces in progress are dropped.
@@ -33,8 +33,8 @@ struct OrderedWork {
 };
 
 // Runs work whose results are needed in order, such as the parts of a file: while one piece is
-// used, others are made. Returns when all are done. `slots` must be at least 1; thread_count() + 1
-// keeps all threads busy, and with fewer slots pieces wait for each other.
+// used, others are made. Returns when all pieces are done. `slots` must be at least 1. With
+// thread_count() + 1 slots all threads are kept busy; with fewer, some wait.
 void parallel_in_order(std::size_t slots, OrderedWork const& work);
 
 } // namespace tractus

@@ -11,10 +11,10 @@ namespace tractus {
 struct RandomKey {
     std::uint64_t seed = 0;
     std::uint32_t stream = 0;    // Purpose of the numbers: a constant that the caller chooses.
-    std::uint32_t substream = 0; // Number of the plant, branch, … that uses the numbers.
+    std::uint32_t substream = 0; // Number of the plant, branch or step that uses the numbers.
 };
 
-// Returns the four random words at position `index` of the stream `key`: Philox4x32-10 (Salmon,
+// Returns the four random words at position `index` of the stream `key`, by Philox4x32-10 (Salmon,
 // Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC 2011). A pure function.
 std::array<std::uint32_t, 4> random_block(RandomKey const& key, std::uint64_t index);
 
@@ -29,14 +29,14 @@ public:
     std::uint32_t next_u32();
     std::uint64_t next_u64();
 
-    // Uniformly distributed in [0, 1), in steps of 2^-53.
+    // Returns a number uniformly distributed in [0, 1), a multiple of 2^-53.
     double uniform();
 
-    // Uniformly distributed in [low, high).
+    // Returns a number uniformly distributed in [low, high).
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-    // Normally distributed with mean 0 and standard deviation 1, by the Box-Muller method: every
-    // second call consumes two uniform numbers, and the second value is kept for the next call.
+    // Returns a normally distributed number with mean 0 and standard deviation 1. The Box-Muller
+    // method makes two such numbers from two uniform ones; the second is kept for the next call.
     double normal();
 
 private:

@@ -7,11 +7,11 @@
 
 namespace tractus {
 
-// Who has to act to resolve an error.
+// Says who has to act to resolve an error.
 enum class Fault {
     User,    // The command line, a file or a permission must be corrected.
     Device,  // Hardware or firmware violated its own protocol.
-    Station, // A bug in this program.
+    Station, // This program has a bug.
 };
 
 struct Error {

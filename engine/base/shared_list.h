@@ -9,10 +9,10 @@
 namespace tractus {
 
 // A long list that is kept in many versions, each differing from the one before by a few elements.
-// Copies share all blocks of elements except those that contain a difference. Thread rules as for
-// SharedVector.
+// Copies share all blocks of elements except those that contain a difference. Copies may move to
+// other threads; a single copy may be used by one thread at a time.
 template<typename T> class SharedList {
-    // Number of elements that are shared or copied together.
+    // Number of elements in a block, which is shared or copied as a whole.
     static constexpr std::size_t kBlock = 32;
     using Block = std::vector<T>;
 
@@ -71,8 +71,8 @@ public:
         replace(std::move(one));
     }
 
-    // Replaces elements, given with their indices in ascending order. A block that contains several
-    // of them is copied only once.
+    // Replaces elements, given with their indices, in ascending order of the indices. A block that
+    // contains several of the elements is copied only once.
     void replace(std::vector<std::pair<std::size_t, T>> elements)
     {
         for (std::size_t i = 0; i < elements.size();) {
@@ -91,7 +91,7 @@ public:
         append(std::move(one));
     }
 
-    // Appends elements. Copies only the last block.
+    // Appends elements. Of the existing blocks only the last is copied, if it is not full.
     void append(std::vector<T> elements)
     {
         for (std::size_t i = 0; i < elements.size();) {
@@ -107,7 +107,8 @@ public:
         }
     }
 
-    // Removes the elements at `indices`, in ascending order; later elements move up.
+    // Removes the elements at `indices`, which must be in ascending order; later elements move
+    // forward.
     void erase(std::vector<std::size_t> const& indices)
     {
         if (indices.empty())
@@ -131,8 +132,9 @@ public:
 
     void clear() { *this = {}; }
 
-    // Returns `make` applied to each element. For blocks that this list shares with `before`, the
-    // results are reused from `made`, the list that map() returned for `before`.
+    // Returns the list of `make` applied to each element. `made` must be the list that map()
+    // returned for the list `before`: results for blocks that this list shares with `before` are
+    // reused from it.
     template<typename U, typename Make>
     SharedList<U> map(SharedList const& before, SharedList<U> const& made, Make const& make) const
     {
@@ -159,7 +161,7 @@ private:
     template<typename U> friend class SharedList;
 
     // The blocks are shared between copies of the list and never modified: a change replaces a
-    // block. All but the last are full.
+    // whole block. All blocks but the last are full.
     std::vector<std::shared_ptr<Block const>> blocks_;
     std::size_t size_ = 0;
 };

@@ -12,7 +12,7 @@
 
 namespace tractus {
 
-// Re-reads elements that are not in memory.
+// A place, such as a file, from which the elements of a vector can be read again.
 template<typename T> class ElementSource {
 public:
     virtual ~ElementSource() = default;
@@ -26,9 +26,9 @@ public:
 // write). For values that are kept in many places and rarely changed. Copies may move to other
 // threads; a single copy may be used by one thread at a time.
 //
-// Elements that have a source need not be in memory: those of a parked() copy are read on first
-// access and then stay. Callers that visit many vectors in turn should use temporary in_memory()
-// copies, whose elements are freed with the copy.
+// Elements that have a source need not be in memory: a parked() copy reads its elements on first
+// access and then keeps them. Callers that visit many vectors in turn should use temporary
+// in_memory() copies, whose elements are freed with the copy.
 template<typename T> class SharedVector {
 public:
     using value_type = T;
@@ -56,8 +56,8 @@ public:
     }
     bool is_in_memory() const { return !shared_ || shared_->is_in_memory; }
 
-    // Returns a copy without elements in memory; they will be read from the source. The vector must
-    // have a source.
+    // Returns a copy without elements in memory, which will read them from the source. The vector
+    // must have a source.
     SharedVector parked() const
     {
         if (!is_in_memory())
@@ -67,8 +67,8 @@ public:
         return parked;
     }
 
-    // Returns a copy whose elements are in memory; this vector itself stays parked. Fails as the
-    // source does, and then changes nothing: a later call reads again.
+    // Returns a copy whose elements are in memory; this vector itself stays parked. Fails like the
+    // source; a later call then reads again.
     Result<SharedVector> in_memory() const
     {
         if (is_in_memory())
@@ -76,15 +76,15 @@ public:
         return SharedVector(TRY(shared_->source->read()), shared_->source);
     }
 
-    // Identifies the elements without looking at them: two vectors with the same id have the same
-    // elements, as long as one of the two exists.
+    // Identifies the elements without reading them: two vectors with the same id have the same
+    // elements. An id is valid only while a vector with these elements exists.
     void const* id() const
     {
         return source() ? static_cast<void const*>(source().get()) : shared_.get();
     }
 
-    // Returns the elements. Parked elements are read and stay in memory. If they cannot be read the
-    // result is empty for this call; callers that must handle this use in_memory().
+    // Returns the elements. Parked elements are read and stay in memory. If they cannot be read,
+    // returns an empty vector this time; callers that must notice such a failure use in_memory().
     std::vector<T> const& vector() const { return shared_ ? shared_->look() : nothing(); }
     operator std::vector<T> const&() const
     {
@@ -158,7 +158,8 @@ private:
         return none;
     }
 
-    std::shared_ptr<Shared> shared_; // Shared between copies; null if the vector is empty.
+    // Shared between copies of the vector; null if the vector is empty.
+    std::shared_ptr<Shared> shared_;
 };
 
 } // namespace tractus

@@ -7,9 +7,9 @@
 namespace tractus {
 
 // Returns a temporary name beside `target` that no other writer uses, in this process or another:
-// "NAME.PROCESS-COUNT.part". The first call for a folder also removes temporary files that killed
-// processes left there, together with journals of databases: those of processes that no longer
-// exist, if they are older than a day, since the process may run on another computer.
+// "NAME.PROCESS-COUNT.part". The first call for a folder also removes temporary files, and journals
+// of temporary databases, that killed processes left there. A file is removed only if it is older
+// than a day, since a process that does not exist here may run on another computer.
 std::filesystem::path unfinished_path(std::filesystem::path const& target);
 
 // Registers a temporary file while it is unfinished, for the signal handler that removes it when

@@ -11,15 +11,15 @@ enum class Urgency {
 };
 
 // Sets the urgency of the calling thread, and of the threads that help it in parallel loops
-// (parallel.h). The urgency of a thread can only be lowered, never raised again: Linux does not
+// (parallel.h). The priority of a thread can only be lowered, never raised again: Linux does not
 // permit it.
 void set_urgency(Urgency urgency);
 
 // Returns the urgency of the work that the calling thread is doing.
 Urgency present_urgency();
 
-// Gives the calling thread's work this urgency while the object lives; the destructor restores the
-// urgency from before.
+// Gives the calling thread's work this urgency while the object exists; the destructor restores the
+// urgency that the work had before. The thread's priority, once lowered, stays low.
 class UrgencyScope {
 public:
     explicit UrgencyScope(Urgency urgency);

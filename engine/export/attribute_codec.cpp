@@ -8,9 +8,10 @@
 #include <cstdint>
 #include <cstring>
 
-// Data layout of EXT_meshopt_compression, appendix A, mode 0: elements in blocks; within a block
-// all first bytes, then all second bytes, and so on; each as the difference from the previous
-// element, in groups of 16 with 0, 2, 4 or 8 bits per difference.
+// Data layout of EXT_meshopt_compression, appendix A, mode 0. Elements are divided into blocks. A
+// block has the first bytes of all its elements, then all second bytes, and so on. Each byte is
+// stored as the difference from that byte of the previous element, in groups of 16 differences with
+// 0, 2, 4 or 8 bits each.
 
 namespace tractus::exports {
 namespace {
@@ -39,7 +40,7 @@ Sixteen zigzag(Sixteen const& differences)
     return (differences + differences) ^ negative;
 }
 
-// Counts the values that are at least `least`.
+// Returns the number of values that are at least `least`.
 std::size_t count_from(Sixteen const& values, int least)
 {
     auto const ones = std::bit_cast<TwoWords>(
@@ -53,7 +54,7 @@ Sixteen at_most(Sixteen const& values, int most)
     return values < limit ? values : limit;
 }
 
-// Packs 2 bits per value, the first of four in the highest bits.
+// Packs each value into 2 bits. Of four values in a byte the first one has the highest bits.
 std::uint8_t* pack_two_bits(Sixteen const& values, std::uint8_t* to)
 {
     for (auto const word : std::bit_cast<std::array<std::uint32_t, 4>>(values))
@@ -61,7 +62,7 @@ std::uint8_t* pack_two_bits(Sixteen const& values, std::uint8_t* to)
     return to;
 }
 
-// Packs 4 bits per value, the first of two in the higher bits.
+// Packs each value into 4 bits. Of two values in a byte the first one has the higher bits.
 std::uint8_t* pack_four_bits(Sixteen const& values, std::uint8_t* to)
 {
     for (auto const word : std::bit_cast<TwoWords>(values)) {
@@ -74,7 +75,8 @@ std::uint8_t* pack_four_bits(Sixteen const& values, std::uint8_t* to)
     return to;
 }
 
-// Appends, with 8 bits each, the values that are at least `least` and so did not fit in their bits.
+// Appends, with 8 bits each, the values that are at least `least`, which do not fit into the 2 or 4
+// bits of their group.
 std::uint8_t* append_from(Sixteen const& values, int least, std::uint8_t* to)
 {
     std::array<std::uint8_t, kGroup> all;
@@ -86,8 +88,8 @@ std::uint8_t* append_from(Sixteen const& values, int least, std::uint8_t* to)
     return to;
 }
 
-// Appends a group in its smallest encoding, and stores that encoding's number in `way`. May
-// overwrite up to 15 bytes beyond the end.
+// Appends a group in its smallest encoding, whose number is stored in `way`. May overwrite up to 15
+// bytes beyond the returned end.
 std::uint8_t* append_group(Sixteen const& values, unsigned& way, std::uint8_t* to)
 {
     auto const words = std::bit_cast<TwoWords>(values);
@@ -111,8 +113,8 @@ std::uint8_t* append_group(Sixteen const& values, unsigned& way, std::uint8_t* t
     return to + kGroup;
 }
 
-// One byte of every element of a block, preceded by that byte of the element before the block. The
-// byte of the last element is repeated until a group of 16 is full.
+// The same byte of every element of a block, preceded by that byte of the element before the block.
+// The byte of the last element is repeated until the last group of 16 is full.
 struct Column {
     std::array<std::uint8_t, 1 + kMaxInBlock> bytes;
 };
@@ -128,8 +130,8 @@ Sixteen second_halves(Sixteen const& a, Sixteen const& b)
                                    31);
 }
 
-// Transposes bytes: from 16 words of four bytes to all first bytes, all second bytes, and so on, as
-// a perfect shuffle of 64 bytes, four times.
+// Transposes 16 words of four bytes to all first bytes, all second bytes, and so on, by four
+// perfect shuffles of the 64 bytes.
 void transpose(std::array<Sixteen, 4>& words)
 {
     for (int i = 0; i < 4; ++i) {
@@ -139,7 +141,7 @@ void transpose(std::array<Sixteen, 4>& words)
     }
 }
 
-// The elements of a block: `count` elements from `first` on, `element_bytes` apart.
+// A block: `count` elements of `element_bytes` each, one after another from `first` on.
 struct Block {
     std::uint8_t const* first = nullptr;
     std::size_t count = 0;
@@ -148,8 +150,8 @@ struct Block {
     std::size_t groups() const { return (count + kGroup - 1) / kGroup; }
 };
 
-// Fills four columns with bytes `k` to `k` + 3 of all elements of the block, but not of the element
-// before it.
+// Fills four columns with bytes `k` to `k` + 3 of all elements of the block. The bytes of the
+// element before the block are not set.
 void fill_columns(Block const& block, std::size_t k, std::array<Column, 4>& columns)
 {
     for (std::size_t group = 0; group < block.groups(); ++group) {
@@ -181,8 +183,8 @@ std::uint8_t* append_column(Column const& column, std::size_t groups, std::uint8
     return to;
 }
 
-// Maximum compressed size of `count` elements in blocks of `block`, including the bytes that
-// append_group() may overwrite.
+// Returns the maximum compressed size of `count` elements in blocks of `block` elements, including
+// the bytes beyond the end that append_group() may overwrite.
 std::size_t most_bytes(std::size_t count, std::size_t element_bytes, std::size_t block)
 {
     auto const blocks = (count + block - 1) / block;
@@ -215,7 +217,7 @@ void compress_attributes(std::span<std::byte const> elements, std::size_t elemen
             end = append_column(columns[k % 4], block.groups(), end);
         }
     }
-    // The tail of the stream: padding, then the first element, from which the decoder starts.
+    // The tail of the stream is padding and then the first element, from which the decoder starts.
     auto const padding = element_bytes < kMinTail ? kMinTail - element_bytes : 0;
     end = std::fill_n(end, padding, std::uint8_t { 0 });
     end = std::copy_n(from, element_bytes, end);

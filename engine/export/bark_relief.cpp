@@ -24,7 +24,7 @@ double eased_between(double low, double high, double x)
 // Value noise around a cylinder of radius 1, periodic along its axis.
 class CylinderNoise {
 public:
-    // `across`: cells per radius; `along`: cells per period.
+    // `across`: number of cells per radius of the cylinder; `along`: number of cells per period.
     CylinderNoise(std::uint32_t layer, double across, int along)
         : across_(across)
         , along_(along)
@@ -39,8 +39,8 @@ public:
                 * 0x1p-32);
     }
 
-    // Returns the noise at a point, 0 to 1. `x` and `y`: -1 to 1; `v`: position along the axis, in
-    // periods; `shift`: offset along the axis, in cells.
+    // Returns the noise at a point, 0 to 1. `x` and `y`: -1 to 1, across the axis; `v`: position
+    // along the axis, in periods; `shift`: offset along the axis, in cells.
     double at(double x, double y, double v, double shift = 0) const
     {
         double const middle = 0.5 * side_;
@@ -77,8 +77,8 @@ private:
     std::vector<double> values_;
 };
 
-// Height field, 0 to 1: ridges between furrows, like the renderer's shader (surface.cpp), but with
-// whole numbers of cells along the axis.
+// Height field, 0 to 1, of ridges between furrows, like that of the renderer's shader
+// (surface.cpp). It has a whole number of cells along the axis, so that it can be tiled.
 class Relief {
 public:
     Relief()
@@ -100,10 +100,10 @@ public:
         find_means();
     }
 
-    // Height of a pixel; beyond the edges the picture is repeated.
+    // Returns the height at a pixel. Beyond its edges the height field is repeated.
     double at(int column, int row) const { return heights_[index(column, row)]; }
 
-    // Mean of the heights in a square around a pixel.
+    // Returns the mean of the heights in a square around a pixel.
     double around(int column, int row) const { return means_[index(column, row)]; }
 
 private:
@@ -114,7 +114,7 @@ private:
         return wrapped(row) * kRelief_px + wrapped(column);
     }
 
-    // Computes the means with a box filter along the rows, then along the columns.
+    // Computes means_ by a box filter along the rows, then along the columns.
     void find_means()
     {
         constexpr int kReach = 12;
@@ -152,7 +152,7 @@ std::uint8_t byte_of(double value)
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
 }
 
-// Makes a picture pixel by pixel: `color(column, row)` returns red, green and blue, 0 to 1.
+// Makes a picture pixel by pixel. color(column, row) returns a pixel's red, green and blue, 0 to 1.
 template<typename Color> TextureSlot paint_colors(Color const& color)
 {
     std::vector<std::uint8_t> pixels;
@@ -168,7 +168,8 @@ template<typename Color> TextureSlot paint_colors(Color const& color)
 
 Vec3 normal_color(int column, int row)
 {
-    constexpr double kBump = 0.055; // Depth of the relief, as in the renderer's shader.
+    // Depth of the relief as a share of the branch's circumference, as in the renderer's shader.
+    constexpr double kBump = 0.055;
     auto const& heights = relief();
     double const per_step = 0.5 * kRelief_px * kBump;
     double const slope_u = per_step * (heights.at(column + 1, row) - heights.at(column - 1, row));

@@ -14,7 +14,8 @@ mesh::Mesh billboard_mesh(Billboard const& billboard)
         double const turn = 2 * kPi * view / kBillboardViews;
         Vec3 const normal(std::sin(turn), -std::cos(turn), 0);
         Vec3 const right(std::cos(turn), std::sin(turn), 0);
-        for (int corner = 0; corner < 4; ++corner) { // Counter-clockwise from the lower left.
+        // Corners run counter-clockwise from the lower left.
+        for (int corner = 0; corner < 4; ++corner) {
             double const x = corner == 1 || corner == 2 ? 1 : 0;
             double const y = corner >= 2 ? 1 : 0;
             Vec3 const at = billboard.center_mm

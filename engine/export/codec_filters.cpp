@@ -10,7 +10,7 @@ namespace tractus::exports {
 namespace {
 
 constexpr float kOne = 127;
-// Number of bits that round_to_integer_bits() can represent, without the sign.
+// Number of bits, without the sign, of the integers that round_to_integer_bits() can return.
 constexpr int kMantissaBits = 22;
 constexpr int kMinExponent = -12;
 
@@ -19,14 +19,14 @@ FourFloats magnitudes(FourFloats const& values)
     return values < 0 ? -values : values;
 }
 
-// Combines the absolute values `sizes` with the signs of `signs`.
+// Returns the absolute values `sizes` with the signs of `signs`.
 FourFloats with_signs(FourFloats const& sizes, FourFloats const& signs)
 {
     return signs < 0 ? -sizes : sizes;
 }
 
 // Projects vectors onto an octahedron whose lower half is folded over the upper one. Each result
-// contains the two coordinates, 1, and `w`, one byte each.
+// has one byte for each of the two coordinates, for the value 1 (as 127) and for `w`.
 FourInts octahedral_bytes(TurnedVectors const& v, FourInts const& w)
 {
     FourFloats const scale = kOne / (magnitudes(v.x) + magnitudes(v.y) + magnitudes(v.z));

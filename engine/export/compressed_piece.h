@@ -7,12 +7,12 @@
 
 namespace tractus::exports {
 
-// Compresses the streams that encode_triangles() and encode_wind() wrote to a piece, each with the
-// codec of its format. Its indices have 32 bits and count from the piece's first vertex.
+// Compresses the streams that encode_triangles() and encode_wind() wrote to `piece`, each with the
+// codec of its format. The indices must have 32 bits and count from the piece's first vertex.
 void compress_triangles(SurfaceFormat const& format, std::span<WindStream const> wind,
                         EncodedPiece& piece);
 
-// Compresses the streams that encode_instances() and encode_wind() wrote.
+// Compresses the streams that encode_instances() and encode_wind() wrote to `piece`.
 void compress_instances(InstanceFormat const& format, EncodedPiece& piece);
 
 } // namespace tractus::exports

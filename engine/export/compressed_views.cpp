@@ -60,7 +60,7 @@ Result<CompressedView> view_from(Json const& json, std::size_t index)
     return view;
 }
 
-// Returns a .glb file with another JSON chunk; `rest` is what follows the JSON in the file.
+// Returns the file `glb` with another JSON chunk. `rest`: the bytes of `glb` after its JSON chunk.
 std::string with_json(std::string_view glb, std::string_view rest, std::string json)
 {
     json.resize((json.size() + 3) / 4 * 4, ' ');
@@ -128,8 +128,8 @@ Result<CompressedElements> elements_of(CompressedView const& view, tinygltf::Mod
     return elements;
 }
 
-// Checks that the views together have no more compressed bytes than the buffers. If views could
-// share bytes, a small file could require any amount of memory.
+// Checks that all views together have no more compressed bytes than the buffers. If views could
+// share their bytes, a small file could require any amount of memory.
 Result<void> check_total(std::vector<CompressedView> const& views, tinygltf::Model const& model)
 {
     std::uint64_t left = 0;
@@ -143,7 +143,7 @@ Result<void> check_total(std::vector<CompressedView> const& views, tinygltf::Mod
     return {};
 }
 
-// The compressed elements of a view, and where they go in the additional buffer, in bytes.
+// The compressed elements of a view, and their place in the additional buffer, in bytes.
 struct Decompression {
     CompressedElements from {};
     std::uint64_t start = 0;

@@ -10,7 +10,7 @@
 namespace tractus::exports {
 namespace {
 
-// Location of an accessor's elements.
+// Location and number format of an accessor's elements.
 struct Elements {
     unsigned char const* first;
     std::size_t stride;
@@ -25,7 +25,7 @@ auto fail_at(int accessor, char const* reason)
                 fmt::format("cannot read the glTF file: accessor {} {}", accessor, reason));
 }
 
-// Adds two sizes; the sum saturates instead of overflowing.
+// Returns the sum of two sizes, or the largest number if it would overflow.
 std::uint64_t sum(std::uint64_t a, std::uint64_t b)
 {
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;
@@ -74,7 +74,8 @@ template<typename Number> Number load(unsigned char const* bytes)
     return number;
 }
 
-// Reads a number; normalised integers are converted to -1…1 or 0…1 (glTF 2.0 section 3.11).
+// Reads a number. A normalised integer is converted to -1…1 if signed, otherwise to 0…1 (glTF 2.0
+// section 3.11).
 template<typename Number> float load_number(unsigned char const* bytes, bool normalized)
 {
     auto const value = static_cast<float>(load<Number>(bytes));

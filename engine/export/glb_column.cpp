@@ -74,7 +74,7 @@ std::size_t add_accessor(GltfJson& json, GlbColumn const& column, int target, Js
 {
     auto const& format = column.format;
     auto of_view = Json::object();
-    // Elements padded to four bytes need an explicit stride.
+    // Elements that are padded to a multiple of four bytes need an explicit stride.
     if (format.components == 3 && format.type != ComponentType::Float)
         of_view["byteStride"] = format.element_bytes;
     if (target != kNoTarget)
@@ -94,7 +94,8 @@ std::size_t add_zeros(GltfJson& json, NumberFormat const& format, std::size_t co
     return json.accessors.add(accessor);
 }
 
-// Limits are converted to doubles, so that the decimal numbers written are exactly the floats.
+// Limits are converted to doubles, so that the decimal numbers in the file are exactly those of the
+// floats.
 Json limits_json(Vec3f const& low, Vec3f const& high)
 {
     return { { "min", json_numbers(low.cast<double>().eval()) },

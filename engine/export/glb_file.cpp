@@ -12,10 +12,11 @@
 namespace tractus::exports {
 namespace {
 
-// Maximum number of vertices for 16-bit indices. Index 65,535 is excluded, since it restarts strips
-// (glTF 2.0 section 3.7.2.1).
+// Maximum number of vertices that 16-bit indices can address. Index 65,535 is excluded, since it
+// restarts strips (glTF 2.0 section 3.7.2.1).
 constexpr std::size_t kMaxShortVertices = 65535;
-// Expected compression factor of wind data, high since most vertices of a branch have equal data.
+// Expected factor by which wind data are compressed. It is high, since most vertices of a branch
+// have the same data.
 constexpr std::uint64_t kWindCompression = 8;
 
 auto fail_large(PlacedMesh const& placed)
@@ -46,7 +47,8 @@ std::uint64_t triangle_bytes(mesh::MeshExtent const& extent, SurfaceFormat const
         + rounded_up(extent.indices * static_cast<std::uint64_t>(format.indices().element_bytes));
 }
 
-// Expected compressed size of triangles, from the average of exported trees and plant collections.
+// Returns the expected compressed size of triangles, in bytes, from the average of exported trees
+// and plant collections.
 std::uint64_t compressed_triangle_bytes(mesh::MeshExtent const& extent, SurfaceFormat const& format)
 {
     return extent.vertices * (format.tangents ? 11 : 9) + extent.indices;
@@ -82,13 +84,13 @@ void encode_prototype(TriangleView const& triangles, SurfaceFormat format, bool 
                       EncodedPiece& piece)
 {
     if (compressed)
-        format.short_indices = false; // The codec requires 32-bit indices.
+        format.short_indices = false; // The codec of indices requires 32 bits.
     encode_triangles(triangles, format, piece);
     if (compressed)
         compress_triangles(format, {}, piece);
 }
 
-// Lists the minimum coverages of a plant and of its levels of detail.
+// Returns the minimum coverages of a plant and of its levels of detail, as an array.
 Json coverages(PlacedMesh const& placed)
 {
     auto of_levels = Json::array({ json_number(placed.min_coverage) });
@@ -175,7 +177,7 @@ Result<void> GlbFile::begin_level(LevelInFile const& level, MeshPieces const& pl
     return {};
 }
 
-// Writing to the binary chunk.
+// The following functions write to the binary chunk.
 
 GlbColumn GlbFile::open(NumberFormat const& format, std::size_t count, std::size_t stream,
                         EncodedPiece const& piece)
@@ -230,7 +232,7 @@ void GlbFile::write(Columns& columns, EncodedPiece const& piece)
             stream_.write(columns[i].block, piece.streams[i]);
 }
 
-// Writing surfaces.
+// The following functions write surfaces.
 
 Json GlbFile::add_primitive(Columns const& columns, EncodedPiece const& limits,
                             std::size_t material)
@@ -241,7 +243,8 @@ Json GlbFile::add_primitive(Columns const& columns, EncodedPiece const& limits,
     return primitive;
 }
 
-// Writes a piece of a surface. Each compressed piece becomes a primitive of its own.
+// Writes a piece of a surface. If the file is compressed, each piece becomes a primitive of its
+// own.
 Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, EncodedPiece const& piece)
 {
     auto const& surface = plant_->surfaces()[index];
@@ -251,7 +254,7 @@ Result<void> GlbFile::add_surface_piece(std::size_t index, bool is_last, Encoded
             : materials_.add_picture(plant_->picture_png());
     if (!piece.is_finite)
         return fail_infinite("a coordinate");
-    // A compressed piece of a mesh with many unused vertices may have no triangles.
+    // If many vertices of a mesh are unused, a compressed piece of it may have no triangles.
     bool const has_triangles = !is_compressed() || piece.extent.indices > 0;
     if (!open_ && has_triangles) {
         auto const& extent = is_compressed() ? piece.extent : surface.extent;
@@ -280,9 +283,10 @@ Result<void> GlbFile::check() const
     return stream_.check();
 }
 
-// Writing organs.
+// The following functions write organs.
 
-// Returns the index of a prototype's mesh. Equal prototypes with equal materials are written once.
+// Returns the index of a prototype's mesh, which is written unless an equal prototype with an equal
+// material has been written already.
 Result<std::size_t> GlbFile::prototype_index(mesh::TriangleMesh const& prototype)
 {
     auto const& material = plant_->material(prototype.material);
@@ -318,7 +322,8 @@ Result<std::size_t> GlbFile::prototype_index(mesh::TriangleMesh const& prototype
     return index;
 }
 
-// Writes some instances of an organ. Each compressed piece becomes a node of its own.
+// Writes a piece of an organ's instances. If the file is compressed, each piece becomes a node of
+// its own.
 Result<void> GlbFile::add_instances(std::size_t index, bool is_last, EncodedPiece const& piece)
 {
     auto const& organ = plant_->organs()[index];
@@ -360,12 +365,12 @@ void GlbFile::add_instanced_node(Columns const& columns)
 void GlbFile::add_organ_nodes(std::size_t mesh, std::span<mesh::InstanceTransform const> instances,
                               std::span<mesh::WindVertex const> wind)
 {
-    Json node; // Reused for all organs, so that its members are allocated once.
+    Json node; // The node is reused for all organs, so that its members are allocated once.
     node["mesh"] = mesh;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         auto const placed = to_gltf(instances[i]);
         node["translation"] = json_numbers(placed.translation_mm);
-        node["rotation"] = json_numbers(placed.rotation.coeffs()); // In the order x, y, z, w.
+        node["rotation"] = json_numbers(placed.rotation.coeffs()); // The order is x, y, z, w.
         node["scale"] = json_numbers(placed.scale);
         if (!wind.empty())
             node["extras"] = wind_extras(wind[i]);
@@ -373,15 +378,15 @@ void GlbFile::add_organ_nodes(std::size_t mesh, std::span<mesh::InstanceTransfor
     }
 }
 
-// Writing nodes.
+// The following functions write nodes.
 
 void GlbFile::add_child(Json const& node)
 {
     children_.push_back(json_.nodes.add(node));
 }
 
-// Puts the plant's own mesh into its node. Does nothing if there are no tubes or polygons.
-// Quantised meshes go into a child node, which scales them to metres.
+// Adds the mesh of the plant's surfaces to its node; does nothing if there are none. A quantised
+// mesh goes into a child node, which scales it to metres.
 void GlbFile::add_surfaces(Json& node)
 {
     if (primitives_.empty())
@@ -399,8 +404,8 @@ void GlbFile::add_surfaces(Json& node)
                 { "scale", json_numbers(Vec3::Constant(vertices.step_m).eval()) } });
 }
 
-// Coarser levels are not part of the scene, so that programs without the extension MSFT_lod show
-// the finest level.
+// Adds the node of a level. Coarser levels are not part of the scene, so that programs that do not
+// know the extension MSFT_lod show the finest level.
 void GlbFile::end_level()
 {
     Json node;

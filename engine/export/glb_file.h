@@ -17,9 +17,10 @@
 
 namespace tractus::exports {
 
-// Number formats of a plant's pieces.
+// Number formats in which the pieces of a plant are written.
 struct PlantFormat {
-    SurfaceFormat vertices {}; // Format of surfaces, except for the size of indices.
+    // Format of surfaces, without the size of indices and the tangents, which of() adds.
+    SurfaceFormat vertices {};
     InstanceFormat instances {};
 
     SurfaceFormat of(MeshPieces const& plant, MeshPieces::Surface const& surface) const;
@@ -27,10 +28,11 @@ struct PlantFormat {
 
 PlantFormat plant_format(MeshPieces const& plant, GlbOptions const& options);
 
-// Size of a plant in the binary chunk, without textures; approximate if it is compressed.
+// Returns the size of a plant in the binary chunk, without textures. If the plant is compressed the
+// size is an estimate.
 std::uint64_t glb_bytes(MeshPieces const& plant, GlbOptions const& options);
 
-// One level of detail of a plant being written.
+// One level of detail of a plant, to be written as nodes of its own.
 struct LevelInFile {
     PlacedMesh const* placed = nullptr;
     std::size_t number = 0; // 0: the plant itself; 1 and more: its coarser levels, finest first.
@@ -42,9 +44,9 @@ struct LevelInFile {
     bool is_last() const { return number == placed->details.size(); }
 };
 
-// One attempt to write a .glb file with a given space for its JSON. Plants come one after another,
-// each from its finest to its coarsest level; of each level first the surfaces, then the organs,
-// all pieces in order.
+// One attempt to write a .glb file with a given space for its JSON. Plants are written one after
+// another, each from its finest to its coarsest level. Of each level the pieces of the surfaces are
+// written first, then those of the organs, all in order.
 class GlbFile {
 public:
     GlbFile(std::ostream& out, GlbOptions const& options, std::uint64_t json_room);
@@ -55,8 +57,8 @@ public:
     Result<void> add_instances(std::size_t organ, bool is_last, EncodedPiece const& piece);
     void end_level();
 
-    // Fills in the headers and the JSON. Returns no value if the JSON exceeds its space;
-    // json_bytes() then returns its size.
+    // Fills in the headers and the JSON. If the JSON exceeds its space, returns no value;
+    // json_bytes() then returns the size of the JSON.
     Result<std::optional<GlbSummary>> finish();
 
     std::uint64_t json_bytes() const { return json_bytes_; }
@@ -65,7 +67,8 @@ private:
     using Columns = std::array<GlbColumn, kMaxStreams>;
 
     bool is_compressed() const { return options_.vertices == GlbOptions::Vertices::Compressed; }
-    // Opens the column of a stream; if it is compressed, `piece` contains the whole column.
+    // Opens the column for stream number `stream`. If the file is compressed, `piece` must contain
+    // the whole column.
     GlbColumn open(NumberFormat const& format, std::size_t count, std::size_t stream,
                    EncodedPiece const& piece);
     Columns open_triangles(mesh::MeshExtent const& extent, SurfaceFormat const& format,
@@ -90,22 +93,26 @@ private:
     std::uint64_t json_room_;
     GltfJson json_;
     GltfMaterials materials_;
-    // Index in the JSON's meshes of each prototype, by its material and the bytes of its arrays.
+    // Index in the JSON's "meshes" of each prototype, by the prototype's material and the bytes of
+    // its arrays.
     std::map<std::string, std::size_t> prototypes_;
     GlbSummary summary_;
     std::uint64_t json_bytes_ = 0;
 
-    // State of the level that is being written.
+    // The following members belong to the level that is being written.
     LevelInFile level_;
     MeshPieces const* plant_ = nullptr;
     PlantFormat format_;
     Json primitives_;
     std::vector<std::size_t> children_;
-    Json finest_; // The plant's node, to which the coarser levels are still to be added.
-    std::vector<std::size_t> coarser_;      // Node indices of the plant's coarser levels.
-    std::optional<Columns> open_;           // The surface or organ whose pieces are being written.
-    EncodedPiece limits_;                   // Limits of the positions in open_ so far.
-    std::optional<std::size_t> open_index_; // Index of the surface's material or the organ's mesh.
+    // The node of the plant's finest level, to which the coarser levels are still to be added.
+    Json finest_;
+    std::vector<std::size_t> coarser_; // Node indices of the plant's coarser levels.
+    // Columns of the surface or organ whose pieces are being written; no value between them.
+    std::optional<Columns> open_;
+    EncodedPiece limits_; // Limits of the positions written to open_ so far.
+    // Index of the material of the surface, or of the mesh of the organ, that is being written.
+    std::optional<std::size_t> open_index_;
 };
 
 } // namespace tractus::exports

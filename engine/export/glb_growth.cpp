@@ -21,7 +21,8 @@ constexpr NumberFormat kVectors {};
 constexpr NumberFormat kNumbers { ComponentType::Float, 1, false, 4 };
 constexpr std::size_t kVerticesAtOnce = 16 << 10;
 
-// Displacements of a surface's vertices or normals, in glTF's frame, and their limits.
+// Displacements of a surface's positions or normals from the whole plant to one age, in glTF's
+// frame, and the limits of the displacements.
 struct Steps {
     BulkVector<Vec3f> steps;
     Vec3f low = Vec3f::Zero();
@@ -41,7 +42,7 @@ void find_steps(std::span<Vec3f const> from, std::span<Vec3f const> to, ToGltf c
             steps.steps[i] = to_gltf(Vec3f(to[i] - from[i]));
     });
     steps.low = steps.high = from.empty() ? Vec3f(Vec3f::Zero()) : steps.steps[0];
-    // Detects values that are not finite: x - x is 0 for finite x, and NaN otherwise.
+    // Sum of x - x over all displacements x: 0 if all are finite, otherwise NaN.
     Vec3f nothing = Vec3f::Zero();
     for (auto const& step : steps.steps) {
         steps.low = steps.low.cwiseMin(step);
@@ -51,7 +52,7 @@ void find_steps(std::span<Vec3f const> from, std::span<Vec3f const> to, ToGltf c
     steps.low += nothing;
 }
 
-// One attempt to write the file with a given space for its JSON.
+// One attempt to write a film's file with a given space for its JSON.
 class FilmWriter {
 public:
     FilmWriter(std::ostream& out, GrowthFilm const& film, std::uint64_t json_room)
@@ -64,7 +65,8 @@ public:
 
     Result<void> write();
 
-    // Fills in the headers and the JSON. Returns no value if the JSON exceeds its space.
+    // Fills in the headers and the JSON. If the JSON exceeds its space, returns no value;
+    // json_bytes() then returns the size of the JSON.
     Result<std::optional<GlbSummary>> finish();
     std::uint64_t json_bytes() const { return json_bytes_; }
 
@@ -81,12 +83,12 @@ private:
     GltfJson json_;
     GlbStream stream_;
     GltfMaterials materials_;
-    Json primitives_ = Json::array(); // One primitive for each surface.
+    Json primitives_ = Json::array(); // One glTF primitive for each surface.
     Json names_ = Json::array();      // Names of the morph targets.
     GlbSummary summary_;
     std::uint64_t json_bytes_ = 0;
 
-    // Buffers for one age, reused from age to age.
+    // Buffers for the age that is being written, reused for all ages.
     std::vector<mesh::AgedMesh::Vertices> vertices_;
     Steps positions_;
     Steps normals_;
@@ -194,8 +196,8 @@ GlbColumn FilmWriter::add_numbers(std::span<float const> values)
     return column;
 }
 
-// Animates the weights of the morph targets: at the time of each age its own target has weight 1;
-// at the last age, all weights are 0.
+// Animates the weights of the morph targets. At the time of each age only the target of that age
+// has a weight, 1. At the last age, that of the whole plant, all weights are 0.
 void FilmWriter::add_animation()
 {
     auto const count = film_.ages.size();
@@ -231,8 +233,8 @@ Result<std::optional<GlbSummary>> FilmWriter::finish()
     return std::optional(summary_);
 }
 
-// Checks the size of the file: the displacements of every vertex at every age, and an allowance for
-// JSON and pictures.
+// Fails if the file would be too large. Its size is that of the displacements of all vertices at
+// all ages, plus an allowance for JSON and pictures.
 Result<void> check_size(GrowthFilm const& film)
 {
     constexpr double kRoom = 16 << 20; // Bytes for JSON and pictures.

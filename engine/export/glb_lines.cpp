@@ -10,10 +10,10 @@ namespace tractus::exports {
 
 namespace {
 
-// Maximum number of lines after expanding instances.
+// Maximum number of lines in a file, counting those of all instances.
 constexpr std::size_t kMaxLines = std::size_t { 1 } << 24;
 
-// Returns the vertices of a primitive in the order of its lines, in glTF's frame.
+// Returns the vertices of a primitive in the order in which lines connect them, in glTF's frame.
 Result<std::vector<Vec3>> vertices_in_order(tinygltf::Model const& model,
                                             tinygltf::Primitive const& primitive)
 {
@@ -32,7 +32,7 @@ Result<std::vector<Vec3>> vertices_in_order(tinygltf::Model const& model,
     return result;
 }
 
-// Appends the lines of a primitive transformed by `place`.
+// Appends the lines of a primitive, transformed by `place` and converted to our frame.
 void add_lines(std::vector<Vec3> const& vertices, int mode, Affine const& place,
                std::vector<SkeletonPiece>& lines)
 {

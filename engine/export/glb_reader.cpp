@@ -19,7 +19,7 @@
 namespace tractus::exports {
 namespace {
 
-// Maximum number of vertices after expanding instances.
+// Maximum number of vertices in the mesh that is read; a prototype of instances counts once.
 constexpr std::size_t kMaxVertices = std::size_t { 1 } << 26;
 
 void compute_normals(mesh::TriangleMesh& mesh)
@@ -36,7 +36,7 @@ void compute_normals(mesh::TriangleMesh& mesh)
     }
 }
 
-// Normalises normals; a zero normal becomes +z.
+// Normalises normals. A normal that is zero or not finite becomes +z.
 void normalize(std::span<Vec3f> normals)
 {
     for (auto& normal : normals) {
@@ -45,7 +45,7 @@ void normalize(std::span<Vec3f> normals)
     }
 }
 
-// Returns the triangles of a primitive in our frame, or no value for points and lines.
+// Returns the triangles of a primitive, in our frame; no value if it consists of points or lines.
 Result<std::optional<mesh::TriangleMesh>> read_primitive(tinygltf::Model const& model,
                                                          tinygltf::Primitive const& primitive)
 {
@@ -97,8 +97,8 @@ Result<std::optional<mesh::TriangleMesh>> read_primitive(tinygltf::Model const& 
     return std::optional(std::move(mesh));
 }
 
-// Decomposes a transform into scale, rotation and translation. Returns no value if it shears,
-// flattens or is too large.
+// Decomposes a transform, in glTF's frame, into scale, rotation and translation, in our frame.
+// Returns no value if the transform shears, flattens or has numbers that are too large.
 std::optional<mesh::InstanceTransform> instance_of(Affine const& place)
 {
     Eigen::Matrix3d axes = place.linear();
@@ -119,7 +119,7 @@ std::optional<mesh::InstanceTransform> instance_of(Affine const& place)
     return instance;
 }
 
-// Assembles the mesh: surfaces by material, instances by prototype.
+// Assembles the mesh of a file: one surface per material, and instances by prototype.
 class Builder {
 public:
     explicit Builder(tinygltf::Model const& model)
@@ -206,7 +206,8 @@ private:
         surface.material = part.material;
         auto const base = static_cast<std::uint32_t>(surface.positions_mm.size());
         Eigen::Matrix3d const linear = place.linear();
-        // The cofactors transform normals, which are flipped below if the transform mirrors.
+        // Normals are transformed by the cofactors of `linear`, and flipped below if the transform
+        // mirrors.
         Eigen::Matrix3d cofactors;
         cofactors << linear.col(1).cross(linear.col(2)), linear.col(2).cross(linear.col(0)),
             linear.col(0).cross(linear.col(1));

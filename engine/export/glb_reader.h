@@ -7,9 +7,10 @@
 
 namespace tractus::exports {
 
-// Reads the triangles of the default scene of a binary glTF 2.0 file, with all node transforms
-// applied, converted to our frame (millimetres, +z up). A mesh used several times, by nodes or by
-// EXT_mesh_gpu_instancing, becomes instances; one used once becomes part of the surfaces.
+// Reads the triangles of the default scene of a binary glTF 2.0 file. All node transforms are
+// applied, and the triangles are converted to our frame (millimetres, +z up). A mesh that is used
+// several times, by nodes or by EXT_mesh_gpu_instancing, becomes instances; a mesh that is used
+// once becomes part of the surfaces.
 //
 // Materials are read as described in read_materials.h. Skins, animations, points and lines are
 // ignored.

@@ -10,7 +10,7 @@ static_assert(std::endian::native == std::endian::little, "glTF is little-endian
 
 namespace {
 
-// Constants of the binary file layout (glTF 2.0 section 4.4).
+// Constants of the layout of a .glb file (glTF 2.0 section 4.4).
 constexpr std::uint32_t kMagic = 0x46546C67;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
@@ -24,7 +24,7 @@ GlbStream::GlbStream(std::ostream& out, std::uint64_t json_room)
     , json_room_(json_room)
     , start_(out.tellp())
 {
-    put_u32({ 0, 0, 0, 0, 0 }); // Headers, filled in by finish().
+    put_u32({ 0, 0, 0, 0, 0 }); // Space for the headers, which finish() fills in.
     put_spaces(json_room);
 }
 
@@ -56,8 +56,8 @@ void GlbStream::write(Block& block, std::span<std::byte const> bytes)
         put("\0\0\0", 4 - block.size % 4);
 }
 
-// Moves to a position that may be beyond the end. Files can be extended by seeking; memory streams
-// have to be filled up to there.
+// Moves to a position that may be beyond the end of the stream. Files are extended by seeking;
+// memory streams have to be filled with spaces up to that position.
 void GlbStream::seek(std::uint64_t offset)
 {
     if (offset == at_ || !out_)

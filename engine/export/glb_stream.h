@@ -10,12 +10,12 @@
 
 namespace tractus::exports {
 
-// The structure of a .glb file (glTF 2.0 section 4.4): a JSON chunk of a size fixed in advance,
-// then a binary chunk with blocks that can be filled concurrently. The file begins at the stream's
-// current position.
+// Writes the structure of a .glb file (glTF 2.0 section 4.4): a JSON chunk of a size fixed in
+// advance, then a binary chunk with blocks, several of which can be open at a time. The file begins
+// at the stream's current position.
 class GlbStream {
 public:
-    // A block of the binary chunk, filled from its beginning.
+    // A block of the binary chunk. It is filled from its beginning to its end.
     struct Block {
         std::uint64_t start = 0; // Offset of the block in the binary chunk; a multiple of four.
         std::uint64_t size = 0;
@@ -25,13 +25,13 @@ public:
     // `json_room`: size of the JSON chunk in bytes; a multiple of four.
     GlbStream(std::ostream& out, std::uint64_t json_room);
 
-    // Reserves space at the end of the binary chunk.
+    // Reserves `size` bytes at the end of the binary chunk.
     Block open_block(std::uint64_t size);
 
-    // Appends to a block. Writes to several open blocks may alternate.
+    // Appends `bytes` to a block. Several blocks may be filled in turn.
     void write(Block& block, std::span<std::byte const> bytes);
 
-    // Fills in the headers and the JSON, which must fit in its chunk; all blocks must be full.
+    // Fills in the headers and the JSON, which must fit into its chunk. All blocks must be full.
     // Fails if the stream has failed.
     Result<void> finish(std::string_view json);
 
@@ -50,8 +50,8 @@ private:
     std::ostream& out_;
     std::uint64_t json_room_;
     std::streamoff start_;
-    std::uint64_t at_ = 0;  // Current position of the stream, from start_.
-    std::uint64_t end_ = 0; // End of the data written so far, from start_.
+    std::uint64_t at_ = 0;  // Current position of the stream, relative to start_.
+    std::uint64_t end_ = 0; // End of the data written so far, relative to start_.
     std::uint64_t binary_bytes_ = 0;
 };
 

@@ -15,7 +15,7 @@ namespace tractus::exports {
 namespace {
 
 constexpr std::size_t kInstancesAtOnce = 16 << 10;
-// Every other plant is expected to have at least this share of the first plant's size.
+// All plants are expected to have at least this share of the first plant's size in bytes.
 constexpr double kLikelyShare = 0.8;
 
 std::unique_ptr<MeshPieces const> pieces_for(MeshSource const& source, GlbOptions const& options)
@@ -30,26 +30,26 @@ std::unique_ptr<MeshPieces const> pieces_for(MeshSource const& source, GlbOption
                                                              : MeshPieces::Cut::OneSurface);
 }
 
-// A level of a plant being written. It is shared by its pieces in progress; the last of them frees
-// it, so that plants already written take no memory.
+// A level of a plant that is being written. The units of work for its pieces share it, and the last
+// of them frees it, so that plants already written take no memory.
 struct PlantOnItsWay {
     LevelInFile level;
     std::unique_ptr<MeshPieces const> pieces;
     PlantFormat format {};
 };
 
-// A unit of work: a part of a surface, some of an organ's instances, or the end of a level.
+// A unit of work: a piece of a surface, some of an organ's instances, or the end of a level.
 struct Unit {
     enum class Kind { Surface, Organ, End };
 
     Kind kind = Kind::End;
     std::shared_ptr<PlantOnItsWay const> plant {};
-    std::size_t index = 0; // Index of the surface or organ in its plant.
+    std::size_t index = 0; // Index of the surface or organ in the plant's MeshPieces.
     std::size_t piece = 0;
     std::size_t piece_count = 0;
     bool begins_level = false;
 
-    // Memory that is reused for one unit after another.
+    // Memory for the unit's data, which is reused for one unit after another.
     MeshPieces::Buffer buffer {};
     std::vector<mesh::WindVertex> wind {};
     EncodedPiece encoded {};
@@ -57,10 +57,12 @@ struct Unit {
     bool is_last() const { return piece + 1 == piece_count; }
 };
 
-// Enumerates the units of work of all plants in order. Grows and plans each plant when needed.
+// Lists the units of work of all plants, in the order of the file. Each plant is grown and planned
+// only when its first unit is needed.
 class Units {
 public:
-    // `first`: pieces of the first plant, which are then not made again; null if there is no plant.
+    // `first`: the pieces of the first plant's finest level, if they have been made already;
+    // otherwise null.
     Units(std::span<PlacedMesh const> plants, GlbOptions const& options,
           std::unique_ptr<MeshPieces const> first)
         : plants_(plants)
@@ -106,7 +108,7 @@ private:
         return true;
     }
 
-    // Returns the number of pieces of the current surface or organ.
+    // Returns the number of pieces of the current surface or organ; 0 if there is nothing to write.
     std::size_t piece_count() const
     {
         auto const& pieces = *plant_->pieces;
@@ -192,7 +194,7 @@ Result<void> write(Unit const& unit, GlbFile& file)
     return {};
 }
 
-// Encodes the pieces of plants on all threads and writes them in order.
+// Encodes units of work on all threads, and writes them in order.
 Result<void> write_plants(Units units, GlbOptions const& options, GlbFile& file)
 {
     std::vector<Unit> slots(static_cast<std::size_t>(thread_count()) + 1);
@@ -209,17 +211,19 @@ Result<void> write_plants(Units units, GlbOptions const& options, GlbFile& file)
     return result;
 }
 
-// Sizes of the first plant in the file with all its levels of detail; the others are assumed to be
-// similar. The pieces of its finest level are kept, since they are written first.
+// Sizes of the first plant in a file, with all its levels of detail; the other plants are assumed
+// to be similar. The pieces of its finest level are kept, since they are written first.
 struct FirstPlant {
     std::unique_ptr<MeshPieces const> pieces {};
     std::uint64_t bytes = 0;
-    std::uint64_t compressed_bytes = 0; // Size of the plant if it were compressed.
+    std::uint64_t compressed_bytes = 0; // Size that the plant would have if compressed.
     std::uint64_t json_bytes = 0;
-    std::uint64_t shared_json_bytes = 4000; // Size of the JSON of materials and prototypes.
+    // Size of the JSON for materials and prototypes, which plants share.
+    std::uint64_t shared_json_bytes = 4000;
 };
 
-// Numbers of primitives for surfaces and of nodes for instances; if compressed, one for each piece.
+// Returns the number of primitives for surfaces and the number of nodes for instances. If the file
+// is compressed, each piece has its own primitive or node.
 std::pair<std::size_t, std::size_t> counts_in_json(MeshPieces const& pieces,
                                                    GlbOptions const& options)
 {
@@ -230,7 +234,8 @@ std::pair<std::size_t, std::size_t> counts_in_json(MeshPieces const& pieces,
         primitives += surface.piece_count;
     std::size_t nodes = 0;
     for (auto const& organ : pieces.organs())
-        nodes += 2 + organ.instances.size() / kInstancesAtOnce; // One of the two: the prototype.
+        // One of the two is for the prototype.
+        nodes += 2 + organ.instances.size() / kInstancesAtOnce;
     return { primitives, nodes };
 }
 
@@ -262,8 +267,8 @@ FirstPlant measure_first(PlacedMesh const& placed, GlbOptions const& options)
     return first;
 }
 
-// Estimates the size of the JSON from the first plant. If the estimate is too small, the file is
-// written a second time.
+// Estimates the size of the JSON from that of the first plant. If the estimate is too small, the
+// file is written a second time.
 std::uint64_t guess_json_bytes(std::span<PlacedMesh const> plants, FirstPlant const& first)
 {
     std::uint64_t bytes = first.shared_json_bytes;
@@ -280,8 +285,8 @@ auto fail_large(std::size_t plants, double bytes, std::string_view about)
                             plants, about, bytes / 0x1p30));
 }
 
-// Checks the total size of the plants. All except uncompressed meshes in memory are assumed to be
-// like the first.
+// Fails if the plants are too large for one file. Meshes in memory that will not be compressed are
+// measured; all other plants are assumed to be like the first.
 Result<void> check_size(std::span<PlacedMesh const> plants, FirstPlant const& first,
                         GlbOptions const& options)
 {

@@ -32,8 +32,8 @@ Eigen::Matrix<Scalar, 3, 1> from_gltf(Eigen::Matrix<Scalar, 3, 1> const& positio
     return turn_from_gltf(position_m) * Scalar(1000);
 }
 
-// Converts an instance whose prototype is also converted to glTF's frame. The translation of the
-// result is in metres.
+// Converts an instance to glTF's frame; its prototype must be converted, too. The translation of
+// the result is in metres.
 inline mesh::InstanceTransform to_gltf(mesh::InstanceTransform const& instance)
 {
     auto const& r = instance.rotation;

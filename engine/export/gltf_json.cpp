@@ -8,14 +8,14 @@ namespace tractus::exports {
 
 Json json_number(double value)
 {
-    constexpr double kMaxExact = 0x1p53; // Integers up to this are exact as doubles.
+    constexpr double kMaxExact = 0x1p53; // Doubles represent all integers up to this exactly.
     if (std::abs(value) <= kMaxExact && value == std::trunc(value))
         return static_cast<std::int64_t>(value);
     return value;
 }
 
-// The JSON library writes doubles only, so a float becomes the double nearest to its shortest
-// decimal form.
+// The JSON library writes only doubles. So a float becomes the double nearest to the float's
+// shortest decimal form, which is then written.
 Json json_number(float value)
 {
     if (!std::isfinite(value))

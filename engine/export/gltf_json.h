@@ -9,10 +9,10 @@
 
 namespace tractus::exports {
 
-// A JSON value that keeps the members of objects in the order of insertion.
+// A JSON value whose objects keep their members in the order of insertion.
 using Json = nlohmann::ordered_json;
 
-// Returns a number that reads back as the same double or float; a float has no digits that only a
+// Returns a number that reads back as the same double or float. A float gets no digits that only a
 // double would need. Whole numbers are written without a decimal point, and 0 without a sign.
 Json json_number(double value);
 Json json_number(float value);
@@ -30,8 +30,8 @@ template<typename Vector> Json json_numbers(Vector const& vector)
 // Returns a value as text; invalid UTF-8 becomes replacement characters.
 std::string json_text(Json const& value);
 
-// A JSON array for many elements. They are stored as text, since a file may have a million nodes,
-// which would take several times as much memory as values.
+// A JSON array for many elements. They are stored as text: a file may have a million nodes, and as
+// JSON values they would take several times as much memory.
 class JsonArray {
 public:
     // Appends an element; returns its index.
@@ -45,19 +45,20 @@ private:
     std::size_t count_ = 0;
 };
 
-// A glTF 2.0 document under construction: elements in arrays, extensions by name.
+// A glTF 2.0 document under construction: its arrays of elements, and the names of its extensions.
 struct GltfJson {
-    std::vector<std::size_t> scene; // The scene's root nodes.
+    std::vector<std::size_t> scene; // Indices of the scene's root nodes.
     JsonArray nodes, meshes, materials, textures, images, samplers, accessors, buffer_views,
         animations;
     // Names of extensions that a reader must support, and of those that it may ignore.
     std::set<std::string> required_extensions;
     std::set<std::string> optional_extensions;
-    // Size of the fallback buffer, which is declared but not stored: compressed views refer to
-    // their decompressed data in it.
+    // Size of the fallback buffer (EXT_meshopt_compression). It is declared but not stored;
+    // compressed views refer to the places in it where their decompressed data would be.
     std::uint64_t fallback_bytes = 0;
 
-    // Returns the document, with a buffer of `buffer_bytes`, and the fallback buffer if it is used.
+    // Returns the document as text, with a buffer of `buffer_bytes`, and with the fallback buffer
+    // if it has a size.
     std::string text(std::uint64_t buffer_bytes) const;
 };
 

@@ -12,7 +12,7 @@
 namespace tractus::exports {
 namespace {
 
-// Texture filters (glTF 2.0 section 3.8.4).
+// Texture filters and wrapping modes (glTF 2.0 section 3.8.4).
 constexpr int kLinear = 9729;
 constexpr int kLinearMipmapLinear = 9987;
 constexpr int kRepeat = 10497;
@@ -23,7 +23,7 @@ bool is_thin(Material::Kind kind)
     return kind == Material::Kind::Leaf || kind == Material::Kind::Petal;
 }
 
-// Rounds to six digits, so that floats are written as they were entered.
+// Rounds to six significant digits, so that the float 0.3 is not written as 0.30000001192092896.
 double six_digits(double value)
 {
     auto const text = fmt::format("{:.6g}", value);
@@ -85,7 +85,8 @@ std::size_t GltfMaterials::index_of(Material const& material)
     return place->second;
 }
 
-// Writes a picture to the file when it is first used.
+// Adds the member `name` to `to`, which refers to the picture's texture. The picture is written to
+// the file when it is first used.
 void GltfMaterials::refer(Json& to, char const* name, TextureSlot const& slot)
 {
     if (!slot)

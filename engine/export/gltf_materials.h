@@ -10,8 +10,7 @@
 
 namespace tractus::exports {
 
-// The materials of a glTF file with their pictures of bark and leaf veins. Equal materials and
-// pictures are written once.
+// The materials of a glTF file, with their pictures. Equal materials and pictures are written once.
 class GltfMaterials {
 public:
     // Writes materials to `json`, and pictures to `stream` if `has_textures`.
@@ -20,8 +19,8 @@ public:
     // Returns the index of a material, adding it unless an equal one exists.
     std::size_t index_of(Material const& material);
 
-    // Adds a material for a billboard: a picture with transparency, displayed without lighting
-    // (KHR_materials_unlit). Never shared.
+    // Adds a material for a billboard, a picture with transparency that is displayed without
+    // lighting (KHR_materials_unlit), and returns its index. Every call adds a new material.
     std::size_t add_picture(std::string_view png);
 
 private:

@@ -13,7 +13,7 @@ namespace tractus::exports {
 
 namespace {
 
-// Maximum number of instances of all meshes together.
+// Maximum number of uses of all meshes together, by nodes and instances.
 constexpr std::size_t kMaxPlaces = std::size_t { 1 } << 24;
 constexpr int kDeepestJson = 64;
 constexpr std::string_view kInstancing = "EXT_mesh_gpu_instancing";
@@ -25,7 +25,7 @@ std::uint32_t u32_at(std::string_view bytes, std::size_t offset)
     return value;
 }
 
-// True if the JSON is nested too deeply for the recursive parser.
+// True if the JSON is nested too deeply to be parsed: the parser is recursive.
 bool is_too_deep(std::string_view json)
 {
     int depth = 0;
@@ -87,7 +87,8 @@ Result<void> load_json(std::string_view bytes, tinygltf::Model& model)
     return {};
 }
 
-// Fails if the file requires an unknown extension, unless that only changes the appearance.
+// Fails if the file requires an unknown extension, unless the extension only changes the
+// appearance.
 Result<void> check_extensions(tinygltf::Model const& model)
 {
     for (auto const& name : model.extensionsRequired) {
@@ -101,7 +102,7 @@ Result<void> check_extensions(tinygltf::Model const& model)
     return {};
 }
 
-// Collects the transforms of all uses of the meshes to the scene's frame.
+// Collects, for each mesh, the transforms of all its uses to the scene's frame.
 class PlaceCollector {
 public:
     explicit PlaceCollector(tinygltf::Model const& model)
@@ -111,7 +112,7 @@ public:
     {
     }
 
-    // Visits the default scene; without scenes, all root nodes.
+    // Visits the nodes of the default scene, or, if the file has no scenes, all nodes.
     Result<void> collect()
     {
         for (auto const node : roots())
@@ -202,8 +203,8 @@ private:
         return {};
     }
 
-    // Reads one attribute of EXT_mesh_gpu_instancing, one element per instance. The result is empty
-    // if there is none of that name.
+    // Reads an attribute of EXT_mesh_gpu_instancing, which has one element per instance. The result
+    // is empty if there is no attribute of that name.
     template<std::size_t Components>
     Result<std::vector<std::array<float, Components>>> attribute(tinygltf::Value const& extension,
                                                                  char const* name)

@@ -7,12 +7,13 @@
 namespace tractus::exports {
 namespace {
 
-// Maximum ratio of decompressed to compressed size: 256 equal bytes take four bytes of headers.
+// Maximum ratio of decompressed to compressed size: 256 equal bytes take at least four bytes, for
+// headers.
 constexpr std::uint64_t kMaxExpansion = 64;
 constexpr std::uint64_t kMaxStride = 256;
 
-// Fixes the version of the encoding, since the library's default may change while the extension's
-// does not. Called once before the first compression, as the library stores it without a lock.
+// Sets the version of the encoding that the extension uses, since the library's default may change.
+// Does so once, before the first compression, as the library stores the version without a lock.
 void choose_version()
 {
     [[maybe_unused]] static bool const is_chosen = [] {
@@ -43,7 +44,7 @@ char const* flaw_in_indices(CompressedElements const& elements)
     bool const are_triangles = elements.mode == CodecMode::Triangles;
     if (are_triangles && elements.count % 3 != 0)
         return "holds a part of a triangle";
-    // Each index or triangle takes at least one byte.
+    // An index, or in mode TRIANGLES a triangle, takes at least one byte.
     if (elements.count / (are_triangles ? 3 : 1) > elements.bytes.size())
         return "claims more elements than it can hold";
     return nullptr;

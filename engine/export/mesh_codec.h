@@ -8,14 +8,14 @@
 
 namespace tractus::exports {
 
-// The codecs of glTF's extension EXT_meshopt_compression from meshoptimizer, except for the encoder
-// in attribute_codec.h. Thread-safe.
+// meshoptimizer's codecs for glTF's extension EXT_meshopt_compression. The encoder for mode
+// ATTRIBUTES is in attribute_codec.h. All functions are thread-safe.
 
 enum class CodecMode { Attributes, Triangles, Indices };
 enum class CodecFilter { None, Octahedral, Quaternion, Exponential };
 
-// Compresses indices by mode INDICES, replacing the contents of `to`. Mode TRIANGLES takes six
-// times as long for the triangle order of tubes, and is no smaller.
+// Compresses indices by mode INDICES, replacing the contents of `to`. For the triangle order of
+// tubes, mode TRIANGLES would take six times as long and save no space.
 void compress_indices(std::span<std::uint32_t const> indices, BulkVector<std::byte>& to);
 
 // A block of compressed elements in a file: its codec, dimensions and bytes.
@@ -27,13 +27,13 @@ struct CompressedElements {
     std::span<std::byte const> bytes {};
 };
 
-// Returns a reason why elements of these dimensions cannot be decompressed, regardless of their
-// bytes, as the end of a sentence. Returns null if there is none: then the decompressed size is at
-// most 64 times the compressed size.
+// Returns why elements with these dimensions cannot be decompressed, whatever their bytes are, as
+// the end of a sentence. Returns null if their dimensions are possible; their decompressed size is
+// then at most 64 times the compressed size.
 char const* find_flaw(CompressedElements const& elements);
 
-// Decompresses elements for which find_flaw() is null into `to`, of count * stride bytes. Safe for
-// arbitrary bytes. Returns false if they are damaged.
+// Decompresses elements into `to`, whose size must be count * stride. find_flaw() must be null for
+// the elements. Returns false if their bytes are damaged. Safe for arbitrary bytes.
 bool decompress(CompressedElements const& elements, std::span<std::byte> to);
 
 } // namespace tractus::exports

@@ -11,11 +11,11 @@ namespace tractus::exports {
 namespace {
 
 constexpr std::size_t kPieceVertices = 12 << 10;
-// Number of planned pieces in a mesh of its own (Cut::OwnMeshes): its vertices are about as many as
+// Number of MeshPlan's pieces in a piece of Cut::OwnMeshes. It then has about as many vertices as
 // 16-bit indices can address.
 constexpr std::size_t kPiecesOfOwnMesh = 4;
 
-// A range of an organ's copies.
+// A range of an organ's copies: from `first` to before `end`.
 struct Copies {
     std::size_t first = 0;
     std::size_t end = 0;
@@ -26,9 +26,10 @@ Copies copies_in(std::size_t count, std::size_t piece, std::size_t piece_count)
     return { count * piece / piece_count, count * (piece + 1) / piece_count };
 }
 
-// Transforms an organ's normals to the plant's frame.
+// Transforms the normals of an organ's prototype to the plant's frame.
 struct NormalTurn {
-    // Uses the cofactors of the scale, which, unlike its inverse, exist even if a scale is zero.
+    // Normals are multiplied by the cofactors of the scale. Unlike its inverse, these exist even if
+    // a scale is zero.
     explicit NormalTurn(mesh::InstanceTransform const& instance)
         : rotation(instance.rotation.toRotationMatrix())
         , is_mirrored(instance.scale.prod() < 0)
@@ -46,7 +47,7 @@ struct NormalTurn {
     }
 
     Eigen::Matrix3f rotation;
-    bool is_mirrored; // True: the organ is mirrored, so its triangles must be reversed, too.
+    bool is_mirrored; // True if the organ is mirrored, so that its triangles must be reversed.
     Vec3f factors;
 };
 
@@ -70,7 +71,7 @@ void append_copy(mesh::TriangleMesh const& prototype, mesh::InstanceTransform co
     to.vertex += static_cast<std::uint32_t>(count);
 }
 
-// Adds the corners of the organ's bounding box for each copy.
+// Adds to `bounds` a box around each copy of the organ.
 void add_copies(mesh::InstancedMesh const& organ, Bounds& bounds)
 {
     Eigen::AlignedBox3f box;
@@ -121,9 +122,9 @@ MeshPieces::MeshPieces(MeshSource const& source, Organs organs, Tangents tangent
         merge_organs();
 }
 
-// Returns the tangents of a surface in memory. The surface is cut anywhere, even through the
-// triangles of a vertex, so all its tangents are computed at once, when a piece is first requested:
-// callers that only need a file's size do not request any.
+// Returns the tangents of a surface in memory. A vertex and its triangles may be in different
+// pieces, so all tangents are computed at once. This is done when a piece is first requested, since
+// callers that only need a file's size request no pieces.
 std::span<Eigen::Vector4f const> MeshPieces::tangents_of_mesh(std::size_t surface) const
 {
     std::call_once(mesh_tangents_found_, [&] {
@@ -177,7 +178,7 @@ void MeshPieces::add_surface(MaterialId material, mesh::MeshExtent const& extent
     surfaces_.push_back({ material, extent, piece_count });
 }
 
-// Appends the pieces of organs to the surfaces with their materials, or to new surfaces.
+// Appends the pieces of each organ to the surface with the organ's material, or to a new surface.
 void MeshPieces::merge_organs()
 {
     auto const organs = all_organs();
@@ -211,8 +212,8 @@ std::span<mesh::InstancedMesh const> MeshPieces::organs() const
     return is_merged_ ? std::span<mesh::InstancedMesh const>() : all_organs();
 }
 
-// Returns the run that contains the piece: the last one that begins at or before it, since runs may
-// be empty.
+// Returns the run that contains the piece: the last one that begins at or before the piece. Runs
+// before it that begin at the same piece are empty.
 MeshPieces::Run const& MeshPieces::run_of(std::size_t surface, std::size_t piece) const
 {
     auto const& runs = runs_[surface];
@@ -340,7 +341,8 @@ static void resize(mesh::TriangleMesh& mesh, mesh::MeshExtent const& extent)
     mesh.indices.resize(extent.indices);
 }
 
-// Makes a mesh of some of the surface's triangles, with the vertices that they use, in their order.
+// Makes a mesh of some of the surface's triangles. It has only the vertices that these triangles
+// use, in the order of the surface.
 TriangleView MeshPieces::own_mesh_piece(Run const& run, std::size_t piece, Buffer& buffer) const
 {
     auto const whole = view_of(mesh_->surfaces[run.index]);

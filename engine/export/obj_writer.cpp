@@ -15,7 +15,7 @@
 namespace tractus::exports {
 namespace {
 
-// Returns a name as one word, since names in OBJ files end at a space.
+// Returns a name as one word: in OBJ files a name ends at a space.
 std::string name_word(std::string const& name)
 {
     std::string word = name.empty() ? "unnamed" : name;
@@ -25,7 +25,7 @@ std::string name_word(std::string const& name)
     return word;
 }
 
-// Assigns a unique name to every different material.
+// Gives different materials different names, and equal materials the same name.
 class MaterialNames {
 public:
     struct Named {
@@ -156,7 +156,7 @@ Result<void> write_obj(std::ostream& out, std::span<PlacedMesh const> plants,
 
 namespace {
 
-// One .mtl file and the pictures that it refers to.
+// The text of one .mtl file, and the pictures to which it refers.
 class MtlText {
 public:
     MtlText(std::ostream& out, std::string_view stem)
@@ -168,7 +168,8 @@ public:
     void add(std::string const& name, Material const& material)
     {
         auto const& color = material.base_color;
-        // Ns is the usual Blinn-Phong exponent for a roughness: 2 / roughness^4 - 2.
+        // Ns is the Blinn-Phong exponent that is commonly derived from a roughness: 2 / roughness^4
+        // - 2.
         double const alpha = std::max(0.05, double { material.roughness } * material.roughness);
         out_ << fmt::format("newmtl {}\nKd {:.4f} {:.4f} {:.4f}\nKs 0.04 0.04 0.04\nNs {:.2f}\n"
                             "Pr {:.4f}\nPm 0\nillum 2\n",
@@ -223,7 +224,8 @@ Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMes
     for (auto const& placed : plants) {
         std::optional<mesh::Mesh> made;
         auto const& mesh = mesh_of(placed.mesh, made);
-        // Adds the materials that are used, in the order of write_obj(), so that the names agree.
+        // Adds the materials of the triangles, in the same order as write_obj(), so that both files
+        // use the same names.
         auto const add = [&](mesh::TriangleMesh const& part) {
             auto const& material = mesh.materials[part.material];
             if (auto const [name, is_new] = names.name_of(material); is_new)

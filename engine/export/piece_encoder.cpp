@@ -15,7 +15,7 @@ namespace {
 constexpr float kMaxByte = 127;
 constexpr float kMaxShort = 32767;
 
-// Allocates `count` values in one of a piece's streams.
+// Allocates memory for `count` values in one of a piece's streams.
 template<typename Value> Value* room_for(EncodedPiece& piece, std::size_t stream, std::size_t count)
 {
     auto& storage = piece.storage[stream];
@@ -29,7 +29,7 @@ void encode_positions(std::span<Vec3f const> positions_mm, EncodedPiece& piece)
     auto* to = room_for<float>(piece, 0, 3 * positions_mm.size());
     Vec3f low = piece.low;
     Vec3f high = piece.high;
-    // Detects values that are not finite: x - x is 0 for finite x, and NaN otherwise.
+    // Sum of x - x over all coordinates x: 0 if all are finite, otherwise NaN.
     Vec3f nothing = Vec3f::Zero();
     for (auto const& position : positions_mm) {
         Vec3f const moved = to_gltf(position);
@@ -58,13 +58,13 @@ void encode_normals(std::span<Vec3f const> normals, EncodedPiece& piece)
     }
 }
 
-// Rounds to the nearest integer, halves away from zero; unlike std::round() it is inlined.
+// Rounds to the nearest integer, halves away from zero. Unlike std::round() it can be inlined.
 std::int32_t rounded(float value)
 {
     return static_cast<std::int32_t>(value + std::copysign(0.5f, value));
 }
 
-// Quantises one component of positions to 16 bits.
+// Quantises one component of positions (x, y or z) to 16 bits.
 class ShortComponent {
 public:
     ShortComponent(float origin_mm, float per_mm)
@@ -83,7 +83,7 @@ public:
         return round_to_integer_bits(number) & 0xFFFF;
     }
 
-    // Least and greatest of the numbers written (`low`, `high`).
+    // low() and high(): the least and the greatest number returned by encode() so far.
     float low() const { return std::nearbyint(std::min({ low_[0], low_[1], low_[2], low_[3] })); }
     float high() const
     {
@@ -96,7 +96,7 @@ private:
     float per_mm_;
     FourFloats low_ = FourFloats {} + kMaxShort;
     FourFloats high_ = FourFloats {} - kMaxShort;
-    // Detects values that are not finite: x - x is 0 for finite x, and NaN otherwise.
+    // Sum of x - x over all scaled coordinates x: 0 if all are finite, otherwise NaN.
     FourFloats nothing_ {};
 };
 
@@ -163,8 +163,8 @@ Codec filtered_by(SurfaceFormat const& format, Codec codec)
     return format.filtered ? codec : Codec::Attributes;
 }
 
-// Encodes normals, texture coordinates and tangents for the filters. Indices are not converted: the
-// codec takes 32-bit ones.
+// Encodes normals, texture coordinates and tangents for the filters of EXT_meshopt_compression.
+// Indices keep 32 bits, as their codec requires.
 void encode_filtered(TriangleView const& triangles, SurfaceFormat const& format,
                      EncodedPiece& piece)
 {
@@ -218,7 +218,7 @@ SurfaceFormat quantized_format(Bounds const& bounds_mm)
     if (bounds_mm.empty() || !size_mm.allFinite() || !(size_mm.maxCoeff() > 0))
         return format;
     Vec3 const center_mm = 0.5 * (bounds_mm.min_mm + bounds_mm.max_mm);
-    // The origin is rounded to float, because vertices are encoded relative to the rounded origin.
+    // The origin is rounded to float, because vertices are encoded relative to a float origin.
     format.origin_m = to_gltf(center_mm).cast<float>().cast<double>();
     // The step is slightly larger than the size requires, so that rounding stays within 16 bits.
     format.step_m = 0.001 * size_mm.maxCoeff() / (2 * (double { kMaxShort } - 1));
@@ -290,7 +290,7 @@ void encode_instances(std::span<mesh::InstanceTransform const> instances,
             *scale++ = placed.scale[k];
         }
         for (int k = 0; k < 4; ++k) {
-            float const value = placed.rotation.coeffs()[k]; // In the order x, y, z, w.
+            float const value = placed.rotation.coeffs()[k]; // The order is x, y, z, w.
             auto const at = 4 * i + static_cast<std::size_t>(k);
             if (format.quantized)
                 short_rotation[at] = static_cast<std::int16_t>(

@@ -11,7 +11,7 @@
 
 namespace tractus::exports {
 
-// Number types of glTF (glTF 2.0 section 3.6.2.2).
+// Component types of accessors (glTF 2.0 section 3.6.2.2).
 enum class ComponentType {
     Byte = 5120,
     UnsignedByte = 5121,
@@ -21,8 +21,8 @@ enum class ComponentType {
     Float = 5126
 };
 
-// Compression of numbers by EXT_meshopt_compression: mode ATTRIBUTES without a filter or with one,
-// or mode INDICES.
+// How numbers are compressed by EXT_meshopt_compression: by mode ATTRIBUTES without a filter, with
+// the filter OCTAHEDRAL or EXPONENTIAL, or by mode INDICES.
 enum class Codec { Attributes, Octahedral, Exponential, Indices };
 
 // Number format of an accessor.
@@ -36,13 +36,14 @@ struct NumberFormat {
 
 // Number formats of a surface's vertices.
 struct SurfaceFormat {
-    // True: 16-bit positions and 8-bit normals, as KHR_mesh_quantization allows; false: floats.
+    // True: positions have 16 bits and normals 8 bits, as KHR_mesh_quantization allows. False: both
+    // are floats.
     bool quantized = false;
     // True if normals, tangents and texture coordinates are encoded for the filters of
-    // EXT_meshopt_compression; only if quantized.
+    // EXT_meshopt_compression. Only if `quantized`.
     bool filtered = false;
-    // In metres, glTF's frame: a quantised position is origin_m + step_m * number. The step is the
-    // same for all components, so that normals are unaffected.
+    // Scale of quantised positions: the number n stands for origin_m + step_m * n (metres, glTF's
+    // frame). The step is the same for all components, so that normals are unaffected.
     Vec3 origin_m = Vec3::Zero();
     double step_m = 1;
     bool short_indices = false; // True: indices have 16 bits, otherwise 32.
@@ -55,32 +56,36 @@ struct SurfaceFormat {
     NumberFormat indices() const;
 };
 
-// Returns the quantisation for positions within a box; also valid for an empty or infinite box.
+// Returns the format for quantised positions within a box. For an empty or infinite box it is a
+// valid format with default scale.
 SurfaceFormat quantized_format(Bounds const& bounds_mm);
 
 constexpr std::size_t kMaxStreams = 10;
 
-// An encoded part of a file: each stream is appended to a block of its own.
+// An encoded part of a plant. Each stream is to be appended to a block of its own in the file.
 struct EncodedPiece {
     std::array<std::span<std::byte const>, kMaxStreams> streams {};
     bool is_finite = true;
     // Numbers of vertices and indices; instances count as vertices.
     mesh::MeshExtent extent {};
-    // Limits of the positions as written; low is above high if there are no positions.
+    // Limits of the positions, in the numbers that are written. `low` is above `high` if there are
+    // no positions.
     Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity());
     Vec3f high = -low;
 
-    // Memory of the streams, unless they refer to the mesh itself.
+    // Memory of the streams that do not refer to the mesh itself: encoded, and encoded and
+    // compressed.
     std::array<BulkVector<std::byte>, kMaxStreams> storage {};
     std::array<BulkVector<std::byte>, kMaxStreams> compressed {};
 };
 
-// Encodes triangles into the streams positions, normals, texture coordinates, indices, tangents.
-// `triangles` must outlive the result; `piece` may be reused.
+// Encodes triangles into the first five streams of `piece`: positions, normals, texture
+// coordinates, indices, tangents. The arrays of `triangles` must outlive the result; `piece` may
+// have been used before.
 void encode_triangles(TriangleView const& triangles, SurfaceFormat const& format,
                       EncodedPiece& piece);
 
-// Number formats for the transforms of organs: translations, rotations, scales.
+// Number formats for the transforms of organs, which are translations, rotations and scales.
 struct InstanceFormat {
     bool quantized = false; // True: 16-bit rotations, as EXT_mesh_gpu_instancing permits.
 
@@ -89,7 +94,7 @@ struct InstanceFormat {
     static NumberFormat scales();
 };
 
-// Encodes instances into the streams translations, rotations, scales.
+// Encodes instances into the first three streams of `piece`: translations, rotations, scales.
 void encode_instances(std::span<mesh::InstanceTransform const> instances,
                       InstanceFormat const& format, EncodedPiece& piece);
 

@@ -29,15 +29,16 @@ void append_chunk(std::string& bytes, std::string_view type, std::string_view da
     append_u32_be(bytes, libdeflate_crc32(0, bytes.data() + start, bytes.size() - start));
 }
 
-using Bytes = std::unique_ptr<std::uint8_t[]>; // Unlike a vector, it is not initialised.
+// Unlike the elements of a vector, these bytes are not initialised.
+using Bytes = std::unique_ptr<std::uint8_t[]>;
 
 std::size_t row_bytes(PngPicture const& picture)
 {
     return static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels);
 }
 
-// Puts a filter byte before each row: filter 2, the difference from the row above, which suits
-// smooth pictures.
+// Applies PNG's filter 2 to each row: stores the difference from the row above, which suits smooth
+// pictures. Each row begins with a byte for the number of its filter.
 Bytes filtered_rows(PngPicture const& picture)
 {
     auto const width = row_bytes(picture);
@@ -58,8 +59,9 @@ Bytes filtered_rows(PngPicture const& picture)
     return rows;
 }
 
-// Compressed rows, from zlib (Small) or libdeflate (Fast). libdeflate is several times as fast at
-// level 1; its best level takes longer than it is worth.
+// Compressed rows, made by zlib (Packing::Small) or by libdeflate at level 1 (Packing::Fast), which
+// is several times as fast. libdeflate's best level takes too long for the little space that it
+// saves.
 struct Packed {
     Bytes bytes;
     std::size_t size = 0;
@@ -92,7 +94,7 @@ Packed pack_fast(std::uint8_t const* rows, std::size_t size)
     return { std::move(bytes), packed };
 }
 
-// Colour type of a PNG file (ISO/IEC 15948 section 11.2.2).
+// Returns the colour type of a PNG file (ISO/IEC 15948 section 11.2.2).
 char colour_type(int channels)
 {
     return channels == 1 ? '\x00' : channels == 3 ? '\x02' : '\x06';
@@ -112,7 +114,7 @@ std::string png_bytes(PngPicture const& picture)
     append_u32_be(header, static_cast<std::uint32_t>(picture.height));
     header += '\x08'; // Bit depth of each channel.
     header += colour_type(picture.channels);
-    header.append(3, '\0'); // Compression by deflate, default filters, not interlaced.
+    header.append(3, '\0'); // Three zeros: compression by deflate, default filters, not interlaced.
 
     std::string bytes = "\x89PNG\r\n\x1a\n";
     append_chunk(bytes, "IHDR", header);

@@ -97,7 +97,8 @@ private:
         return place->second;
     }
 
-    // Returns the picture of a texture; null if it is neither PNG nor JPEG, or not in this file.
+    // Returns the picture of a texture; null if the picture is neither PNG nor JPEG, or is not in
+    // the file itself.
     TextureSlot read_picture(int texture) const
     {
         auto const* const from = item_of(model_.textures, texture);
@@ -118,10 +119,10 @@ private:
     }
 
     tinygltf::Model const& model_;
-    std::map<int, TextureSlot> pictures_; // Pictures read so far, by index of the texture.
+    std::map<int, TextureSlot> pictures_; // Pictures read so far, by the index of their texture.
 };
 
-// Reads the two numbers of a JSON array; `usual` replaces missing ones.
+// Reads the two numbers of the JSON array `name`; a missing number is replaced by `usual`.
 Vec2f two_numbers(tinygltf::Value const& from, char const* name, float usual)
 {
     auto const& list = from.Get(name);
@@ -134,8 +135,8 @@ Vec2f two_numbers(tinygltf::Value const& from, char const* name, float usual)
 
 } // namespace
 
-// The extension's rotation is counter-clockwise with v upwards, so clockwise in glTF's texture
-// coordinates, as in Khronos' reference viewer.
+// The rotation of KHR_texture_transform is counter-clockwise with v upwards. In glTF's texture
+// coordinates, with v downwards, it is clockwise, as in Khronos' reference viewer.
 Eigen::Affine2f texture_transform(tinygltf::Material const& material)
 {
     auto const& surface = material.pbrMetallicRoughness;

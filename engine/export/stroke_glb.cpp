@@ -18,7 +18,7 @@ constexpr int kLineStrip = 3; // Primitive mode LINE_STRIP (glTF 2.0 section 5.2
 constexpr NumberFormat kPositions {};
 constexpr NumberFormat kScalars { .components = 1, .element_bytes = 4 };
 
-// The data columns of one stroke.
+// The vertex data of one stroke, and the limits of its positions.
 struct StrokeColumns {
     std::vector<Vec3f> positions_m;
     std::vector<float> pressures;
@@ -84,7 +84,7 @@ std::string write_strokes(GlbStream& stream, std::span<Stroke const> strokes)
 Result<void> check(std::span<Stroke const> strokes)
 {
     constexpr std::uint64_t kBytesPerTip = 20;
-    constexpr std::uint64_t kBytesPerStroke = 1500; // Upper limit on the JSON of a stroke.
+    constexpr std::uint64_t kBytesPerStroke = 1500; // Maximum size of the JSON of a stroke.
     std::uint64_t bytes = 0;
     for (auto const& stroke : strokes) {
         bytes += kBytesPerStroke + kBytesPerTip * stroke.tips.size();
@@ -102,8 +102,8 @@ Result<void> check(std::span<Stroke const> strokes)
 
 } // namespace
 
-// The JSON comes first, but its size is known only after everything is laid out; so the file is
-// laid out twice, the first time into memory.
+// The JSON comes first in the file, but its size is known only after the strokes have been written.
+// So the file is written twice, the first time to memory.
 Result<void> write_strokes_glb(std::ostream& out, std::span<Stroke const> strokes)
 {
     TRY(check(strokes));

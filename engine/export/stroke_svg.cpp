@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMargin_mm = 5;
 
-// Projects a position to the page, in millimetres with y downwards.
+// Returns where a position is on the page, in millimetres with y downwards.
 Vec2 on_page(Vec3 const& position_mm, StrokeView view)
 {
     switch (view) {
@@ -32,7 +32,7 @@ double width_mm(Stroke const& stroke)
     return 0.2 + 0.8 * sum / static_cast<double>(stroke.tips.size());
 }
 
-// Formats a number with three decimals, and never as -0.000.
+// Returns a number with three decimals; -0.000 becomes 0.000.
 std::string decimals(double number)
 {
     auto text = fmt::format("{:.3f}", number);

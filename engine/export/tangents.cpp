@@ -7,8 +7,9 @@
 namespace tractus::exports {
 namespace {
 
-// Adds a triangle to the sums of its vertices, weighted by its area in the texture: the direction
-// in which u increases, and in w the orientation of (u, v) relative to the triangle.
+// Adds a triangle to the sums of its three vertices: the direction in which u increases on the
+// triangle, and in w the orientation of (u, v) relative to the triangle. Both are weighted by the
+// triangle's area in the texture.
 void add_triangle(TriangleView const& triangles, std::size_t first,
                   BulkVector<Eigen::Vector4f>& sums)
 {
@@ -32,7 +33,8 @@ Eigen::Vector4f tangent_of(Eigen::Vector4f const& sum, Vec3f const& normal)
 {
     Vec3f tangent = sum.head<3>() - normal * normal.dot(sum.head<3>());
     float const length = tangent.norm();
-    // A sum without direction, or NaN, gives an arbitrary vector orthogonal to the normal.
+    // If the sum has no direction or is NaN, the tangent is an arbitrary vector orthogonal to the
+    // normal.
     tangent = length > 1e-6f * sum.head<3>().norm() ? Vec3f(tangent / length)
                                                     : Vec3f(normal.unitOrthogonal());
     return { tangent.x(), tangent.y(), tangent.z(), sum.w() < 0 ? 1.0f : -1.0f };

@@ -22,9 +22,10 @@ double eased(double low, double high, double x)
 
 double leaf_level(double u, double v)
 {
-    double const side = std::abs(u - 0.5) * 2; // From 0 at the midrib to 1 at the margin.
+    // Distance from the midrib: 0 at the midrib, 1 at the margin.
+    double const side = std::abs(u - 0.5) * 2;
     double const midrib = 1 - eased(0.02, 0.05 + 0.02 * (1 - v), side);
-    // Lateral veins leave the midrib at equal distances and curve towards the tip.
+    // Lateral veins leave the midrib at regular intervals and curve towards the tip.
     constexpr double kVeins = 9;
     double const along = kVeins * (v - 0.32 * side + 0.06 * side * side) + 0.5;
     double const from_vein = std::abs(along - std::floor(along) - 0.5);
@@ -83,7 +84,7 @@ MaterialTextures textures_of(Material const& material)
     return textures;
 }
 
-// Mean linear lightness of a picture: 0 for black, 1 for white.
+// Returns the mean linear lightness of a picture: 0 for black, 1 for white.
 static double mean_light(GreyPicture const& picture)
 {
     double sum = 0;
@@ -119,7 +120,7 @@ std::string colored_picture(Material const& material)
     if (!is_bark && material.kind != Material::Kind::Leaf)
         return {};
     auto const grey = is_bark ? bark_picture() : leaf_picture();
-    // Multiplies linear light, not sRGB values, so that colours agree with those in .glb files.
+    // Linear light is multiplied, not sRGB values, so that colours agree with those in .glb files.
     Vec3 const color = multiplied_color(material);
     std::array<std::array<std::uint8_t, 3>, 256> shades {};
     for (std::size_t level = 0; level < shades.size(); ++level)

@@ -1,6 +1,7 @@
 #pragma once
 
-// Includes tinygltf with the same configuration macros as its single implementation (tinygltf.cpp).
+// Includes tinygltf with the same configuration macros in all files, among them tinygltf.cpp, which
+// compiles its implementation.
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE

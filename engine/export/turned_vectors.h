@@ -13,7 +13,7 @@ namespace tractus::exports {
 
 // Helpers for converting vectors to glTF's frame and to integers, four at a time.
 
-// Four vectors in glTF's frame.
+// Four vectors in glTF's frame: their x, their y and their z coordinates.
 struct TurnedVectors {
     FourFloats x, y, z;
 };
@@ -32,8 +32,8 @@ inline TurnedVectors turned_vectors(Vec3f const* four)
              -__builtin_shufflevector(y01, y23, 0, 2, 4, 6) };
 }
 
-// Calls use(four vectors, first, count) for all vectors, four at a time; if fewer than four are
-// left the last one is repeated.
+// Calls use(four vectors, first, count) for all vectors, four at a time. `first` is the index of
+// the first of the four. If only `count` < 4 vectors are left, the last one is repeated.
 template<typename Vector, typename Use>
 void for_each_four(std::span<Vector const> vectors, Use const& use)
 {
@@ -48,15 +48,16 @@ void for_each_four(std::span<Vector const> vectors, Use const& use)
     use(last.data(), i, vectors.size() - i);
 }
 
-// Clamps values to -most…most; NaN also becomes a value in this range.
+// Clamps values to the range from -most to most; NaN also becomes a value in this range.
 inline FourFloats bounded(FourFloats const& values, float most)
 {
     auto const below = values < most ? values : FourFloats {} + most;
     return below > -most ? below : FourFloats {} - most;
 }
 
-// Rounds values below 2^15 in absolute value to the nearest integer, ties to even; the results are
-// in the low bits. Works by adding a number so large that no fraction bits remain.
+// Rounds values of less than 2^15 in absolute value to the nearest integer, ties to even. The
+// integers are in the low bits of the result. Works by adding a number so large that no bits for
+// fractions remain.
 inline FourInts round_to_integer_bits(FourFloats const& values)
 {
     return std::bit_cast<FourInts>(values + 0x1.8p23f);

@@ -14,7 +14,8 @@ constexpr NumberFormat kScalar { ComponentType::Float, 1, false, 4 };
 constexpr NumberFormat kPair { ComponentType::Float, 2, false, 8 };
 constexpr NumberFormat kVector {};
 constexpr NumberFormat kColour { ComponentType::UnsignedByte, 4, true, 4 };
-constexpr float kMaxLevels = 8; // Number of branching levels that a colour can represent.
+// Branching level that is stored as the maximum of its colour channel.
+constexpr float kMaxLevels = 8;
 
 constexpr std::array<WindStream, 5> kAttributes { { { "_PIVOT", kVector },
                                                     { "_AXIS", kVector },
@@ -27,7 +28,7 @@ constexpr std::array<WindStream, 4> kTextureCoordinates { { { "TEXCOORD_1", kPai
                                                             { "TEXCOORD_4", kPair } } };
 constexpr std::array<WindStream, 1> kColours { { { "COLOR_0", kColour } } };
 
-// Fills one wind stream of a piece: `values` returns an Eigen vector for each vertex.
+// Fills one wind stream of a piece. values(vertex) returns the data of a vertex as an Eigen vector.
 template<typename Values>
 void fill_stream(std::span<mesh::WindVertex const> wind, std::size_t stream, EncodedPiece& piece,
                  Values const& values)

@@ -10,7 +10,7 @@
 
 namespace tractus::exports {
 
-// Index of the first of a piece's streams with wind data.
+// Index, among the streams of a piece, of the first stream with wind data.
 constexpr std::size_t kFirstWindStream = 5;
 
 // One wind attribute of a mesh or of instances.
@@ -19,15 +19,15 @@ struct WindStream {
     NumberFormat format {};
 };
 
-// Returns the streams that a value of GlbOptions::Wind requires, in order: at most kMaxStreams -
-// kFirstWindStream.
+// Returns the streams that a value of GlbOptions::Wind requires, in the order of the piece's
+// streams; at most kMaxStreams - kFirstWindStream.
 std::span<WindStream const> wind_streams(GlbOptions::Wind channels);
 
-// Fills the wind streams of `piece`; leaves them empty if there are no wind data.
+// Fills the wind streams of `piece`; empties them if `wind` is empty.
 void encode_wind(std::span<mesh::WindVertex const> wind, GlbOptions::Wind channels,
                  EncodedPiece& piece);
 
-// Returns wind data as the extras of a node, with the names of Wind::Attributes.
+// Returns wind data as the extras of a node, under the names of Wind::Attributes.
 Json wind_extras(mesh::WindVertex const& wind);
 
 } // namespace tractus::exports

@@ -15,7 +15,8 @@ constexpr std::size_t kAxesAtOnce = 512;
 constexpr std::size_t kRingsAtOnce = 2048;
 constexpr std::size_t kRidersAtOnce = 1024;
 
-// The smallest rotation from one unit vector to another; exactly the identity if they are equal.
+// Returns the smallest rotation from one unit vector to another; exactly the identity if they
+// differ by less than kSame.
 Eigen::Matrix3d turn_from(Vec3 const& from, Vec3 const& to)
 {
     constexpr double kSame = 1e-12;
@@ -24,8 +25,8 @@ Eigen::Matrix3d turn_from(Vec3 const& from, Vec3 const& to)
     return rotation_between(from, to).toRotationMatrix();
 }
 
-// Transforms a normal of a prototype into the plant's frame. A scale of 0 along an axis is replaced
-// by 1.
+// Transforms a normal of a prototype into the plant's frame. Where `scale` is 0 along an axis, 1 is
+// used instead.
 Vec3f placed_normal(InstanceTransform const& instance, Vec3f const& scale, Vec3f const& normal)
 {
     Vec3f const whole = (scale.array() != 0).select(scale, 1);
@@ -50,21 +51,21 @@ void append_organ(TriangleMesh const& prototype, Organ const& organ, TriangleMes
 
 } // namespace
 
-// Change of a segment from the full-grown plant to the given age.
+// How a segment differs between the full-grown plant and the plant at the age of AgedMesh::at().
 struct AgedMesh::Carrier {
-    // Base of the segment in the full-grown plant; `to_mm`: its base at the given age.
+    // Base of the segment in the full-grown plant. `to_mm`: its base at that age.
     Vec3 from_mm = Vec3::Zero();
     Vec3 to_mm = Vec3::Zero();
     Vec3 direction = Vec3::Zero(); // Direction of the full-grown segment.
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     double length_mm = 0; // Length of the full-grown segment.
     double share = 0;     // Share of length_mm that has grown.
-    // Radii at the base and tip of the full-grown segment; `radius_mm`: radii at the given age.
+    // Radii at the base and tip of the full-grown segment. `radius_mm`: its radii at that age.
     double whole_radius_mm[2];
     double radius_mm[2];
 
-    // Radius at the share `along` of the segment's length, as a share of the full-grown radius
-    // there.
+    // Returns the radius at the share `along` of the segment's length, as a share of the full-grown
+    // radius at that point.
     double width_at(double along) const
     {
         double const whole = (1 - along) * whole_radius_mm[0] + along * whole_radius_mm[1];
@@ -129,8 +130,8 @@ void AgedMesh::add_organs(MeshOptions const& options)
     }
 }
 
-// Finds the change of every segment. A segment that has not grown has no direction of its own: it
-// rotates with the segment before it.
+// Finds how every segment differs in `young`. A segment that has not grown has no direction of its
+// own: it rotates with the segment before it.
 std::vector<AgedMesh::Carrier> AgedMesh::carriers(Plant const& young) const
 {
     std::vector<Carrier> carriers(plant_.segment_count());
@@ -164,8 +165,8 @@ std::vector<AgedMesh::Carrier> AgedMesh::carriers(Plant const& young) const
     return carriers;
 }
 
-// Moves the vertices of tubes. A displacement is added to each vertex, so that vertices that do not
-// move stay bit for bit the same.
+// Moves the vertices of tubes, by adding a displacement to each: so vertices that do not move stay
+// bit for bit the same.
 void AgedMesh::move_rings(std::size_t surface, std::span<Carrier const> carriers,
                           Vertices& to) const
 {
@@ -223,7 +224,8 @@ void AgedMesh::move_organs(std::size_t surface, Plant const& young, Vertices& to
             auto const instance = transform_of(organ);
             for (std::size_t v = 0; v < prototype.positions_mm.size(); ++v) {
                 to.positions_mm[first_vertex + v] = placed(instance, prototype.positions_mm[v]);
-                // An organ unfolds in proportion, so its normals are those of its full size.
+                // An unfolding organ keeps its proportions, so its normals are those of the
+                // full-grown organ.
                 to.normals[first_vertex + v]
                     = placed_normal(instance, plant_.organs[number].scale, prototype.normals[v]);
             }

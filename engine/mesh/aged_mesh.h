@@ -13,18 +13,16 @@ namespace tractus::mesh {
 // vertex by vertex (morph targets).
 //
 // In an ordinary mesh the number of rings of a tube depends on its bends, and so on the age. Here
-// every age has the rings of the full-grown plant. Each ring follows its place on its segment:
-// rotated with the segment without twist, at the same share of the segment's current length, with
-// the branch's current radius. Parts that have not grown yet are collapsed into the point where
-// they will sprout.
+// the plant has the rings of the full-grown plant at every age. A ring stays at the same share of
+// its segment's length, is rotated with the segment without twist, and has the radius of the branch
+// at that age. Parts that have not grown yet are collapsed into the point where they will sprout.
 class AgedMesh {
 public:
-    // `whole` is the full-grown plant and must outlive this object; `whole` and `options` as for
-    // make_mesh().
+    // `whole` is the full-grown plant and must outlive this object. `whole` and `options` must meet
+    // the conditions of make_mesh().
     explicit AgedMesh(Plant const& whole, MeshOptions const& options = {});
 
-    // The mesh of the full-grown plant. Organs are part of the surfaces, as tubes are; no organ is
-    // instanced.
+    // The mesh of the full-grown plant. Its organs are part of the surfaces; none are instanced.
     Mesh const& whole() const { return whole_; }
 
     // The vertices of one surface at a given age.
@@ -34,9 +32,9 @@ public:
     };
 
     // Computes the vertices of each surface of whole() for `young`, the same plant at another age
-    // with the same topology (Grower::grow()). For the full-grown plant they equal those of
-    // whole(). The normals of tubes rotate with their segments but ignore the taper of a young tip.
-    // Runs on all threads; the result does not depend on their number.
+    // with the same topology (Grower::grow()). If `young` is the full-grown plant itself, the
+    // vertices equal those of whole(). The normals of tubes rotate with their segments but ignore
+    // the taper of a young tip. Runs on all threads; the result does not depend on their number.
     void at(Plant const& young, std::vector<Vertices>& surfaces) const;
 
 private:

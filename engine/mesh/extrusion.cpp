@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::uint32_t kMaxExtrudedSides = 256;
 
-// Returns the point of a contour at `share`, 0 to 1, of its parameter range.
+// Returns the point of a contour at `share` (0 to 1) of its parameter range; kNoContour: of the
+// unit circle.
 Vec3 outline_at(Plant const& plant, ContourId id, double share)
 {
     if (id == kNoContour)
@@ -32,7 +33,7 @@ Vec3 outline_at(Plant const& plant, NodeSection const& section, double share)
     return (1 - next) * point + next * outline_at(plant, section.next_contour, share);
 }
 
-// One cross-section, in the plant's frame.
+// The outline of one cross-section, in the plant's frame.
 struct Ring {
     std::vector<Vec3> points_mm;
     std::vector<Vec3> along; // Direction of the outline at each point, not normalised.
@@ -65,7 +66,7 @@ Ring ring_at(Plant const& plant, Extrusion const& extrusion, std::size_t index)
             placed(outline_at(plant, section, after) - outline_at(plant, section, before)));
     }
     if (!extrusion.is_sheet)
-        ring.points_mm.back() = ring.points_mm.front(); // Leaves no gap at the seam.
+        ring.points_mm.back() = ring.points_mm.front(); // The copy leaves no gap at the seam.
     return ring;
 }
 
@@ -77,8 +78,8 @@ double perimeter_mm(Ring const& ring)
     return length;
 }
 
-// The rings of a part. Where the axis continues beyond an end of the part, there is one more ring,
-// for the normals.
+// The outlines of the sections of a part. Where the axis continues beyond an end of the part, there
+// is one more outline, for the normals.
 struct Rings {
     std::vector<Ring> rings;
     std::size_t first_station = 0;
@@ -96,7 +97,7 @@ Vec3 normal_at(Rings const& rings, Extrusion const& extrusion, std::size_t stati
     double const length = normal.norm();
     if (length > 1e-12)
         return normal / length;
-    // Otherwise the section is a single point, or the direction of its outline is zero.
+    // Here the section is a single point, or the direction of its outline is zero.
     Vec3 const out = rings.of(station).points_mm[i] - extrusion.stations[station].center_mm;
     return out.norm() > 1e-9 ? Vec3(out.normalized()) : extrusion.stations[station].normal;
 }
@@ -109,7 +110,7 @@ void add_vertex(TrianglePlace& place, Vec3 const& position, Vec3 const& normal, 
     ++place.vertex;
 }
 
-// Writes one layer of a part: the front (side 1), or the back of a sheet (side -1).
+// Writes one layer of a part: the front (`side` is 1), or the back of a sheet (`side` is -1).
 void write_layer(Rings const& rings, Extrusion const& extrusion, TubePart const& part, double side,
                  TrianglePlace& place)
 {
@@ -171,7 +172,8 @@ void add_stations(Plant const& plant, Axis const& axis, std::vector<Extrusion::S
     }
 }
 
-// Computes the frames of stations: tangents bisect the bends, normals are made orthogonal to them.
+// Computes the frames of stations. Tangents bisect the bends; normals are made orthogonal to the
+// tangents.
 void frame_stations(std::vector<Extrusion::Station>& stations)
 {
     for (std::size_t i = 0; i < stations.size(); ++i) {

@@ -8,11 +8,11 @@
 
 namespace tractus::mesh {
 
-// An axis with cross-sections that are not round (NodeSection), prepared for meshing.
+// An axis with at least one cross-section that is not round (NodeSection), prepared for meshing.
 //
-// Each node has one section, in the plane that bisects the segments meeting there. Closed contours
-// make a tube with filled ends (unless MeshOptions leaves ends open); if any contour is open, the
-// axis is a sheet with a front and a back.
+// Each node has one section, in the plane that bisects the segments meeting there. If all contours
+// are closed, the axis becomes a tube, with filled ends unless MeshOptions::ends is Open. If any
+// contour is open, it becomes a sheet with a front and a back.
 struct Extrusion {
     struct Station {
         Vec3 center_mm;
@@ -30,13 +30,11 @@ struct Extrusion {
     bool has_caps = false;
 };
 
-// Prepares an axis for meshing. Replaces the contents of `extrusion`; the result depends only on
-// the other arguments.
+// Prepares an axis for meshing. The result replaces the contents of `extrusion`.
 void trace_extrusion(Plant const& plant, Axis const& axis, MeshOptions const& options,
                      Extrusion& extrusion);
 
-// Returns the numbers of vertices and indices that write_extrusion() writes for the stations of
-// `part`.
+// Returns the numbers of vertices and indices that write_extrusion() writes for `part`.
 MeshExtent extrusion_extent(Plant const& plant, Extrusion const& extrusion, TubePart const& part);
 
 void write_extrusion(Plant const& plant, Extrusion const& extrusion, TubePart const& part,

@@ -18,19 +18,20 @@ constexpr std::uint32_t kTwigs = 0x7477;
 constexpr std::uint32_t kOrgans = 0x6F72;
 constexpr std::uint32_t kPolygons = 0x706F;
 
-// Detail smaller than this share of the plant's size is considered invisible. The share is divided
-// by the square root of the share of triangles, since a coarser plant is displayed smaller.
+// Detail smaller than this share of the plant's size counts as invisible in a plant with all
+// triangles. For a coarser plant, which is displayed smaller, it is divided by the square root of
+// the share of triangles.
 constexpr double kUnseen = 0.001;
-// Maximum number of nodes that one straight segment may replace.
+// Maximum number of segments that one straight segment may replace.
 constexpr std::uint32_t kLongestRun = 16;
-constexpr int kRounds = 4; // Maximum number of iterations of the search for the twigs to keep.
+constexpr int kRounds = 4; // Maximum number of iterations in the search for the axes to keep.
 
 double chance(std::uint32_t stream, std::size_t index)
 {
     return random_block({ .stream = stream }, index)[0] / 0x1p32;
 }
 
-// Volume of a straight truncated cone between two nodes of an axis.
+// Returns the volume of the straight truncated cone between two nodes of an axis.
 double volume_between(Plant const& plant, NodeId from, NodeId to)
 {
     double const length = (plant.node_position_mm[to] - plant.node_position_mm[from]).norm();
@@ -66,8 +67,8 @@ std::size_t tube_triangles(Plant const& plant, MeshOptions const& options)
     return std::accumulate(of_axes.begin(), of_axes.end(), std::size_t { 0 });
 }
 
-// Returns all axes in order of importance, so that the last are removed first; each axis comes
-// after its parent.
+// Returns all axes in order of importance: the last ones are removed first. Each axis comes after
+// its parent.
 std::vector<AxisId> order_of_staying(Plant const& plant)
 {
     std::vector<double> worth(plant.axes.size());
@@ -95,8 +96,9 @@ std::vector<AxisId> order_of_staying(Plant const& plant)
     return order;
 }
 
-// A plant reduced to some of its axes, and for each segment of the original the segment that
-// replaces it: for segments of a removed twig, the segment that the twig was attached to.
+// A plant reduced to some of its axes. `new_segment`: for each segment of the original plant, the
+// segment that replaces it; the segments of a removed twig are replaced by the segment to which the
+// twig was attached.
 struct Branches {
     Plant plant;
     std::vector<SegmentId> new_segment;
@@ -129,7 +131,7 @@ private:
     std::vector<char> bears_; // For each segment: 1 if an axis that stays is attached to it.
 };
 
-// True if a node, counted from the base of the axis, has to stay regardless of its position.
+// True if node number `node` of the axis, counted from its base, must stay wherever it is.
 bool Coarsener::is_needed(Axis const& axis, std::uint32_t node) const
 {
     if (node == 0 || node == axis.segment_count || has_contour(plant_, axis))
@@ -138,8 +140,8 @@ bool Coarsener::is_needed(Axis const& axis, std::uint32_t node) const
     return bears_[before] || plant_.segment_material[before] != plant_.segment_material[before + 1];
 }
 
-// True if all nodes between `from` and `to` lie on the straight line between these two, and have
-// the radii of a straight tube, within the visible tolerance.
+// True if a straight tube from node `from` to node `to` runs through all nodes in between and has
+// their radii, with errors of at most unseen_mm_.
 bool Coarsener::runs_straight(NodeId from, NodeId to) const
 {
     auto const& start = plant_.node_position_mm[from];
@@ -205,7 +207,8 @@ Branches Coarsener::branches(std::vector<char> const& stays)
     std::vector<AxisId> new_axis(plant_.axes.size(), kNone);
     for (AxisId id = 0; id < plant_.axes.size(); ++id) {
         auto const& axis = plant_.axes[id];
-        if (!stays[id]) { // Laterals of a removed axis are attached to its parent.
+        // What is attached to a removed axis moves to the segment that carried the axis.
+        if (!stays[id]) {
             std::fill_n(&made.new_segment[axis.first_segment], axis.segment_count,
                         made.now(axis.parent_segment));
             continue;
@@ -218,8 +221,8 @@ Branches Coarsener::branches(std::vector<char> const& stays)
     return made;
 }
 
-// Thickens all axes except that of greatest volume by a common factor, so that the total volume is
-// `volume`.
+// Thickens all axes except the one of greatest volume by a common factor, so that the total volume
+// is `volume`.
 void keep_volume(Plant& coarse, double volume)
 {
     std::vector<double> volumes;
@@ -240,7 +243,7 @@ void keep_volume(Plant& coarse, double volume)
     }
 }
 
-// Returns the plant with as many axes as give at most, and nearly, `budget` triangles.
+// Returns the plant with as many of its axes as have nearly, but at most, `budget` triangles.
 Branches coarser_branches(Plant const& plant, Coarsener& coarsener, MeshOptions const& options,
                           double budget)
 {
@@ -273,14 +276,15 @@ Branches coarser_branches(Plant const& plant, Coarsener& coarsener, MeshOptions 
         }
         if (triangles <= budget && (count == plant.axes.size() || triangles > 0.95 * budget))
             break;
-        // Removed nodes give axes fewer triangles than expected, thicker axes give more.
+        // The estimate is corrected: axes have fewer triangles than in the full plant where nodes
+        // were removed, and more where axes were thickened.
         within *= 0.98 * budget / std::max(triangles, 1.0);
     }
     return best;
 }
 
-// Chooses the given share of `things` (indices of organs or polygons): those with the smallest
-// random numbers, in ascending order.
+// Chooses a share of `things` (indices of organs or polygons), namely those with the smallest
+// random numbers, and returns them in ascending order.
 std::vector<std::size_t> those_that_stay(std::span<std::size_t const> things, std::uint32_t stream,
                                          double share)
 {
@@ -299,7 +303,8 @@ std::vector<std::size_t> those_that_stay(std::span<std::size_t const> things, st
     return staying;
 }
 
-// Linear scale factor that gives the remaining organs or polygons the total area of all.
+// Returns the linear scale factor that gives the remaining organs or polygons, of area `staying`,
+// the area `all`.
 double growth_by_area(double all, double staying)
 {
     return staying > 0 ? std::sqrt(all / staying) : 1;
@@ -343,7 +348,7 @@ void thin_organs(Plant const& plant, MeshOptions const& options, double share, B
     }
 }
 
-// Area of a polygon.
+// Returns the area of a flat polygon.
 double area_of(std::span<Vec3 const> corners)
 {
     Vec3 sum = Vec3::Zero();
@@ -370,7 +375,7 @@ void thin_polygons(Plant const& plant, double share, Branches& coarse)
         auto& polygon = coarse.plant.polygons.emplace_back(plant.polygons[i]);
         polygon.segment = coarse.now(polygon.segment);
         polygon.first_vertex = static_cast<std::uint32_t>(coarse.plant.polygon_vertices_mm.size());
-        // The polygon is scaled about its first vertex, the point of attachment, as organs grow.
+        // The polygon is scaled about its first vertex, which is its point of attachment.
         for (auto const& corner : corners)
             coarse.plant.polygon_vertices_mm.push_back(corners[0] + growth * (corner - corners[0]));
     }

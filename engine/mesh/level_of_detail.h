@@ -5,24 +5,25 @@
 
 namespace tractus::mesh {
 
-// Simplification of a plant for distant views, to a share of its triangles. Nothing changes its
-// position: the remaining parts stay in place, and each coarser level is a subset of the finer one.
+// Simplification of a plant for distant views, to a share of its triangles. The remaining parts do
+// not move, and the parts of each coarser level are a subset of those of the finer one.
 //
-// Small twigs are removed first, in random order among twigs of similar size; the remaining ones
-// are thickened so that the total branch volume is preserved. Organs and polygons are thinned out,
-// and the remaining ones enlarged so that the total area is preserved (Cook, Halstead, Planck, Ryu
-// 2007, "Stochastic simplification of aggregate detail"). Organs of removed twigs stay and are
-// attached to the parent branch. Nodes whose removal does not visibly change the course of a branch
-// are removed, too. The axis of greatest volume, the trunk, always stays, at its own radius.
+// Small twigs are removed first, in random order among twigs of similar size; the remaining twigs
+// are thickened so that the total branch volume is preserved. Some organs and polygons are removed,
+// too, and the remaining ones enlarged so that their total area is preserved (Cook, Halstead,
+// Planck, Ryu 2007, "Stochastic simplification of aggregate detail"). Organs of removed twigs stay
+// and are attached to the parent branch. Nodes are removed where this does not visibly change the
+// course of a branch. The axis of greatest volume, the trunk, always stays, at its own radius.
 
-// Returns the mesh options for a plant of coarser_plant(): tubes with fewer sides and rings, each
-// section with the area of its circle; for shares of a quarter and less, also open ends and organs
-// as cards. `share` as for coarser_plant().
+// Returns the mesh options for a plant of coarser_plant() with the same `share`: tubes have fewer
+// sides and rings, and each section has the area of its circle. For shares of a quarter and less,
+// tubes also have open ends and thin organs become cards.
 MeshOptions coarser_options(MeshOptions const& options, double share);
 
 // Returns a plant whose mesh with coarser_options() has at most `share` of the triangles of `plant`
-// meshed with `options`, and not many fewer. The limit is exceeded only if the trunk alone does so.
-// `share`: above 0, at most 1. `plant` as for make_mesh(). Deterministic.
+// meshed with `options`, and not many fewer. It has more only if the trunk alone has more. `share`:
+// above 0, at most 1. `plant` must meet the conditions of make_mesh(). The same arguments always
+// give the same plant.
 Plant coarser_plant(Plant const& plant, MeshOptions const& options, double share);
 
 } // namespace tractus::mesh

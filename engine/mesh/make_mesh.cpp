@@ -44,8 +44,8 @@ TriangleMesh make_prototype(Plant const& plant, OrganShapeId id, MeshOptions con
 {
     auto const& shape = plant.organ_shapes[id];
     auto const& material = plant.materials[shape.material];
-    // A material's own pictures are mapped by patch; an exporter's default pictures are made for
-    // the bounding box.
+    // Pictures that belong to a material are mapped by patch. Pictures that an exporter generates
+    // are made for the bounding box.
     auto const lies
         = material.textures.base_color ? TextureMapping::OnPatches : TextureMapping::OnBox;
     auto full = organ_mesh(shape, options.subdivision, lies);

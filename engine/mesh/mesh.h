@@ -12,9 +12,9 @@ namespace tractus::mesh {
 
 constexpr double kSameNode_mm = 1e-4; // Nodes of an axis closer together than this are merged.
 
-// Triangles of one material, in millimetres; in the plant frame (tubes, polygons) or the organ
-// frame (prototypes). The vertex arrays have equal sizes. Three indices per triangle,
-// counter-clockwise seen from outside.
+// Triangles of one material. Their frame is the plant's (tubes, polygons) or the organ's
+// (prototypes). The vertex arrays have equal sizes. There are three indices per triangle,
+// counter-clockwise as seen from outside.
 struct TriangleMesh {
     MaterialId material = 0;
     BulkVector<Vec3f> positions_mm;
@@ -48,7 +48,7 @@ struct Mesh {
     std::vector<TriangleMesh> surfaces; // Tubes and polygons; at most one surface per material.
     std::vector<InstancedMesh> organs;  // One entry per organ shape that the plant uses.
 
-    // Number of triangles, with those of every instance.
+    // Number of triangles of the surfaces and of all instances of the organs.
     std::size_t triangle_count() const;
 };
 

@@ -7,7 +7,7 @@ namespace tractus::mesh {
 
 namespace {
 
-// The normal of a triangle, with the triangle's area as its length.
+// Returns the normal of a triangle, with the triangle's area as its length.
 Vec3f area_vector(TriangleMesh const& mesh, std::size_t first_index)
 {
     auto const& a = mesh.positions_mm[mesh.indices[first_index]];
@@ -52,7 +52,7 @@ Bounds bounds(TriangleMesh const& mesh)
     return box;
 }
 
-// Calls use(point) for all vertices of the surfaces and for the box corners of all instances.
+// Calls use(point) for all vertices of the surfaces, and for the corners of each instance's box.
 template<typename Use> static void for_each_point(Mesh const& mesh, Use const& use)
 {
     for (auto const& surface : mesh.surfaces)

@@ -13,13 +13,14 @@ namespace tractus::mesh {
 namespace {
 
 constexpr std::size_t kAxesPerBlock = 1024;
-constexpr std::size_t kStationsPerSegment = 2; // Estimate for reserving memory.
+// Estimated number of a spine's stations per segment, for reserving memory.
+constexpr std::size_t kStationsPerSegment = 2;
 constexpr std::size_t kPolygonsPerTask = 4096;
-// Number of vertices of a piece: about half a megabyte, so that the piece stays in the cache until
-// it is written to a file.
+// Minimum number of vertices of a piece. They take about half a megabyte, so that the piece stays
+// in the cache until it is written to a file.
 constexpr std::size_t kPieceVertices = 12 << 10;
 
-// An item of a surface (MeshPlan::Item) whose place in the surface is not known yet.
+// A future MeshPlan::Item, whose place in its surface is not known yet.
 struct Planned {
     MaterialId material;
     std::uint32_t number;
@@ -28,8 +29,8 @@ struct Planned {
     std::uint32_t indices;
 };
 
-// Calls `use(material, part)` for each range of an axis' stations with one material, unless it has
-// only one station.
+// Calls use(material, part) for each range of an axis' stations in which the material is the same.
+// Ranges of only one station are skipped.
 template<typename Stations, typename Use>
 void for_each_part(Plant const& plant, Axis const& axis, Stations const& stations, Use const& use)
 {
@@ -49,14 +50,15 @@ void for_each_part(Plant const& plant, Axis const& axis, Stations const& station
     }
 }
 
-// The planned items of one block of consecutive axes, and the box around them.
+// The planned items of one block of consecutive axes, and a box around them.
 struct Block {
     std::vector<Planned> items;
     Bounds bounds_mm;
 };
 
-// Adds to the bounds, for each section, a ball that contains its ring; the ball of the last section
-// also contains the dome. `reach`: distance of the ring's corners from the centre, for radius 1.
+// Adds to `bounds` a ball around each section of an axis; the ball of the last section also
+// contains the dome. `reach`: greatest distance of a section's outline from its centre, for radius
+// 1.
 template<typename Stations>
 void add_sections(Stations const& stations, double reach, Bounds& bounds)
 {

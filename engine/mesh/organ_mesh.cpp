@@ -23,8 +23,8 @@ void add_triangles(TriangleMesh& mesh, std::initializer_list<std::uint32_t> indi
     mesh.indices.insert(mesh.indices.end(), indices);
 }
 
-// The midrib of an organ: straight along +y for the petiole, then bent down (towards -z) along a
-// circular arc.
+// The midrib of an organ: along the petiole it is straight, along +y, then it bends down (towards
+// -z) in a circular arc.
 struct Midrib {
     double straight_mm;
     double bent_mm;
@@ -48,9 +48,9 @@ struct Midrib {
     Vec3 up(double share) const { return { 0, std::sin(angle(share)), std::cos(angle(share)) }; }
 };
 
-// Relative width of one end of the outline; x is 0 at the end and 1 at the greatest width.
-// Sharpness 0 gives an elliptical arc, 1 a quarter of a sine (a pointed end), and more a concave
-// taper.
+// Returns the width at one end of a blade's outline, as a share of the greatest width. x is 0 at
+// the end and 1 at the greatest width. Sharpness 0 gives an elliptical arc, 1 a quarter of a sine
+// (a pointed end), larger values a concave taper.
 double end_width(double x, double sharpness)
 {
     double const power
@@ -58,7 +58,8 @@ double end_width(double x, double sharpness)
     return std::pow(std::sin(0.5 * kPi * std::clamp(x, 0.0, 1.0)), power);
 }
 
-// Width of the blade relative to its maximum, at `share` of the distance from base to tip.
+// Returns the width of the blade at `share` of the distance from its base to its tip, as a share of
+// the greatest width.
 double outline(OrganShape const& shape, double share)
 {
     double const widest = std::clamp(shape.widest, 0.02, 0.98);
@@ -72,8 +73,8 @@ double outline(OrganShape const& shape, double share)
     return width * (1 - std::clamp(shape.lobes, 0.0, 0.95) * (1 - lobe));
 }
 
-// Positions of a blade's rows of vertices, from 0 at the base to 1 at the tip. In a blade without
-// lobes they are closer together at its ends, where the outline curves most.
+// Returns the positions of a blade's rows of vertices, from 0 at the base to 1 at the tip. In a
+// blade without lobes the rows are closer together at both ends, where the outline curves most.
 std::vector<double> blade_rows(OrganShape const& shape)
 {
     int const lobes = std::clamp(shape.lobe_count, 0, 16);
@@ -105,7 +106,8 @@ void add_petiole(TriangleMesh& mesh, double length_mm, double radius_mm)
     }
 }
 
-// One row of a blade: vertices on the left margin, the midrib and the right margin.
+// One row of a blade: the indices of its vertices on the left margin, the midrib and the right
+// margin.
 struct BladeRow {
     std::uint32_t left;
     std::uint32_t middle;
@@ -178,7 +180,8 @@ void add_cut_leaf(TriangleMesh& mesh, OrganShape const& shape)
         add_triangles(mesh, { a, b, c });
 }
 
-// Joins two rings of `sides` + 1 vertices each; `lower` and `upper` are their first vertices.
+// Joins two rings of `sides` + 1 vertices each. `lower`, `upper`: index of the first vertex of
+// each.
 void join_rings(TriangleMesh& mesh, std::uint32_t lower, std::uint32_t upper, std::uint32_t sides)
 {
     for (std::uint32_t j = 0; j < sides; ++j)
@@ -220,8 +223,8 @@ struct ProfilePoint {
     double normal_y;
 };
 
-// Revolves a profile, given from bottom to top, about +y. The first and last profile points are on
-// the axis; each of the `sides` has its own vertex there, for the texture.
+// Revolves a profile, given from bottom to top, about +y. Its first and last points must be on the
+// axis. At these points each of the `sides` has a vertex of its own, for the texture.
 void revolve(TriangleMesh& mesh, std::span<ProfilePoint const> profile, std::uint32_t sides)
 {
     auto const vertex = [&](ProfilePoint const& point, double turn) {

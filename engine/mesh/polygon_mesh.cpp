@@ -42,8 +42,8 @@ bool is_ear(std::vector<Vec2> const& points, std::vector<std::uint32_t> const& r
     });
 }
 
-// Clips ears until one triangle is left. If the outline crosses itself and has no ear left, clips
-// the next corner, so that the loop always ends.
+// Clips ears until one triangle is left. If the outline has no ear left, because it crosses itself,
+// the next corner is clipped instead, so that the loop always ends.
 std::vector<std::uint32_t> clip_ears(std::vector<Vec2> const& points)
 {
     std::vector<std::uint32_t> ring(points.size());
@@ -67,8 +67,8 @@ std::vector<std::uint32_t> clip_ears(std::vector<Vec2> const& points)
     return triangles;
 }
 
-// Direction in which the texture coordinate v increases: from the first vertex to the one farthest
-// from it.
+// Returns the direction in which the texture coordinate v increases: from the first vertex towards
+// the vertex farthest from it.
 Vec3 long_direction(std::span<Vec3 const> vertices, Vec3 const& normal)
 {
     Vec3 longest = Vec3::Zero();
@@ -80,7 +80,7 @@ Vec3 long_direction(std::span<Vec3 const> vertices, Vec3 const& normal)
     return longest.norm() > 0 ? Vec3(longest.normalized()) : normal.unitOrthogonal();
 }
 
-// Unit normal of the polygon, or no value if it has no area.
+// Returns the unit normal of the polygon; no value if the polygon has no area.
 std::optional<Vec3> flat_normal(std::span<Vec3 const> vertices)
 {
     Vec3 const area = newell_normal(vertices);

@@ -6,10 +6,11 @@
 
 namespace tractus::mesh {
 
-// Filled polygons: one flat normal by Newell's method, so that the counter-clockwise side is the
-// front; triangulated by ear clipping, so that the polygon may be concave. Texture coordinates fill
-// the unit square, with v from the first vertex towards the one farthest from it, as for a blade. A
-// polygon without area has no vertices. `vertices_mm`: at least three.
+// Meshes of filled polygons. A polygon has one normal, by Newell's method, so that its
+// counter-clockwise side is the front. It is triangulated by ear clipping, so it may be concave.
+// Texture coordinates fill the unit square, with v from the first vertex towards the one farthest
+// from it, as for a blade. The mesh of a polygon without area has no vertices. `vertices_mm`: at
+// least three vertices.
 
 // Returns the numbers of vertices and indices that write_polygon() writes.
 MeshExtent polygon_extent(std::span<Vec3 const> vertices_mm);

@@ -8,9 +8,9 @@
 namespace tractus::mesh {
 
 // Assigns the vertices of a tube or an extrusion to its sections: calls use(station, count) for
-// each run of vertices, in the order of write_tube() or write_extrusion(). The vertices of end caps
-// and tips belong to the first and last section. `vertices`: number of vertices in the extent of
-// the part.
+// each run of vertices, in the order in which write_tube() or write_extrusion() writes them. The
+// vertices of end caps and tips belong to the first or last section. `vertices`: number of all
+// vertices of the part.
 
 template<typename Use>
 void for_each_ring(Spine const& spine, TubePart const& part, std::size_t vertices, Use const& use)
@@ -41,7 +41,7 @@ void for_each_ring(Extrusion const& extrusion, TubePart const& part, std::size_t
             vertices -= width;
         }
     // The remaining vertices are those of the end caps. If there are two caps, each has half of
-    // them.
+    // these vertices.
     bool const has_tip = part.last + 1 == extrusion.stations.size();
     auto const base = part.first > 0 ? 0 : has_tip ? vertices / 2 : vertices;
     if (base > 0)

@@ -7,21 +7,21 @@
 namespace tractus::mesh {
 namespace {
 
-// Minimum radius of a tube, so that its sections keep a direction.
+// Minimum radius of a tube. With radius 0 its sections would have no direction.
 constexpr double kMinRadius_mm = 1e-3;
-// A tip radius below this share of the axis' radius is meshed as a point.
+// A tip with a radius of up to this share of that at the axis' base is meshed as a point.
 constexpr double kPointedShare = 0.02;
 constexpr double kTurnPerPiece_rad = 0.1;  // Maximum turn per piece of a rounded bend.
 constexpr double kElbowStep_rad = 0.5;     // Maximum turn between two sections of an elbow.
-constexpr double kRoundable_cosine = 0.26; // Bends sharper than 75 degrees become elbows.
-// Cosine of 0.5 radians: sharper bends become elbows if rounding is off.
+constexpr double kRoundable_cosine = 0.26; // Cosine of 75 degrees. Sharper bends become elbows.
+// Cosine of 0.5 radians. Without rounding, sharper bends become elbows.
 constexpr double kStraight_cosine = 0.878;
 
 // The segment to which an axis is attached.
 struct Parent {
     double radius_mm;
     Vec3 direction;
-    bool continued; // True if the axis continues its parent from the parent's end (sympodial fork).
+    bool continued; // True if the lateral axis continues this one from its end (sympodial fork).
 };
 
 void collect_nodes(Plant const& plant, Axis const& axis, std::vector<SpineBuffers::Node>& nodes)
@@ -60,7 +60,7 @@ int sides_for(std::vector<SpineBuffers::Node> const& nodes, MeshOptions const& o
                       std::min(options.min_sides, options.max_sides), options.max_sides);
 }
 
-// Circumradius of a regular polygon that has the area of the unit circle.
+// Returns the circumradius of a regular polygon that has the area of the unit circle.
 double same_area_radius(int sides)
 {
     return std::sqrt(2 * kPi / (sides * std::sin(2 * kPi / sides)));
@@ -115,8 +115,9 @@ public:
     }
 
 private:
-    // Tangent at the base of the axis. An axis that continues its parent leaves in the parent's
-    // direction and bends into its own, so that the two limbs of a fork separate gradually.
+    // Returns the tangent at the base of the axis. An axis that continues its parent begins in the
+    // parent's direction and then bends into its own, so that the two limbs of a fork separate
+    // gradually.
     Vec3 base_tangent(std::optional<Parent> const& parent) const
     {
         Vec3 const& own = nodes_[0].direction;
@@ -131,8 +132,9 @@ private:
         return cosine < (rounding_ ? kRoundable_cosine : kStraight_cosine);
     }
 
-    // Tangent at a node. Without rounding it bisects the two segments; with rounding it is closer
-    // to the direction of the shorter one, as on a circle through the three nodes.
+    // Returns the tangent at a node between two segments. Without rounding it bisects their
+    // directions; with rounding it is closer to the direction of the shorter one, as on a circle
+    // through the three nodes.
     Vec3 tangent_at(std::size_t node) const
     {
         auto const& before = nodes_[node - 1];
@@ -151,8 +153,8 @@ private:
         stations_.push_back(station);
     }
 
-    // Adds the stations from node `i` to the next: on a cubic Hermite curve, in as many pieces as
-    // its bend requires.
+    // Adds the stations from node `i` to the next node. They are on a cubic Hermite curve, which is
+    // divided into as many pieces as its bend requires, up to pieces_.
     void add_stretch(std::size_t i, Vec3 const& start, Vec3 const& end)
     {
         auto const& from = nodes_[i];
@@ -175,15 +177,17 @@ private:
         add({ to.position_mm, end, to.radius_mm, 0, to.segment });
     }
 
-    // Adds sections around a node, from the direction before it to the direction after it. On the
-    // outside of the bend they form a rounded corner; on the inside they lie within the two tubes.
+    // Adds sections at a node that turn from the direction before it to the direction after it. On
+    // the outside of the bend they form a rounded corner; on the inside they lie within the two
+    // tubes.
     void add_elbow(std::size_t node)
     {
         Vec3 const& before = nodes_[node - 1].direction;
         Vec3 const& after = nodes_[node].direction;
         double const angle = std::acos(std::clamp(before.dot(after), -1.0, 1.0));
         Vec3 side = after - before * before.dot(after);
-        if (side.norm() < 1e-6) // The direction reverses: any axis of rotation will do.
+        // The direction is reversed or the same, so any axis of rotation will do.
+        if (side.norm() < 1e-6)
             side = before.unitOrthogonal();
         side.normalize();
         int const steps = std::max(1, static_cast<int>(std::ceil(angle / kElbowStep_rad)));
@@ -201,8 +205,8 @@ private:
     std::vector<SpineStation>& stations_;
 };
 
-// Inserts a station at `arc_mm`, unless another one is within `spacing_mm` or the spine ends before
-// it.
+// Inserts a station at `arc_mm`, unless the spine is shorter than that or another station is within
+// `spacing_mm`.
 void insert_station(std::vector<SpineStation>& stations, double arc_mm, double spacing_mm)
 {
     auto const after = std::lower_bound(
@@ -222,16 +226,16 @@ void insert_station(std::vector<SpineStation>& stations, double arc_mm, double s
     stations.insert(after, station);
 }
 
-// Radius profile of an axis at its base: constant inside the parent, then decreasing to the axis'
-// own radius. A lateral axis narrows fast at first, like the swelling around a real branch; an axis
-// that continues its parent starts with the parent's slope.
+// Radius profile of an axis at its base: constant inside the parent, then falling to the axis' own
+// radius. A lateral axis narrows fast at first, like the swelling around a real branch. An axis
+// that continues its parent narrows gently at first, so that the two join smoothly.
 struct Collar {
     double base_radius_mm; // Radius at the parent's centre line.
-    double level_mm;       // Arc length from the base over which the base radius is kept.
-    double fall_mm;        // Arc length after that over which it decreases to the axis' radius.
-    bool soft;             // True if the decrease not only ends but also begins gently.
+    double level_mm;       // Arc length, from the base, over which base_radius_mm is kept.
+    double fall_mm; // Arc length, after level_mm, over which the radius falls to the axis' own.
+    bool soft;      // True if the fall of the radius not only ends but also begins gently.
 
-    // Share of the swelling that is left at an arc length from the base, from 1 to 0.
+    // Returns the share of the swelling that is left at an arc length from the base, from 1 to 0.
     double share(double arc_mm) const
     {
         double const x = std::clamp((arc_mm - level_mm) / fall_mm, 0.0, 1.0);

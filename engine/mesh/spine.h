@@ -7,7 +7,7 @@
 
 namespace tractus::mesh {
 
-// One cross-section of a tube, before a frame is computed.
+// One cross-section of a tube, before its frame is computed.
 struct SpineStation {
     Vec3 center_mm;
     Vec3 tangent;      // Unit length.
@@ -16,7 +16,8 @@ struct SpineStation {
     SegmentId segment; // The segment between the previous station and this one.
 };
 
-// An axis prepared for meshing: bends rounded, collar widened, coincident nodes merged.
+// An axis prepared for meshing: its bends are rounded, its base is widened to a collar, and
+// coincident nodes are merged.
 struct Spine {
     // Cross-sections from base to tip: none, or at least two. Owned by the caller's SpineBuffers.
     std::span<SpineStation const> stations;
@@ -32,17 +33,18 @@ struct SpineBuffers {
 
     struct Node {
         Vec3 position_mm;
-        // Direction from this node to the next; the last node repeats that of the node before.
+        // Direction from this node to the next; the last node repeats the direction of the node
+        // before.
         Vec3 direction;
         double length_mm;
         double radius_mm;
         SegmentId segment; // The segment that ends at this node.
     };
-    std::vector<Node> nodes {}; // Nodes of the axis, with coinciding ones merged; scratch space.
+    std::vector<Node> nodes {}; // Nodes of the axis being traced; coincident nodes are merged.
 };
 
-// Returns the spine of `axis`, with its stations in `room`, whose contents are replaced.
-// `thickest_mm` is the plant's greatest radius.
+// Returns the spine of `axis`. Its stations replace those in `room`. `thickest_mm`: the greatest
+// radius in the plant.
 Spine trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& options,
                   double thickest_mm, SpineBuffers& room);
 

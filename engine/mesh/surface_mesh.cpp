@@ -12,7 +12,8 @@ namespace tractus::mesh {
 namespace {
 
 constexpr int kMaxStrips = 24;
-// Allowed deviation of the triangles from the surface at subdivision 1, as a share of its size.
+// Allowed deviation of the triangles from the surface at subdivision 1, as a share of the surface's
+// size.
 constexpr double kFlatness = 0.064;
 // Vertices closer together than this share of the surface's size coincide.
 constexpr double kSameVertex = 1e-5;
@@ -26,8 +27,8 @@ Eigen::AlignedBox3d box_of(OrganShape const& shape)
     return box;
 }
 
-// Number of strips into which every patch is divided, from the curvature: a cubic deviates from its
-// chords by at most 6 / 8 of its second differences, divided by the square of the number of chords.
+// Returns the number of strips into which every patch is divided. It follows from the curvature: a
+// cubic deviates from n chords by at most 6 / 8 of its second differences, divided by n squared.
 int strip_count(OrganShape const& shape, double size, int subdivision)
 {
     double bend = 0;
@@ -46,12 +47,13 @@ int strip_count(OrganShape const& shape, double size, int subdivision)
     return std::clamp(static_cast<int>(std::ceil(std::sqrt(0.75 * bend / allowed))), 1, kMaxStrips);
 }
 
-// The vertices of all patches, before seams are joined.
+// The vertices of all patches, each patch with its own.
 struct Grid {
     int strips = 1;
     std::vector<Vec3> positions;
     std::vector<Vec3> normals;
-    // For each vertex, a coinciding vertex of a neighbouring patch, or the vertex itself.
+    // For each vertex, a coinciding vertex of a neighbouring patch with a lower index, or the
+    // vertex itself.
     std::vector<std::size_t> same_as;
 
     std::size_t at(std::size_t patch, int i, int j) const
@@ -81,8 +83,8 @@ struct Grid {
     }
 };
 
-// Unit normal of a patch at (s, t). Where rows of control points coincide the patch has no normal;
-// that of a point a little further inside is used.
+// Returns the unit normal of a patch at (s, t). Where control points coincide, the patch may have
+// no normal; then that of a point further inside the patch is used.
 Vec3 unit_normal(BezierPatch const& patch, double s, double t, double size)
 {
     for (double const inward : { 0.0, 0.01, 0.1, 0.5 }) {
@@ -111,8 +113,8 @@ Grid sample(OrganShape const& shape, int strips, double size)
     return grid;
 }
 
-// Calls `use(vertex, other)` for each vertex on each seam; `other`: the neighbouring patch's vertex
-// at the same place of the seam.
+// Calls use(vertex, other) for each vertex on each seam between patches. `other`: the neighbouring
+// patch's vertex at the same place of the seam.
 template<typename Use> void for_each_seam_vertex(OrganShape const& shape, Grid const& grid, Use use)
 {
     constexpr std::array<std::size_t, 4> kOpposite { BezierPatch::Below, BezierPatch::Above,
@@ -129,7 +131,8 @@ template<typename Use> void for_each_seam_vertex(OrganShape const& shape, Grid c
 
 void join_seams(OrganShape const& shape, Grid& grid, double size)
 {
-    // Sums only the normals of single patches, so that the order of the seams does not matter.
+    // Only normals from grid.normals, those of single patches, are added, so that the order of the
+    // seams does not matter.
     auto normals = grid.normals;
     for_each_seam_vertex(shape, grid, [&](std::size_t vertex, std::size_t other) {
         normals[vertex] += grid.normals[other];
@@ -147,19 +150,19 @@ void join_seams(OrganShape const& shape, Grid& grid, double size)
             grid.normals[i] = normals[i] / length;
 }
 
-// A rectangular grid of patches: its size, and the position of each patch in it.
+// The arrangement of patches in a rectangular grid.
 struct PatchRows {
     struct Place {
         int row = 0;
         int column = 0;
     };
-    std::vector<Place> places; // Position of each patch.
+    std::vector<Place> places; // Position of each patch in the grid.
     int rows = 0;
     int columns = 0;
 };
 
-// Arranges the patches in a grid. Returns no value if rows have different lengths, form a closed
-// ring, or do not contain all patches.
+// Arranges the patches in a grid, by their neighbours. Returns no value if rows of patches have
+// different lengths or are closed rings, or if the rows do not contain all patches.
 std::optional<PatchRows> rows_of(std::vector<BezierPatch> const& patches)
 {
     constexpr auto kNone = BezierPatch::kNoPatch;
@@ -189,14 +192,15 @@ std::optional<PatchRows> rows_of(std::vector<BezierPatch> const& patches)
     return count == patches.size() ? std::optional(std::move(result)) : std::nullopt;
 }
 
-// Computes the texture coordinates (u, v) of the vertices on the whole surface.
+// Computes texture coordinates (u, v) of the vertices for TextureMapping::OnPatches.
 class PatchTexture {
 public:
     PatchTexture(std::vector<BezierPatch> const& patches, PatchRows rows, int strips)
         : rows_(std::move(rows))
         , strips_(strips)
     {
-        Vec3 down = Vec3::Zero(); // Sum of the directions along s over all patches.
+        // Sum of the directions along s over all patches. `right`: along t.
+        Vec3 down = Vec3::Zero();
         Vec3 right = Vec3::Zero();
         for (auto const& patch : patches)
             for (std::size_t k = 0; k < 4; ++k) {
@@ -242,8 +246,8 @@ public:
     {
     }
 
-    // Writes the triangles of one side of the surface; those of the back have the opposite
-    // orientation.
+    // Writes the triangles of the front or the back of the surface. Those of the back have the
+    // opposite orientation.
     void write(std::size_t patch_count, bool is_back)
     {
         std::fill(index_.begin(), index_.end(), kUnwritten);
@@ -293,7 +297,7 @@ private:
     Eigen::AlignedBox3d const& box_;
     std::optional<PatchTexture> texture_;
     TriangleMesh& mesh_;
-    std::vector<std::uint32_t> index_; // Index in the mesh of each vertex of the grid.
+    std::vector<std::uint32_t> index_; // For each vertex of the grid, its index in the mesh.
 };
 
 } // namespace

@@ -7,7 +7,7 @@
 
 namespace tractus::mesh {
 
-// Numbers of vertices and indices of a part of a mesh, or of everything before it.
+// Numbers of vertices and indices: of a part of a mesh, or of all parts before it.
 struct MeshExtent {
     std::size_t vertices = 0;
     std::size_t indices = 0;
@@ -20,17 +20,18 @@ struct MeshExtent {
     }
 };
 
-// Write position in the arrays of a surface, or in a buffer for a part of them. The writing
-// functions advance it; the caller provides room for the extent that was computed beforehand.
+// Write position in the arrays of a surface, or in a buffer for a part of the surface. The
+// functions that write triangles advance it. Their caller must provide room for the MeshExtent that
+// was computed beforehand.
 struct TrianglePlace {
     Vec3f* position_mm = nullptr;
     Vec3f* normal = nullptr;
     Vec2f* texture = nullptr;
     std::uint32_t* index = nullptr;
-    std::uint32_t vertex = 0; // Index of the next vertex, as used by the triangle indices.
+    std::uint32_t vertex = 0; // Number of the next vertex, as it appears in the triangles' indices.
 };
 
-// The write position at offset `at` in a surface's arrays.
+// Returns the write position after `at` vertices and indices in a surface's arrays.
 inline TrianglePlace place_in(TriangleMesh& mesh, MeshExtent const& at)
 {
     return { mesh.positions_mm.data() + at.vertices, mesh.normals.data() + at.vertices,

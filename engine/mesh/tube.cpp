@@ -8,21 +8,23 @@ namespace tractus::mesh {
 namespace {
 
 constexpr int kMaxSides = 64;
-// Maximum slope of a tube. Steeper slopes come from sections that nearly coincide, and are clamped.
+// Maximum slope of a tube's radius. Steeper slopes come from sections that nearly coincide, and are
+// limited to this value.
 constexpr double kSteepest = 4;
 
 // Twelve floats: four points, or three SIMD vectors.
 constexpr int kLanes = 12;
 using Lanes = Eigen::Array<float, kLanes, 1>;
 
-// Tables shared by all rings with one number of sides. The first corner is repeated as the last.
+// Tables for all rings with the same number of sides. The first corner is repeated as the last.
 struct Circle {
     // Cosine and sine of each corner's angle, each value three times, for x, y and z.
     std::array<float, 3 * (kMaxSides + 1)> cosines;
     std::array<float, 3 * (kMaxSides + 1)> sines;
-    std::array<float, kMaxSides + 1> shares; // Share of the circumference at each corner.
-    std::array<Vec2f, kMaxSides> middles;    // Direction of the middle of each side.
-    // Vertex indices of two triangles per side, from the first corner of the lower ring.
+    // Position of each corner as a share of the circumference.
+    std::array<float, kMaxSides + 1> shares;
+    std::array<Vec2f, kMaxSides> middles; // Direction of the middle of each side.
+    // Vertex indices of two triangles per side, relative to the first corner of the lower ring.
     std::array<std::uint32_t, 6 * kMaxSides> quads;
 };
 
@@ -80,7 +82,8 @@ void write_corners(Circle const& circle, std::size_t count, Vec3f const& center,
             + circle.sines[i] * ys[static_cast<Eigen::Index>(k)];
 }
 
-// Number of rings of a dome between the end of the tube and the dome's apex; 0 for thin tubes.
+// Maximum number of rings of a dome between the end of its tube and its apex. dome_rings() returns
+// the number for a tube with `sides` sides.
 constexpr int kMaxDomeRings = 2;
 int dome_rings(int sides)
 {
@@ -97,12 +100,12 @@ double slope_at(std::span<SpineStation const> stations, std::size_t i)
     return std::clamp((after.radius_mm - before.radius_mm) / length, -kSteepest, kSteepest);
 }
 
-// Parallel transport: applies the smallest rotation from the unit vector `from` to `to` to a unit
-// vector orthogonal to `from`.
+// Parallel transport: returns `normal`, rotated by the smallest rotation from `from` to `to`. All
+// are unit vectors; `normal` is orthogonal to `from`.
 Vec3 carry(Vec3 const& normal, Vec3 const& from, Vec3 const& to)
 {
     double const w = 1 + from.dot(to);
-    if (w < 1e-6) [[unlikely]] // The direction reverses: any normal will do.
+    if (w < 1e-6) [[unlikely]] // The direction is reversed, so any normal will do.
         return to.unitOrthogonal();
     Vec3 const carried = normal - (to.dot(normal) / w) * (from + to);
     Vec3 const flat = carried - to * to.dot(carried);
@@ -147,8 +150,8 @@ public:
         place_.index += 6 * std::size_t { sides_ };
     }
 
-    // Writes an apex above the last ring, as one vertex per side so that each side has its own
-    // texture coordinates. `side_share`: weight of the side's direction in the normals: 1 for a
+    // Writes an apex above the last ring. It has one vertex per side, so that each side has its own
+    // texture coordinates. `side_share`: weight of the side's direction in the normals, 1 for a
     // cone, 0 for a dome.
     void apex(Section const& section, float side_share)
     {
@@ -168,7 +171,7 @@ public:
         advance(sides_);
     }
 
-    // Writes a flat cap that faces backwards along the axis.
+    // Writes the flat cap of a tube's base, which faces backwards along the axis.
     void base(Section const& section)
     {
         write_corners(circle_, sides_, section.center_mm, section.radius_mm * section.normal,
@@ -209,10 +212,10 @@ struct DomeStep {
     float height;
     float radius;
     float slope;
-    float v; // Difference of the texture coordinate v.
+    float v; // Difference of the texture coordinate v from the dome's foot.
 };
 
-// Returns the ring at `share` of the quarter circle from the dome's foot to its apex.
+// Returns a dome's ring at `share` of the quarter circle from the dome's foot to its apex.
 DomeStep dome_step(double share)
 {
     double const angle = 0.5 * kPi * share;
@@ -221,8 +224,8 @@ DomeStep dome_step(double share)
              static_cast<float>(angle / (2 * kPi)) };
 }
 
-// Writes a hemisphere on the last section. Its silhouette meets the tube at an angle if the tube
-// tapers, but the normals of the last ring stay those of the tube, so that no edge is visible.
+// Writes a hemisphere on the last section. If the tube tapers, the hemisphere meets it at an angle.
+// No edge is visible, though, since the normals of the last ring stay those of the tube.
 void write_dome(Writer& writer, Section const& end, int rings)
 {
     static auto const steps = [] {

@@ -16,10 +16,10 @@ struct TubePart {
 // A cross-section with its frame, ready to be written.
 struct Section {
     Vec3f center_mm;
-    Vec3f normal;   // Points from the centre to the seam.
+    Vec3f normal;   // Points from the centre to the seam of the texture.
     Vec3f binormal; // tangent x normal.
     Vec3f tangent;
-    float radius_mm; // 0 for a point.
+    float radius_mm; // 0 at a pointed tip.
     float slope;     // Change of the radius per unit of length along the axis.
     float v;         // Texture coordinate: arc length in units of the local circumference.
 };
@@ -31,8 +31,8 @@ void frame_sections(Spine const& spine, std::vector<Section>& sections);
 // Returns the numbers of vertices and indices that write_tube() writes.
 MeshExtent tube_extent(Spine const& spine, TubePart const& part);
 
-// Writes one part of a tube, with the base cap if it is the first part, and the tip if it is the
-// last one. Parts that do not overlap may be written concurrently.
+// Writes one part of a tube: with the base cap if it is the tube's first part, and with the tip if
+// it is the last one. Different parts may be written concurrently, to different places.
 void write_tube(Spine const& spine, std::span<Section const> sections, TubePart const& part,
                 TrianglePlace& place);
 

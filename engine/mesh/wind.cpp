@@ -9,9 +9,10 @@ namespace tractus::mesh {
 
 namespace {
 
-constexpr std::uint32_t kPhases = 0x7068; // Random stream of the phases of axes.
+constexpr std::uint32_t kPhases = 0x7068; // Random stream of the axes' phases.
 
-// Hash of a branch's tip position: unlike its index, it is the same in every level of detail.
+// Returns a hash of the position of a branch's tip. Unlike the branch's index, it is the same in
+// every level of detail.
 std::uint64_t name_of(Vec3 const& tip_mm)
 {
     std::uint64_t name = 0;

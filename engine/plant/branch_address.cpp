@@ -23,13 +23,14 @@ std::uint32_t axis_key(std::string_view name)
 
 std::size_t segment_count(PathAddress const& path)
 {
-    // Addresses that begin with this or a higher number have the key of an axis or the prefix of a
-    // part.
+    // An address that begins with this number or a higher one has the key of an axis or the prefix
+    // of a part.
     constexpr std::uint32_t kMinName = 0xFFFFFFFE;
     if (path.first.empty() || path.first.front() >= kMinName || path.last.empty()
         || path.last.front() >= kMinName)
         return 0;
-    std::size_t count = 0; // Number of segments from the base of the first one's axis to the last.
+    // Number of segments on the way from the base of the first segment's axis to the last segment.
+    std::size_t count = 0;
     for (auto i = path.first.size(); i <= path.last.size(); i += 2)
         count += path.last[i - 1] + std::size_t { 1 };
     return count - std::min(count, std::size_t { path.first.back() });
@@ -107,8 +108,8 @@ SegmentAddress AddressIndex::address_of(Plant const& plant, SegmentId segment) c
     return address_at(plant, segment, 0.5);
 }
 
-// On axes with keys, uses positions slightly inside both ends of the path, so that a path over a
-// whole axis still covers the whole axis when that is divided into other segments.
+// On axes with keys, the address gives positions slightly inside both ends of the path. So a path
+// over a whole axis still covers it after the axis has been divided into other segments.
 PathAddress AddressIndex::address_of(Plant const& plant, std::vector<SegmentId> const& path) const
 {
     CHECK(!path.empty());

@@ -11,19 +11,20 @@
 
 namespace tractus {
 
-// Address of a segment that remains valid when the plant changes elsewhere. It alternates the
-// number of an axis and the number of a segment on it: first the number of the root axis among
-// those on the ground and the segment on that axis, then the number of the lateral axis at that
-// segment and the segment on the lateral, and so on. Its length is even.
+// Address of a segment that remains valid when the plant changes elsewhere. Numbers of axes and
+// numbers of segments alternate in it: first the number of the root axis among those on the ground
+// and the segment on that axis, then the number of the lateral axis at that segment and the segment
+// on the lateral, and so on. Its length is even.
 //
 // An axis with a key (AxisKeys) is found by its key, wherever it is attached. The address then
 // begins with kKeyedAxis, the key, 0, and the position on the axis as a share of its length in
-// units of 2^-31. What follows is as above.
+// units of 2^-31. The laterals on that axis follow as in other addresses.
 using SegmentAddress = std::vector<std::uint32_t>;
 constexpr std::uint32_t kKeyedAxis = 0xFFFFFFFF;
 
-// A key for each axis of a plant, with which the plant's source identifies it; 0 for an axis
-// without a key. Empty if no axis has a key. Axes that share a key count as having none.
+// A key for each axis of a plant, by which the axis is recognised when the plant is made again; 0
+// for an axis without a key. Empty if no axis has a key. Axes that share a key count as having
+// none.
 using AxisKeys = std::vector<std::uint32_t>;
 
 // Derives a key from a name that is unique in the plant; never 0.
@@ -37,8 +38,8 @@ struct PathAddress {
     bool operator==(PathAddress const&) const = default;
 };
 
-// Number of segments of a path. 0 if unknown: the path is on an axis with a key, whose segments may
-// have changed, or in a part of a plant (plant_addresses.h).
+// Returns the number of segments of a path, or 0 if the addresses do not show it. That is so on an
+// axis with a key, whose segments may have changed, and in a part of a plant (plant_addresses.h).
 std::size_t segment_count(PathAddress const& path);
 
 // Returns the segments from `first` up to `last`, or no value if `last` is not a descendant of
@@ -46,8 +47,9 @@ std::size_t segment_count(PathAddress const& path);
 std::optional<std::vector<SegmentId>> path_between(Plant const& plant, SegmentId first,
                                                    SegmentId last);
 
-// An index of a plant's axes by parent segment. It converts between segments and addresses in a
-// time that depends on the order of the axes and hardly on the size of the plant.
+// An index of a plant's axes by parent segment, for converting between segments and addresses. The
+// time for a conversion grows with the branching order of the segment, but hardly with the size of
+// the plant.
 class AddressIndex {
 public:
     AddressIndex() = default; // The index of a plant without axes.
@@ -64,7 +66,7 @@ public:
     std::optional<SegmentId> find_segment(Plant const& plant, SegmentAddress const& address) const;
 
 private:
-    // First axis in by_parent_ attached to the segment; for kNone, first axis on the ground.
+    // First axis in by_parent_ that is attached to `parent`; for kNone, first axis on the ground.
     std::vector<AxisId>::const_iterator first_on(Plant const& plant, SegmentId parent) const;
 
     // Key of the axis, or 0 if it has none.

@@ -12,7 +12,7 @@ namespace tractus {
 // Index into Plant::contours.
 using ContourId = std::uint16_t;
 
-// Means that there is no contour: the section is a circle.
+// The ContourId of a circular section, which has no entry in Plant::contours.
 constexpr ContourId kNoContour = std::numeric_limits<ContourId>::max();
 
 // The outline of an axis' cross-section, for fluted stems, ribbons, or leaf blades along a midrib.
@@ -23,7 +23,7 @@ struct Contour {
     bool closed = true; // False: the section is a sheet, visible from both sides.
     // kSteps + 1 points at equal parameter steps along the outline, for a node of radius 1: x along
     // the section's normal, y along normal x axis direction, z along the axis. In a closed outline
-    // the last point equals the first, and the outline turns from x to y.
+    // the last point equals the first, and the points run from x towards y.
     std::vector<Vec3f> points;
 };
 

@@ -18,12 +18,12 @@ namespace tractus {
 struct CutLeaf {
     std::vector<Vec2> corners;
     std::vector<std::array<std::uint32_t, 3>> triangles; // Indices of corners, counter-clockwise.
-    // Position of the end of the petiole in the picture, in texture coordinates (v downwards), and
-    // `length_in_picture`: the size of the leaf's unit length in them.
+    // The end of the petiole in the picture, in texture coordinates (v downwards).
+    // `length_in_picture`: the leaf's unit length, in texture coordinates too.
     Vec2 stem_in_picture = Vec2::Zero();
     double length_in_picture = 1;
-    // Name of the leaf sheet that it comes from (engine/lsystem/view/leaf_sheet.h), and `number`:
-    // its index on that sheet.
+    // Name of the leaf sheet that the leaf was cut from (engine/lsystem/view/leaf_sheet.h).
+    // `number`: the leaf's index on that sheet.
     std::string sheet {};
     int number = 0;
 

@@ -7,7 +7,8 @@ namespace tractus {
 
 namespace {
 
-// For each axis, the axis that continues it, or kNone, and whether it continues another axis.
+// For each axis: `next` is the axis that continues it, or kNone; `continues` is true if it
+// continues another axis.
 struct Continuations {
     std::vector<AxisId> next;
     std::vector<bool> continues;
@@ -28,7 +29,7 @@ double straightness(Plant const& plant, Axis const& axis, Axis const& next)
     return lengths > 0 ? before.dot(after) / lengths : -1;
 }
 
-// True if `axis` is continued by `a` rather than by `b`.
+// True if `a` is a better continuation of `axis` than `b`.
 bool is_preferred(Plant const& plant, Axis const& axis, Axis const& a, Axis const& b)
 {
     float const radius_a = plant.node_radius_mm[a.first_node];
@@ -67,7 +68,8 @@ Continuations find_continuations(Plant const& plant)
     return result;
 }
 
-// True if axes already have the numbers and orders that a newly built plant would have.
+// True if the axes have the numbers and branching orders that they would get in a newly built
+// plant.
 bool is_in_order(Plant const& plant)
 {
     NodeId next_node = 0;
@@ -84,8 +86,8 @@ bool is_in_order(Plant const& plant)
     return next_node == plant.node_position_mm.size() && next_segment == plant.segment_count();
 }
 
-// Appends the segments of `part` to the last axis of `to`. The node where they meet is shared; its
-// radius is the smaller of the two.
+// Appends the segments of `part` to the last axis of `to`. The node where the two meet is shared,
+// and gets the smaller of its two radii.
 void append(Plant& to, Plant const& from, Axis const& part, std::vector<SegmentId>& new_segment)
 {
     auto& axis = to.axes.back();
@@ -128,7 +130,7 @@ Plant join_axes(Plant plant)
     std::vector<AxisId> new_axis(plant.axes.size(), kNone);
     for (AxisId id = 0; id < plant.axes.size(); ++id) {
         if (continuations.continues[id])
-            continue; // The axis is already part of one that began further down.
+            continue; // This axis has been appended to the axis that it continues.
         auto const& old = plant.axes[id];
         Axis axis { .first_node = static_cast<NodeId>(joined.node_position_mm.size()),
                     .first_segment = static_cast<SegmentId>(joined.segment_count()) };

@@ -7,11 +7,11 @@
 
 namespace tractus {
 
-// Returns the plant with its axes joined into branches as people see them: if an axis ends and
-// others continue from its end (sympodial growth, as in F[+A][-A]), it is continued by the thickest
-// of these; of equally thick ones by the straightest, then by the first. An axis that starts at a
-// distance from its parent's end (a gap) stays separate. Geometry, materials, and the organs on
-// each segment are unchanged; orders and the numbers of axes and segments are new.
+// Returns the plant with its axes joined into branches as people see them. If other axes begin
+// where an axis ends (sympodial growth, as in F[+A][-A]), the thickest of them continues it; of
+// equally thick ones the straightest, then the first. An axis that starts at a distance from its
+// parent's end (a gap) stays separate. Geometry, materials, and the organs on each segment are
+// unchanged; orders and the numbers of axes and segments are new.
 Plant join_axes(Plant plant);
 
 // Returns the axes in the order in which a person would draw them: trunks first, then by increasing

@@ -13,7 +13,7 @@ ContourId shifted(ContourId number, ContourId by)
     return number == kNoContour ? kNoContour : static_cast<ContourId>(number + by);
 }
 
-// Appends one plant to another.
+// Appends a plant to another one, for append_part().
 class Joining {
 public:
     Joining(Plant& plant, Plant const& part, PartPlace const& place,
@@ -31,7 +31,7 @@ public:
     std::vector<SegmentId> join()
     {
         bool const has_sections = !plant_.node_section.empty() || !part_.node_section.empty();
-        if (has_sections) // Nodes without a section so far get round ones.
+        if (has_sections) // The plant's nodes get round sections if they have none yet.
             plant_.node_section.resize(plant_.node_position_mm.size());
         append_axes();
         if (has_sections)
@@ -169,9 +169,11 @@ private:
     Plant const& part_;
     PartPlace const& place_;
     std::vector<bool> const& hidden_;
-    AppearanceOffsets shift_; // Added to the part's numbers of materials, shapes and contours.
+    // Offsets to add to the part's numbers of materials, shapes and contours.
+    AppearanceOffsets shift_;
     bool is_turned_;
-    std::vector<SegmentId> segments_; // For each segment of the part, its number in the whole.
+    // For each segment of the part, its number in the whole plant, or kNone.
+    std::vector<SegmentId> segments_;
 };
 
 } // namespace

@@ -59,7 +59,7 @@ public:
         for (std::uint32_t i = 0; i < nodes_.size(); ++i)
             if (nodes_[i].below == kNone)
                 start_at(i, kNone, kNone);
-        for (std::size_t i = 0; i < starts_.size(); ++i) // The list grows while axes are followed.
+        for (std::size_t i = 0; i < starts_.size(); ++i) // follow() appends to the list.
             follow(starts_[i]);
         return { .plant = std::move(plant_), .segments = std::move(segments_) };
     }
@@ -86,7 +86,7 @@ private:
         plant_.node_radius_mm.push_back(static_cast<float>(radius_mm));
     }
 
-    void follow(AxisStart start) // Passed by value, since starts_ grows meanwhile.
+    void follow(AxisStart start) // By value: starts_, which holds it, grows meanwhile.
     {
         Axis axis { .first_node = static_cast<NodeId>(plant_.node_position_mm.size()),
                     .first_segment = static_cast<SegmentId>(plant_.segment_count()),
@@ -110,11 +110,11 @@ private:
     }
 
     std::span<MeasuredNode const> nodes_;
-    std::vector<std::uint32_t> next_; // For each node, the next node on the same axis; or kNone.
+    std::vector<std::uint32_t> next_; // For each node, the next node on the same axis, or kNone.
     // For each node, the second nodes of the lateral axes that begin there, in ascending order.
     std::vector<std::vector<std::uint32_t>> laterals_;
     std::vector<double> radius_mm_;
-    std::vector<SegmentId> segments_; // For each node, the segment that ends there.
+    std::vector<SegmentId> segments_; // For each node, the segment that ends there, or kNone.
     std::vector<AxisStart> starts_;
     Plant plant_;
 };

@@ -14,24 +14,26 @@ namespace tractus {
 struct MeasuredNode {
     // Index of the parent node, which must come earlier in the list; kNone: on the ground.
     std::uint32_t below = kNone;
-    // True: this node continues the axis of `below`. False: a lateral axis begins.
+    // True: this node continues the axis of `below`. False: a lateral axis begins at `below`.
     bool continues = false;
     Vec3 position_mm = Vec3::Zero(); // Plant frame; the origin is arbitrary.
     std::optional<double> radius_mm {};
-    // Radius at the lower end of the segment that ends here. Used only at the base of an axis.
+    // Radius at the lower end of the segment that ends at this node. Used only at the base of an
+    // axis.
     std::optional<double> base_radius_mm {};
 };
 
 // Builds a plant with a segment from each node to its parent node. The plant is translated so that
 // the first base is at the origin. If no node has a radius, the radii follow from the pipe model,
-// with tips of 0.2 % of the height; otherwise a node without a radius has that of its parent, and a
-// lateral begins with the radius of its first node unless `base_radius_mm` is given.
+// with a tip radius of 0.2 % of the plant's height. Otherwise a node without a radius has that of
+// its parent, and a lateral begins with the radius of its first node, unless `base_radius_mm` is
+// given.
 //
 // Fails, in a sentence that begins with `name`, if a number is not finite, a radius is negative, no
 // segment has a length, or check_size() fails.
 Result<Plant> plant_from_nodes(std::string const& name, std::span<MeasuredNode const> nodes);
 
-// A plant built from measured nodes, and the correspondence of its segments.
+// A plant built from measured nodes, and which of its segments ends at which node.
 struct MeasuredPlant {
     Plant plant {};
     std::vector<SegmentId> segments {}; // Segment that ends at each measured node, or kNone.
@@ -40,8 +42,8 @@ struct MeasuredPlant {
 Result<MeasuredPlant> measured_plant_from_nodes(std::string const& name,
                                                 std::span<MeasuredNode const> nodes);
 
-// Guesses the unit of a file from its extent: returns 1000 (the unit is metres) if that is smaller
-// than 100 units, and 1 (millimetres) otherwise.
+// Guesses the unit of a file from its extent. Returns 1000 (the unit is metres) if the extent is
+// smaller than 100 units, otherwise 1 (millimetres).
 double millimetres_per_unit(Bounds const& units);
 
 // Fails, in a sentence that begins with `name`, if the plant is implausible: larger than 10 km, or

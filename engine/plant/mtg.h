@@ -29,19 +29,19 @@ void write_mtg(std::ostream& out, Plant const& plant);
 
 struct MtgPlant {
     Plant plant {};
-    // Messages for the user about contents of the file that are not in the plant.
+    // Messages to the user about data in the file that could not be added to the plant.
     std::vector<std::string> warnings {};
 };
 
-// Reads a plant from the entities that have the columns XX, YY and ZZ, which are their upper ends.
-// The diameter is read from a column TopDiameter, TopDia, Diameter, diam or similar, or half of it
-// from the column radius. Entities without a position only contribute to the topology. Lengths are
-// in millimetres if a comment says so, as in the output of write_mtg(); otherwise as guessed by
-// millimetres_per_unit() (measured_plant.h).
+// Reads a plant from the entities that have a position in the columns XX, YY and ZZ. The position
+// is the upper end of the entity. The diameter is read from a column TopDiameter, TopDia, Diameter,
+// diam or similar, or half of it from the column radius. Entities without a position only
+// contribute to the topology. Lengths are in millimetres if a comment says so, as in the output of
+// write_mtg(); otherwise as guessed by millimetres_per_unit() (measured_plant.h).
 //
 // Classes Organ, Leaf, Flower, Fruit and Bud are organs, and so are L, F and O in files that have
-// organ columns. Organs with a valid position, Length and Direction of at most 10 km become part of
-// the plant; the others are counted in a warning.
+// organ columns. Organs with a position, Length and Direction become part of the plant, unless they
+// are larger than 10 km or further than that from its base. The others are counted in a warning.
 //
 // Fails, in a sentence that begins with `name` and the line, if the text is not an MTG, an entity
 // has no parent, or no entity has a position.

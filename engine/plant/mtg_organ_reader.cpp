@@ -51,7 +51,7 @@ bool MtgOrganReader::find_columns(std::span<std::string_view const> names, std::
     return columns_.has_value();
 }
 
-// Never fails: an organ in a row with too little data is only counted.
+// Never fails: an organ whose row has too little data is only counted as left out.
 void MtgOrganReader::add(ClassId of, std::uint32_t node,
                          std::array<std::optional<double>, 3> const& position,
                          std::span<std::string_view const> cells)

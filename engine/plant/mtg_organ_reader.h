@@ -27,14 +27,15 @@ public:
     // Adds a class of organs; its name is used in the warning about omitted organs.
     ClassId add_class(std::string_view name, MtgOrganClass kind);
 
-    // Adds a class of organs if its name is one of the known words for an organ; no value if not.
+    // Adds a class of organs if `name` is a known word for an organ, and returns it; otherwise
+    // returns no value.
     std::optional<ClassId> class_of_name(std::string_view name);
 
-    // Finds the organ columns from column `first` on; returns false if there are none.
+    // Looks for organ columns from column `first` on; returns false if there are none.
     bool find_columns(std::span<std::string_view const> names, std::size_t first);
 
-    // Adds the organ of a row; if its data do not suffice it is only counted as left out. `node`:
-    // the graph node that the organ is attached to.
+    // Adds the organ of a row. If the row's data do not suffice, the organ is only counted as left
+    // out. `node`: the graph node to which the organ is attached.
     void add(ClassId of, std::uint32_t node, std::array<std::optional<double>, 3> const& position,
              std::span<std::string_view const> cells);
     void leave_out(ClassId of) { ++classes_[of].left_out; }

@@ -15,10 +15,11 @@ namespace tractus {
 namespace {
 
 constexpr double kLargestOrgan_mm = 1e7;
-// Maximum number of shapes: a file may name one for every organ, but each shape costs a mesh.
+// Maximum number of shapes in a plant. A file may name one for every organ, but each shape needs a
+// mesh.
 constexpr std::size_t kMaxMtgShapes = 1000;
 
-// Indices into kMtgOrganColumns.
+// Indices into kMtgOrganColumns; for a vector, the index of its x component.
 enum MtgColumn : std::size_t {
     LengthColumn,
     WidthColumn,
@@ -29,7 +30,7 @@ enum MtgColumn : std::size_t {
     ShapeColumn = NormalColumn + 3,
 };
 
-// Names of the kinds of shape, in the order of OrganShape::Kind.
+// Names of the kinds of shape in a file, in the order of OrganShape::Kind.
 constexpr std::array<std::string_view, 6> kShapeWords { "blade", "needle",  "disc",
                                                         "ball",  "surface", "leaf" };
 
@@ -43,7 +44,8 @@ MtgOrganClass class_of(Plant const& plant, OrganShape const& shape)
     return material == Material::Kind::Leaf || is_flat ? MtgOrganClass::Leaf : MtgOrganClass::Other;
 }
 
-// Returns the kind of shape that the file names, or the nearest kind that a few numbers describe.
+// Returns the kind of shape that the file names. If it names none, or a surface or grown leaf,
+// whose form the file does not hold, returns Ball for organs of class O and Blade for others.
 OrganShape::Kind nearest_kind(MtgOrganClass organ_class, std::string_view shape)
 {
     auto const word = shape.substr(0, shape.find('-'));
@@ -78,7 +80,7 @@ Material material_of(MtgOrganClass organ_class)
              .roughness = 0.6f };
 }
 
-// Returns the ratio of two lengths, or `otherwise` if it is too large or `whole` is not above 0.
+// Returns part / whole, or `otherwise` if that ratio is too large or `whole` is not above 0.
 float share_of(double part, double whole, float otherwise)
 {
     constexpr double kGreatest = 1e6;
@@ -86,7 +88,7 @@ float share_of(double part, double whole, float otherwise)
     return whole > 0 && std::abs(share) <= kGreatest ? static_cast<float>(share) : otherwise;
 }
 
-// Rotation from the organ frame to the plant frame.
+// Returns the rotation from the organ frame to the plant frame.
 Quat orientation_of(MtgOrgan const& organ)
 {
     Vec3 const along = organ.direction.normalized();
@@ -104,7 +106,7 @@ Quat orientation_of(MtgOrgan const& organ)
     return Quat(axes);
 }
 
-// The organ shapes that are added to a plant.
+// The organ shapes that the organs of a file add to a plant.
 class MtgShapes {
 public:
     explicit MtgShapes(Plant& plant)
@@ -144,7 +146,8 @@ public:
 private:
     using Key = std::pair<MtgOrganClass, std::string_view>;
 
-    // Returns the key of an organ's shape. Shapes beyond the maximum share one without a name.
+    // Returns the key of an organ's shape. Once there are kMaxMtgShapes shapes, organs with a new
+    // shape share one unnamed shape for each class.
     Key key_of(MtgOrgan const& organ) const
     {
         Key const key { organ.kind, organ.shape };

@@ -31,7 +31,7 @@ struct MtgOrgan {
     // its plane. No value: the organ is scaled along its normal as much as across its width.
     std::optional<double> depth {};
     double petiole = 0; // Length of the petiole, included in `length`.
-    // The kind of shape and a number that identifies the shape, such as "blade-2". Refers to the
+    // The kind of shape and a number that identifies the shape, such as "blade-2". Points into the
     // text of the file.
     std::string_view shape {};
 };
@@ -42,7 +42,7 @@ constexpr std::array<std::string_view, 11> kMtgOrganColumns {
     "DirectionZ", "NormalX", "NormalY", "NormalZ", "Shape"
 };
 
-// The letter of the class: L, F or O.
+// Returns the letter of the class in a file: L, F or O.
 char mtg_symbol(MtgOrganClass kind);
 
 // Returns the row of an organ, without `node` and `shape`; mtg_shape_name() returns its column
@@ -50,7 +50,7 @@ char mtg_symbol(MtgOrganClass kind);
 MtgOrgan mtg_organ(Plant const& plant, Organ const& organ);
 std::string mtg_shape_name(Plant const& plant, OrganShapeId shape);
 
-// Numbers of the organ columns in a file.
+// Positions of the organ columns among the columns of a file.
 class MtgOrganColumns {
 public:
     // Finds the columns by name, from column `first` on. Returns no value if the file has no
@@ -65,15 +65,15 @@ private:
     std::array<std::optional<std::size_t>, kMtgOrganColumns.size()> columns_ {};
 };
 
-// True if size and position are plausible for an organ of this plant: at most 10 km large and at
-// most 10 km away. Lengths in millimetres.
+// True if the organ is at most 10 km large and at most 10 km away from the plant's base. Lengths in
+// millimetres.
 bool is_plausible_organ(MtgOrgan const& organ, Vec3 const& base_mm);
 
 // Adds the valid organs to the plant, with shapes and materials for them: one shape for all organs
 // of a class with the same `shape`, sized for the largest of them. Lengths in millimetres.
 //
-// Shapes that a few numbers cannot describe, surfaces and grown leaves, become blades, or balls if
-// they are neither leaf nor flower.
+// The file does not hold the form of surfaces and grown leaves. They become blades, or balls if the
+// organ is neither a leaf nor a flower.
 void add_mtg_organs(MeasuredPlant& measured, std::span<MtgOrgan const> organs);
 
 } // namespace tractus

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kMaxScales = 64;
 constexpr std::size_t kMaxGraphColumns = 100'000;
-// Maximum number of entities in a file that << and ++ abbreviate.
+// Maximum number of entities in a file for which the abbreviations << and ++ stand.
 constexpr long kMaxRepeats = 1'000'000;
 
 constexpr std::array<std::string_view, 5> kTopDiameters { "topdiameter", "topdia", "diameter",
@@ -32,13 +32,15 @@ constexpr std::array<std::string_view, 1> kRadii { "radius" };
 
 // The current position in the graph, to which the next entity is attached.
 struct GraphPlace {
-    std::array<bool, kMaxScales> has_entity {}; // For each scale, whether there is an entity.
-    std::uint32_t node = kNone;                 // Node of the last entity that has a position.
-    bool is_branch = false;                     // True if a + has been read since that entity.
+    // For each scale, true if the position is in an entity of it.
+    std::array<bool, kMaxScales> has_entity {};
+    std::uint32_t node = kNone; // Node of the last entity that has a position.
+    bool is_branch = false;     // True if a + has been read since the entity of `node`.
 };
 
-// The last entity in a column of the file, and the last branch on it that the same column has
-// named. The branch is forgotten when another one is named or when its own parts follow.
+// The last entity in a column of the file, and the last branch that the same column has begun on
+// that entity. The column keeps the branch until another one begins, or until an entity without +
+// follows in the column.
 struct GraphColumn {
     GraphPlace place;
     std::optional<GraphPlace> branch;
@@ -59,7 +61,8 @@ public:
 private:
     struct Class {
         std::size_t scale = 0;
-        std::optional<MtgOrganReader::ClassId> organ {}; // No value if the class is not an organ.
+        // The class in MtgOrganReader; no value if it is not a class of organs.
+        std::optional<MtgOrganReader::ClassId> organ {};
     };
     struct Entity {
         char relation = '/';
@@ -247,8 +250,9 @@ Result<void> MtgReader::read_entities(std::string_view line)
     return {};
 }
 
-// Continues from the entity above a line that begins with ^. A + names a branch on that entity;
-// further entities in the same column are attached to the same entity as the branch.
+// Adds the entities of a line that begins with ^, which stands for the last entity of the column.
+// After ^+ they are a branch on that entity, and a further ^+ begins another branch on the same
+// entity.
 Result<void> MtgReader::go_on(std::size_t column, std::span<Entity const> entities,
                               std::vector<std::string_view> const& cells)
 {
@@ -334,7 +338,7 @@ Result<void> MtgReader::walk(GraphPlace& place, std::span<Entity const> entities
     return {};
 }
 
-// Never fails: an organ with too little data is only counted.
+// Never fails: an organ with too little data is only counted as left out.
 void MtgReader::add_organ(GraphPlace const& place, Entity const& entity,
                           std::vector<std::string_view> const& cells)
 {

@@ -75,7 +75,8 @@ public:
             (plant.organs[i].segment == kNone ? on_ground_ : organs_[plant.organs[i].segment])
                 .push_back(i);
         trunk_column_ = trunks_.size() > 1 ? 1 : 0;
-        columns_ = trunk_column_ + orders + 2; // The last one is for organs of the highest order.
+        // The last column is for organs on axes of the highest order.
+        columns_ = trunk_column_ + orders + 2;
     }
 
     void write()
@@ -121,7 +122,8 @@ private:
         }
     }
 
-    // Opens the lateral axes of one segment; the parent axis continues when they have been written.
+    // Pushes the lateral axes of one segment; the parent axis continues when they have been
+    // written.
     void write_standing(std::vector<AxisId> const& standing,
                         std::vector<std::pair<AxisId, std::uint32_t>>& open)
     {
@@ -195,7 +197,7 @@ private:
     std::vector<std::vector<AxisId>> standing_; // Axes attached to the end of each segment.
     std::vector<std::vector<std::size_t>> organs_;
     std::vector<std::size_t> on_ground_; // Organs on the ground that have not been written yet.
-    std::uint32_t trunk_column_ = 0;     // Column of the entities of trunks, from 0.
+    std::uint32_t trunk_column_ = 0;     // Column of the entities of trunks, counted from 0.
     std::uint32_t columns_ = 0;          // Number of columns for entities.
 };
 

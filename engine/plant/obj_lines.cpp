@@ -8,7 +8,7 @@ namespace tractus {
 
 namespace {
 
-// Files with a smaller extent than this, in their units, are assumed to be in metres.
+// A file whose coordinates extend over less than this is assumed to be in metres.
 constexpr double kLargestInMetres = 100;
 
 // Iterates over the words of a line.

@@ -9,8 +9,7 @@ void apply_pipe_model(Plant& plant, double exponent, double tip_radius_mm)
     double const tip = std::pow(tip_radius_mm, exponent);
     // For each segment, the sum of r^exponent over its lateral axes.
     std::vector<double> borne(plant.segment_count());
-    // Children come after their parents, so in reverse order every axis is finished before its
-    // parent.
+    // A plant lists parents before children, so in reverse order every axis precedes its parent.
     for (auto axis = plant.axes.rbegin(); axis != plant.axes.rend(); ++axis) {
         double sum = 0;
         auto const set_radius = [&](std::size_t node) {

@@ -66,8 +66,8 @@ struct Plant {
     std::vector<Vec3> polygon_vertices_mm;
     std::vector<Material> materials;
     std::vector<OrganShape> organ_shapes;
-    // Cross-sections that are not round. If there are any, there is one section per node; otherwise
-    // both lists are empty.
+    // Outlines of cross-sections that are not round, and the cross-section at each node. Both lists
+    // are empty if all cross-sections are round.
     std::vector<Contour> contours;
     std::vector<NodeSection> node_section;
 
@@ -95,8 +95,8 @@ struct SegmentNodes {
 };
 SegmentNodes nodes_of(Plant const& plant, SegmentId segment);
 
-// Returns the segment below `segment`: the previous one on its axis or, for the first one, the one
-// that its axis is attached to; kNone if the axis is on the ground.
+// Returns the segment below `segment`: the previous segment of its axis. For the first segment of
+// an axis, returns the segment that the axis is attached to, or kNone if it is on the ground.
 SegmentId parent_segment(Plant const& plant, SegmentId segment);
 
 // Arc length of an axis.
@@ -110,11 +110,11 @@ struct Bounds {
     void add(Vec3 const& point);
 };
 
-// Bounding box of the nodes and the organs' points of attachment. Empty for an empty plant.
+// Bounding box of the nodes, the organs' points of attachment and the polygons' vertices. Empty for
+// an empty plant.
 Bounds bounds(Plant const& plant);
 
-// Aborts with CHECK if `plant` violates an invariant of Plant. For the tests of everything that
-// makes plants.
+// Aborts with CHECK if `plant` violates an invariant of Plant. For tests of code that makes plants.
 void check_plant(Plant const& plant);
 
 } // namespace tractus

@@ -9,7 +9,7 @@ namespace tractus {
 
 static constexpr std::size_t kPrefixLength = 4;
 
-// Length of the prefix of an address.
+// Number of elements in the part prefix of an address.
 static std::size_t prefix_length(SegmentAddress const& address)
 {
     std::size_t length = 0;

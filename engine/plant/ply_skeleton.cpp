@@ -177,7 +177,8 @@ Result<double> PlyReader::scalar(PlyType const& type)
                           : as(std::int32_t {});
 }
 
-// Reads an element: vertices and edges are kept, elements with other names are skipped.
+// Reads all items of an element. Vertices and edges are kept; elements with other names are
+// skipped.
 Result<void> PlyReader::read_element(PlyElement const& element)
 {
     std::array<std::string_view, 4> constexpr kVertex { "x", "y", "z", "radius" };
@@ -237,8 +238,8 @@ Result<Plant> PlyReader::plant() const
     return plant;
 }
 
-// Sets the radius of each node to that of its vertex, found by position: a joint has the position
-// of the first of its vertices, relative to the plant's first node at the origin.
+// Sets the radius of each node to that of the vertex at its position. A joint of several vertices
+// is at the first of them, and the plant is moved so that its first node is at the origin.
 void PlyReader::set_radii(Plant& plant, double scale) const
 {
     std::map<std::array<double, 3>, double> radius_at;

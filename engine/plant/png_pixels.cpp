@@ -24,8 +24,8 @@ Result<void> check_picture_size(std::int64_t width, std::int64_t height, std::in
                             width, height, most_pixels / kMillion));
 }
 
-// Minimum and maximum number of bytes of a PNG's rows. The maximum allows for interlaced rows and
-// for some superfluous bytes at their end, which a few programs write.
+// Plausible minimum and maximum number of bytes in the inflated rows of a PNG file. The maximum
+// allows for interlaced rows and for superfluous bytes that some programs write after the rows.
 struct RowBytes {
     std::uint64_t least = 0;
     std::uint64_t most = 0;
@@ -33,7 +33,8 @@ struct RowBytes {
 
 static RowBytes row_bytes(std::string_view png, std::uint64_t width, std::uint64_t height)
 {
-    constexpr std::array<std::uint64_t, 7> kChannels { 1, 1, 3, 1, 2, 1, 4 }; // By colour type.
+    // Channels per pixel, by colour type.
+    constexpr std::array<std::uint64_t, 7> kChannels { 1, 1, 3, 1, 2, 1, 4 };
     auto const depth = static_cast<unsigned char>(png[24]);
     auto const type = static_cast<unsigned char>(png[25]);
     auto const bits = depth * (type < kChannels.size() ? kChannels[type] : 4);
@@ -52,7 +53,7 @@ static std::uint64_t inflated_bytes(std::string_view png, std::uint64_t most)
     std::array<unsigned char, 65536> piece;
     std::uint64_t count = 0;
     int result = Z_OK;
-    constexpr std::size_t kAroundData = 12; // Length, type and checksum of a chunk.
+    constexpr std::size_t kAroundData = 12; // Bytes of a chunk's length, type and checksum.
     for (std::size_t at = 8; result == Z_OK && count <= most && at + kAroundData <= png.size();) {
         auto const size = std::min<std::size_t>(
             png_get_uint_32(reinterpret_cast<png_const_bytep>(png.data()) + at),
@@ -67,15 +68,16 @@ static std::uint64_t inflated_bytes(std::string_view png, std::uint64_t most)
                 result = inflate(&stream, Z_NO_FLUSH);
                 count += piece.size() - stream.avail_out;
             } while (result == Z_OK && stream.avail_out == 0 && count <= most);
-            result = result == Z_BUF_ERROR ? Z_OK : result; // zlib needs the next chunk.
+            // Z_BUF_ERROR only means that zlib needs the next chunk.
+            result = result == Z_BUF_ERROR ? Z_OK : result;
         }
         at += size + kAroundData;
     }
     return count;
 }
 
-// Fails if the file holds fewer pixels than it claims, since memory would be allocated for them, or
-// far more data, since libpng would inflate all of it.
+// Fails if the file holds fewer pixels than it claims, since memory would be allocated for the
+// claimed ones, or far more data, since libpng would inflate all of it.
 static Result<void> check_data(std::string_view png, std::uint64_t width, std::uint64_t height)
 {
     auto const [least, most] = row_bytes(png, width, height);

@@ -17,10 +17,10 @@ Result<void> check_picture_size(std::int64_t width, std::int64_t height, std::in
 // read_png_pixels() returns.
 using PixelAllocator = std::function<std::uint8_t*(int width, int height)>;
 
-// Reads the pixels of a PNG file (ISO/IEC 15948) of any kind: rows from the top; red, green, blue
-// and alpha, not premultiplied; opaque if the file has no alpha. Safe for arbitrary bytes: claimed
-// sizes are checked before memory is allocated. Fails with a user error, in a sentence without the
-// file's name.
+// Reads the pixels of a PNG file (ISO/IEC 15948) of any colour type and bit depth. They are stored
+// in rows from the top, each as red, green, blue and alpha, not premultiplied; opaque if the file
+// has no alpha. Safe for arbitrary bytes: claimed sizes are checked before memory is allocated.
+// Fails with a user error, in a sentence without the file's name.
 Result<void> read_png_pixels(std::string_view bytes, std::int64_t most_pixels,
                              PixelAllocator const& room);
 
@@ -32,7 +32,7 @@ struct PixelRows {
 };
 
 // Returns a PNG file of the pixels with the order of rows reversed. It has no alpha channel if all
-// pixels are opaque. Deterministic.
+// pixels are opaque. The same pixels always give the same bytes.
 std::string upside_down_png(PixelRows const& rows);
 
 } // namespace tractus

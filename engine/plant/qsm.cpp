@@ -27,7 +27,7 @@ enum QsmColumn : std::size_t {
     AxisY,
     AxisZ,
     Parent,
-    Extension, // In all versions of TreeQSM the columns have the same order up to this one.
+    Extension, // All versions of TreeQSM have the same columns up to this one.
     Branch,
     EndX,
     EndY,
@@ -129,12 +129,12 @@ private:
     std::size_t line_ = 0;
     std::optional<char> separator_;
     std::array<std::optional<std::size_t>, QsmColumnCount> columns_;
-    bool is_named_ = false; // True if the first line of the file names the columns.
+    bool is_named_ = false; // True if the first line of the file names its columns.
     std::vector<QsmCylinder> cylinders_;
 };
 
-// Reads the names of the columns. A file with TreeQSM's own names, each of which stands for three
-// columns, keeps the default order.
+// Reads the names of the columns. The default order is kept if none is named start_x, as with
+// TreeQSM's own names, some of which stand for three columns.
 Result<void> QsmReader::read_names(std::vector<std::string_view> const& cells)
 {
     std::array<std::optional<std::size_t>, QsmColumnCount> named;

@@ -22,7 +22,7 @@ namespace tractus {
 //
 // A segment reaches from the end of the parent cylinder to the cylinder's own end. An axis is
 // continued by the `extension`; in files without extensions by the child of the same branch, or,
-// without that column, by the thickest child.
+// without a column branch, by the thickest child.
 //
 // Fails, in a sentence that begins with `name` and the line, if a number is invalid, a line is too
 // short, or the parents form a cycle.

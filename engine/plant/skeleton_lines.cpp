@@ -21,7 +21,8 @@ struct SkeletonJoint {
     std::vector<std::uint32_t> neighbours;
 };
 
-// Finds the joint at a position, with a hash grid whose cells have the size of the tolerance.
+// Finds or adds the joint at a position, with a hash grid whose cells have the size of the
+// tolerance.
 class JointFinder {
 public:
     explicit JointFinder(double tolerance_mm)
@@ -75,7 +76,7 @@ private:
     std::unordered_map<Cell, std::vector<std::uint32_t>, Hash> cells_;
 };
 
-// The joints as a forest: the parent of each, and the longest path from each to a tip.
+// The joints as a forest: the parent of each joint, and the length of its longest path to a tip.
 class Forest {
 public:
     explicit Forest(std::vector<SkeletonJoint> const& joints)
@@ -123,8 +124,8 @@ private:
         return (joints_[child].place_mm - joints_[joint].place_mm).norm() + reach_mm_[child];
     }
 
-    // Roots each part at its lowest joint and traverses it breadth first, so that a loop is cut at
-    // its far side.
+    // Roots each connected part at its lowest joint. The traversal is breadth first, so that a loop
+    // is cut where the two paths around it meet.
     void find_roots()
     {
         std::vector<std::uint32_t> lowest_first(joints_.size());
@@ -172,7 +173,7 @@ Plant Forest::plant() const
     for (auto const root : roots_)
         for (auto const child : children_[root])
             starts.push_back({ root, child });
-    for (std::size_t i = 0; i < starts.size(); ++i) { // The list grows while axes are followed.
+    for (std::size_t i = 0; i < starts.size(); ++i) { // The body appends laterals to the list.
         auto const start = starts[i];
         Axis axis { .first_node = static_cast<NodeId>(plant.node_position_mm.size()),
                     .first_segment = static_cast<SegmentId>(plant.segment_count()),

@@ -8,13 +8,13 @@ namespace tractus {
 
 namespace {
 
-// The segments as a tree; parents come before children.
+// The segments of a plant as a tree; parents come before children.
 struct Segments {
     std::vector<SegmentId> parent;
     std::vector<std::uint32_t> children; // Number of each segment's children.
     std::vector<double> length_mm;
     std::vector<double> diameter_mm; // Diameter at the lower end of each segment.
-    std::vector<double> low_mm;      // Height of the lower end; `high_mm`: of the upper end.
+    std::vector<double> low_mm;      // Height of each lower end; `high_mm`: of each upper end.
     std::vector<double> high_mm;
 
     std::size_t size() const { return parent.size(); }
@@ -59,7 +59,8 @@ std::vector<int> strahler_orders(Segments const& segments)
     return orders;
 }
 
-// Factor by which values grow from one stream order to the next, by least squares on logarithms.
+// Returns the factor by which values grow from one stream order to the next, by least squares on
+// their logarithms; 0 for fewer than three orders.
 double ratio_between_orders(std::vector<double> const& values)
 {
     constexpr std::size_t kFewest = 3;
@@ -76,8 +77,8 @@ double ratio_between_orders(std::vector<double> const& values)
     return std::exp(up / across);
 }
 
-// Measures the streams: chains of segments of one order. The stream of the highest order counts for
-// the number of streams but not for their length, since it ends at the ground, not at a confluence.
+// Measures the streams, which are chains of segments of the same order. The streams of the highest
+// order are counted, but their length is ignored: they end at the ground, not at a confluence.
 void measure_streams(Segments const& segments, TreeMeasures& measures)
 {
     auto const orders = strahler_orders(segments);
@@ -99,7 +100,7 @@ void measure_streams(Segments const& segments, TreeMeasures& measures)
     measures.length_ratio = ratio_between_orders(lengths);
 }
 
-// Sum, over all forks, of the squared logarithm of the ratio between d^e and the sum of d_child^e.
+// Returns the sum, over all forks, of the square of ln(sum of d_child^e / d^e); d: diameters.
 double pipe_error(Segments const& segments, double e)
 {
     std::vector<double> sums(segments.size());
@@ -114,7 +115,8 @@ double pipe_error(Segments const& segments, double e)
     return error;
 }
 
-// Finds the exponent of least pipe_error() by golden-section search, since there is one minimum.
+// Finds the exponent that minimises pipe_error(), by golden-section search: there is only one
+// minimum.
 double fitted_pipe_exponent(Segments const& segments)
 {
     constexpr double kGolden = 0.6180339887498949;

@@ -19,13 +19,13 @@ struct TreeMeasures {
     // Height below which 5 % of the organs are, or of the branch tips if there are no organs.
     double crown_base_mm = 0;
     int strahler = 0; // Horton-Strahler order of the base: 1 for a stem without branches.
-    // Horton's ratios between consecutive orders, by regression over the orders: the factor by
-    // which the number of streams decreases (bifurcation) and that by which their length increases.
-    // 0 if there are fewer than three orders.
+    // Horton's ratios between consecutive stream orders, by regression: the factor by which the
+    // number of streams decreases (bifurcation), and the factor by which their mean length
+    // increases. 0 if the regression has fewer than three orders.
     double bifurcation_ratio = 0;
     double length_ratio = 0;
-    // Exponent e for which d^e = sum of d_child^e fits best over all forks (Minamino and Tateno
-    // 2014); 0 if there are no forks.
+    // Exponent e with which the diameters d at all forks fit d^e = sum of d_child^e best (Minamino
+    // and Tateno 2014); 0 if there are no forks.
     double pipe_exponent = 0;
 };
 

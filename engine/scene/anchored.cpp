@@ -4,7 +4,8 @@
 
 namespace tractus::scene {
 
-// Limits an edit to 2^24 items, more than any plant has branches.
+// Number of bits for the item's index in an id: an edit makes at most 2^24 items, more than any
+// plant has branches.
 static constexpr int kItemBits = 24;
 
 ItemId item_id(std::uint64_t edit, std::size_t item)

@@ -27,11 +27,12 @@ struct PicturePlace {
     bool operator==(PicturePlace const&) const = default;
 };
 
-// What the user has specified about the ground that the picture shows (picture_ground.h). Positions
-// are on the sheet, relative to the picture's centre, as shares of its width: they move and scale
-// with the picture, but do not rotate with it.
+// The ground that the picture shows, as specified by the user (picture_ground.h). Positions are on
+// the upright sheet, relative to the picture's centre, as shares of the picture's width. They move
+// and scale with the picture, but do not rotate with it.
 struct PictureGround {
-    std::optional<double> horizon {}; // Height above the picture's centre, as a share of its width.
+    // Height of the horizon above the picture's centre, as a share of the picture's width.
+    std::optional<double> horizon {};
     // An upright object of known height, 0.05 to 200 m: its foot and its top in the picture.
     struct Measured {
         Vec2 foot = Vec2::Zero();
@@ -47,7 +48,7 @@ struct PictureGround {
 
 struct BackPicture {
     std::string name {}; // Name of the picture's file, for display.
-    // Contents of the PNG or JPEG file; never null. Shared with earlier states.
+    // Contents of the PNG or JPEG file; never null. Shared between states of the document.
     std::shared_ptr<std::string const> file {};
     PicturePlace place {};
     PictureGround ground {};
@@ -58,12 +59,12 @@ constexpr double kGreatestPictureWidth_mm = 10'000;
 constexpr double kMinPictureStrength = 0.05;
 constexpr std::size_t kMaxPictureBytes = std::size_t { 64 } << 20;
 
-// Sets the background picture, replacing the present one.
+// Sets the background picture of the document; it replaces any earlier one.
 struct LayPicture {
     static EditKind const kKind;
 
     std::string name {};
-    std::string file {}; // Contents of the picture's file.
+    std::string file {}; // Contents of the PNG or JPEG file.
     PicturePlace place {};
 };
 

@@ -66,7 +66,7 @@ public:
             seat.direction = step_mm / length_mm;
         auto made = std::make_shared<Plant const>(
             variation::make_limb(*model.base->plant, *model.base->rest, limb.points, seat));
-        models_.push_back(model); // Limbs on this limb are modelled on the same plant.
+        models_.push_back(model); // Limbs on this limb imitate the same plant.
         append({ .prefix = graft.prefix, .plant = made, .index = AddressIndex(*made) },
                { .on = *on,
                  .moved_mm = base_mm + limb.joint * step_mm,
@@ -86,11 +86,13 @@ public:
     }
 
 private:
-    // The base plant of a part; for a limb, that of the part whose branches the limb imitates.
+    // The base plant of a part. For a limb, the base plant of the part whose branches the limb
+    // imitates.
     struct PartModel {
         BasePlant const* base = nullptr;
-        AppearanceOffsets looks {}; // Offsets of its materials and shapes in the whole plant.
-        std::uint32_t order = 0;    // Branching order of its stems in the whole plant.
+        // Offsets of the part's materials and shapes in the whole plant.
+        AppearanceOffsets looks {};
+        std::uint32_t order = 0; // Branching order of the part's stems in the whole plant.
     };
 
     PlantAddresses addresses() const { return PlantAddresses(parts_); }
@@ -106,7 +108,7 @@ private:
         parts_.push_back(std::move(part));
     }
 
-    // Returns the index of the innermost part that an address belongs to.
+    // Returns the index of the innermost part that contains an address.
     std::size_t part_with(SegmentAddress const& at) const
     {
         std::size_t innermost = 0;
@@ -117,9 +119,9 @@ private:
         return innermost;
     }
 
-    // Returns the segment to which a limb is attached. If the branch is shorter than when the limb
-    // was drawn, or missing, as in another individual, this is the nearest segment below. No value
-    // if the part is missing or the segment is hidden.
+    // Returns the segment to which a limb is attached. If the branch has become shorter since the
+    // limb was drawn, or is missing, as in another individual, this is the nearest segment below.
+    // No value if the part is missing or the segment is hidden.
     std::optional<SegmentId> bearer_of(SegmentAddress const& at) const
     {
         auto const& part = parts_[part_with(at)];
@@ -145,8 +147,8 @@ private:
         return part.in_whole[*found];
     }
 
-    // Returns for each segment of a part whether it is hidden, or an empty list if none is.
-    // Descendants of hidden segments are not marked.
+    // Returns for each segment of a part whether the user has hidden it, or an empty list if none
+    // is hidden. Descendants of hidden segments are not marked.
     std::vector<bool> hidden_of(PlantPart const& part) const
     {
         std::vector<bool> hidden;
@@ -154,7 +156,7 @@ private:
             if (!is_in_part(part.prefix, at))
                 continue;
             auto const own = part.index.find_segment(*part.plant, without_part(part.prefix, at));
-            if (!own) // The segment is in a part of this part, or does not exist at present.
+            if (!own) // The segment belongs to a part of this part, or does not exist at present.
                 continue;
             hidden.resize(part.plant->segment_count());
             hidden[*own] = true;
@@ -171,7 +173,8 @@ private:
     PlantState const& plant_;
     Plant whole_;
     std::vector<PlantPart> parts_;
-    std::vector<PartModel> models_; // Models of parts_, in the same order.
+    // What the limbs on each part imitate, in the order of parts_.
+    std::vector<PartModel> models_;
     std::vector<std::string> warnings_;
 };
 

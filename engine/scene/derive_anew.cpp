@@ -58,7 +58,8 @@ std::string described(DeriveAnew const& edit)
     return fmt::format("derives plant {} by other seeds", name_of(edit.plant));
 }
 
-// Returns the seeds of a plant's model and of those grafted to it; 0 for what is not a model.
+// Returns the seeds of a plant's source and of its grafts' sources; 0 for a source that is not a
+// model.
 std::vector<std::uint64_t> seeds_of(PlantState const& plant)
 {
     auto const seed_of = [](PlantSource const& source) {
@@ -94,7 +95,7 @@ std::optional<DeriveAnew> derive_anew(Scene const& scene, variation::PlantKey co
         edit.at.push_back(at[0]);
     }
     if (edit.strokes.empty() && edit.seeds == seeds_of(*before))
-        return std::nullopt; // No other seed keeps all that was drawn.
+        return std::nullopt; // No other seed keeps everything that was drawn.
     return edit;
 }
 

@@ -8,14 +8,14 @@
 
 namespace tractus::scene {
 
-// Returns the scale that shows a natural size as `shown_mm`; 1 for a plant without extent.
+// Returns the scale at which a natural size is shown as `shown_mm`; 1 if the natural size is 0.
 static double fitting_scale(double shown_mm, double natural_mm)
 {
     return natural_mm > 0 ? shown_mm / natural_mm : 1;
 }
 
-// Returns the highest order up to which the plant has few enough axes for the pen to distinguish;
-// at least 1.
+// Returns the highest branching order to display: the axes up to it are few enough for the pen to
+// tell apart. At least 1.
 static std::uint32_t sparse_order(Plant const& plant)
 {
     constexpr std::size_t kMaxAxes = 60;
@@ -58,8 +58,8 @@ void rescale(DeskPlacement& placement, double scale)
 
 SelectionView fit_selection_view(Bounds const& box, SelectionAngle const& angle)
 {
-    // Margin on each side, as a share of the tablet's area, so that strokes can extend past the
-    // tips.
+    // Margin on each side of the tablet, as a share of its width or height, so that strokes can
+    // extend past the tips of branches.
     constexpr double kMargin = 0.06;
     SelectionView view;
     view.area_mm = angle.area_mm;

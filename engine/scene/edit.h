@@ -23,18 +23,18 @@ namespace tractus::scene {
 
 struct BuiltPlant;
 
-// The user's edits, as values. A document is the fold of its edits, so each edit contains
-// everything needed to repeat it: the text of a model, the tips of a stroke, the chosen segments.
-// Each struct below is a kind of edit (edit_kind.h).
+// The user's edits, as values. A document is the result of applying its edits in order, so each
+// edit contains everything needed to repeat it: the text of a model, the tips of a stroke, the
+// chosen segments. Each struct below is one kind of edit (edit_kind.h).
 
 // What happens to strokes and indicators when the source of a plant changes.
 enum class Drawn {
-    Forget, // It is a different plant: strokes and indicators are removed.
-    // It is the same plant, edited: items drawn on branches move to the branches at the same
-    // addresses (branch_address.h). Items without such a branch become orphans: they are kept
-    // without effect, and take effect again when a later edit brings the branch back.
+    Forget, // Strokes and indicators are removed, as the new source is a different plant.
+    // The new source is an edited form of the same plant. Items drawn on branches move to the
+    // branches at the same addresses (branch_address.h). Items without such a branch become
+    // orphans: they have no effect until a later edit brings the branch back.
     Keep,
-    Beside, // The source becomes an additional plant.
+    Beside, // The source becomes that of an additional plant.
 };
 
 // Sets an L-system model as the source of a plant.
@@ -62,7 +62,8 @@ struct LoadSkeleton {
     std::string name {};
     std::vector<SkeletonPiece> lines {};
     Drawn drawn = Drawn::Forget;
-    Vec3 stands_at_mm = Vec3::Zero(); // As in LoadModel; also `id`.
+    // For Drawn::Beside: the plant's base and id, as in LoadModel.
+    Vec3 stands_at_mm = Vec3::Zero();
     ItemId id = 0;
 
     bool operator==(LoadSkeleton const&) const = default;
@@ -80,58 +81,62 @@ struct LoadMeasured {
     };
 
     std::string name {};
-    std::string text {}; // Contents of the file; may be binary.
+    std::string text {}; // Contents of the file: text or binary.
     Format format = Format::Mtg;
     Drawn drawn = Drawn::Forget;
-    Vec3 stands_at_mm = Vec3::Zero(); // As in LoadModel; also `id`.
+    // For Drawn::Beside: the plant's base and id, as in LoadModel.
+    Vec3 stands_at_mm = Vec3::Zero();
     ItemId id = 0;
 
     bool operator==(LoadMeasured const&) const = default;
 };
 
-// Returns the edit that set this source, or null if the source is of another kind.
+// Each of these functions returns the edit that set the source, or null if the source is of another
+// kind.
 LoadModel const* loaded_model(PlantSource const& source);
 LoadSkeleton const* loaded_skeleton(PlantSource const& source);
 LoadMeasured const* loaded_measured(PlantSource const& source);
 
-// Replaces the selection, to which subsequent associations apply. Usually it is one path, or
+// Replaces the selection: the paths to which later strokes apply. Usually it is one path, or
 // several if the pen left the choice of branch open (Streit 2006, section 4.1). An empty list
 // clears the selection.
 struct Select {
     static EditKind const kKind;
 
-    variation::Selection paths {};  // Paths by their segments, as in sessions before format 4.
-    std::vector<PathAddress> at {}; // Paths by their addresses.
+    // Paths given by segment numbers, as in sessions before format 4.
+    variation::Selection paths {};
+    std::vector<PathAddress> at {}; // Paths given by addresses.
 };
 
-// Returns an edit that selects paths of a plant by their addresses.
+// Returns the edit that selects these paths of a plant, by their addresses.
 Select select_paths(BuiltPlant const& plant, variation::Selection const& paths);
 
-// Applies a stroke to each selected path, to its descendants, or to both (Streit 2006, section
-// 4.3).
+// Applies a stroke to each selected path, to the path's descendants, or to both (Streit 2006,
+// section 4.3).
 struct Associate {
     static EditKind const kKind;
 
     Stroke stroke;
     variation::Propagation propagation = variation::Propagation::Selected;
     variation::StrokeFit fit = variation::StrokeFit::Start;
-    double detail_weight = 1; // Share of the hand's detail that is kept.
+    // Share of the hand's detail that the stroke keeps, from 0 (smooth) to 1 (as drawn).
+    double detail_weight = 1;
     variation::StrokeLaying laying = variation::StrokeLaying::LeastTwist;
-    ItemId id = 0; // Id of the stroke on the first path; 0 if not assigned yet.
+    ItemId id = 0; // Id of the stroke on the first selected path; 0 if not assigned yet.
 };
 
 // The drawn items that an edit applies to.
 struct Items {
     std::vector<ItemId> ids {};
-    // Used in sessions before format 4: positions in the list of items at that time.
+    // Positions in the list of items, which sessions before format 4 use instead of ids.
     std::vector<std::uint64_t> numbers {};
 
     bool empty() const { return ids.empty() && numbers.empty(); }
 };
 
-// The following edits modify existing strokes, at least one.
+// Edits of existing strokes. Each names at least one stroke.
 
-// Redraws a part of the strokes (oversketch.h).
+// Redraws a part of the strokes by drawing over them (oversketch.h).
 struct Oversketch {
     static EditKind const kKind;
 
@@ -147,20 +152,21 @@ struct SmoothStroke {
     double detail_weight = 0;
 };
 
-// Deletes strokes; earlier strokes that they overrode take effect again.
+// Deletes strokes. Earlier strokes that they overrode take effect again.
 struct DeleteStroke {
     static EditKind const kKind;
 
     Items strokes;
 };
 
-// Erases ranges of tips of each stroke (erase_tips.h). To remove a stroke altogether use
-// DeleteStroke.
+// Erases ranges of tips of each stroke (erase_tips.h). A whole stroke is removed by DeleteStroke
+// instead.
 struct EraseTips {
     static EditKind const kKind;
 
     Items strokes;
-    std::vector<TipRange> ranges; // Ranges of tips of the stroke in its present form, in order.
+    // Ranges of tips, in ascending order; indices count in the stroke's present form.
+    std::vector<TipRange> ranges;
 };
 
 // Adds a motion indicator (Streit 2006, section 4.4).
@@ -168,17 +174,17 @@ struct Indicate {
     static EditKind const kKind;
 
     variation::MotionIndicator indicator;
-    // Segments below which the indicator acts, unless `indicator` contains them.
+    // Addresses of the segments below which the indicator acts, besides those in `indicator`.
     std::vector<SegmentAddress> below {};
     ItemId id = 0; // Id of the indicator; 0 if not assigned yet.
 };
 
-// Replaces an indicator. If it is identified by its id it keeps acting below the same segments.
+// Replaces an indicator. An indicator identified by its id keeps acting below the same segments.
 struct ChangeIndicator {
     static EditKind const kKind;
 
-    // Id of the indicator; 0 in sessions before format 4, which use `number`: its position in the
-    // list of indicators.
+    // Id of the indicator. In sessions before format 4 it is 0, and `number` is the indicator's
+    // position in the list of indicators.
     ItemId which = 0;
     std::uint64_t number = 0;
     variation::MotionIndicator indicator;
@@ -187,23 +193,23 @@ struct ChangeIndicator {
 struct DeleteIndicator {
     static EditKind const kKind;
 
-    ItemId which = 0; // As in ChangeIndicator; also `number`.
+    ItemId which = 0; // Id of the indicator; if 0, `number` is its position, as in ChangeIndicator.
     std::uint64_t number = 0;
 };
 
-// Sets the growth parameters.
+// Sets the growth parameters of the active plant.
 struct SetGrowth {
     static EditKind const kKind;
 
     variation::GrowthParameters parameters;
-    std::uint64_t seed = 1; // Seed of the variations.
+    std::uint64_t seed = 1; // Seed of the random variations.
     double variability = 1; // Factor on the variation parameters; see at_variability().
     double age = 1;         // Age of the plant, 0 (young) to 1; see Grower::grow().
 };
 
-// Edits of the list of plants; their kinds are defined in plant_edits.cpp.
+// Edits of the document's list of plants; their kinds are defined in plant_edits.cpp.
 
-// Makes a plant the active one, to which subsequent drawing applies.
+// Makes a plant the active one, to which drawing then applies.
 struct ActivatePlant {
     static EditKind const kKind;
 
@@ -242,8 +248,8 @@ struct NamePlant {
     std::string name {};
 };
 
-// Removes a plant with everything drawn on it. If it was active, the plant before it becomes
-// active.
+// Removes a plant with everything drawn on it. If the plant was active, the one before it in the
+// list becomes active.
 struct RemovePlant {
     static EditKind const kKind;
 
@@ -252,20 +258,21 @@ struct RemovePlant {
 
 // Edits of plants' parts; their kinds are defined in graft_edits.cpp.
 
-// Grafts a plant onto a branch of another plant, which it becomes a part of: it then moves, grows,
-// varies and is exported with that plant. Everything drawn on it is kept. If it was active, the
-// other plant becomes active.
+// Grafts a plant onto a branch of another plant, of which it becomes a part: the part moves, grows,
+// varies and is exported with the whole plant. Everything drawn on the grafted plant is kept. If
+// the grafted plant was active, the other plant becomes active.
 struct GraftPlant {
     static EditKind const kKind;
 
     ItemId plant = 0;             // Id of the plant to graft; 0: the active one.
     ItemId onto = 0;              // Id of the plant that it is grafted onto.
     SegmentAddress at {};         // Segment of `onto` to whose end the plant is attached.
-    Vec3 turn_rad = Vec3::Zero(); // As in Graft; also `base_mm`.
+    Vec3 turn_rad = Vec3::Zero(); // Rotation and displacement of the part; see Graft.
     Vec3 base_mm = Vec3::Zero();
 };
 
-// Turns a grafted part back into a separate plant with everything drawn on it, and makes it active.
+// Turns a grafted part back into a separate plant, with everything drawn on it, and makes that
+// plant active.
 struct TakeOffGraft {
     static EditKind const kKind;
 
@@ -275,7 +282,7 @@ struct TakeOffGraft {
     ItemId id = 0;                    // New id of the plant; 0 if not assigned yet.
 };
 
-// Hides a segment of a plant with all its descendants, or shows a hidden segment again.
+// Hides a segment of a plant together with all its descendants, or shows them again.
 struct HideBranch {
     static EditKind const kKind;
 
@@ -293,8 +300,8 @@ struct SetScale {
 
 // Edits of leaves and season; their kinds are defined in leaf_edits.cpp and season_edits.cpp.
 
-// Stores grown leaves in the document for the plants and seasons that use them, so that a session
-// reproduces them unchanged.
+// Stores grown leaves in the document, for the plants and seasons that use them. A session thus
+// reproduces its leaves unchanged.
 struct KeepLeaves {
     static EditKind const kKind;
 
@@ -303,7 +310,8 @@ struct KeepLeaves {
     std::string sheet {}; // Text of the sheet.
 };
 
-// Stores a leaf grammar of the user in the document, so that its leaves can be grown at other ages.
+// Stores a leaf grammar of the user's in the document, so that its leaves can be grown at other
+// ages.
 struct KeepGrammar {
     static EditKind const kKind;
 
@@ -323,12 +331,13 @@ struct SetFoliage {
 struct SetSeason {
     static EditKind const kKind;
 
-    double month = 0;     // 1 to below 13; 0 for no season: plants as their sources define them.
+    // 1 to below 13; 0: no season, so that plants are shown as their sources define them.
+    double month = 0;
     double fallen = 0.25; // Share of the fallen leaves that are displayed on the ground, 0 to 1.
 };
 
-// An edit of unknown kind, from a newer version of the program or one with more methods, in the
-// form of its record (app/session/edit_record.h). It is kept unchanged; applying it fails.
+// An edit of unknown kind, from a newer version of the program or from one with more methods. Its
+// fields are those of its record (app/session/edit_record.h), kept unchanged. Applying it fails.
 struct UnknownEdit {
     static EditKind const kKind;
 
@@ -338,7 +347,7 @@ struct UnknownEdit {
     std::string why; // What is unknown about the edit, in one sentence.
 };
 
-// Returns all kinds above except UnknownEdit, which stands for kinds that are not in the table.
+// Returns the kinds of edits that engine/scene defines, without UnknownEdit.
 EditKinds core_edit_kinds();
 
 } // namespace tractus::scene

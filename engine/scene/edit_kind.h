@@ -15,21 +15,21 @@ namespace tractus::scene {
 struct DocumentState;
 class SceneBuilder;
 
-// Everything the program knows about one kind of edit: a row in the table of kinds. Sessions, their
-// log and its repair, undo, export and tests use this table and refer to no kind by name.
+// Everything the program knows about one kind of edit: a row in the table of kinds. Sessions, the
+// session log and its repair, undo, export and tests use only this table and name no kind of edit.
 struct EditKind {
     char const* word;                // Name in sessions, such as "associate". Must never change.
     bool loads_plant;                // True if the edit sets the source of a plant.
     std::shared_ptr<void> (*make)(); // Makes an edit with default values.
     std::shared_ptr<void> (*copy)(void const* edit);
     void (*fields)(Fields& visitor, void* edit);
-    // Returns the state after the edit, or an error; see apply_edit().
+    // Returns the state after the edit, or an error. Called by apply_edit().
     Result<DocumentState> (*apply)(DocumentState state, void const* edit, SceneBuilder& builder);
-    // A description for the user, such as "selects 1 path, 3 segments".
+    // Returns a description for the user, such as "selects 1 path, 3 segments".
     std::string (*describe)(void const* edit);
 };
 
-// A struct that represents a kind of edit: it has a static member kKind.
+// Satisfied by structs that are a kind of edit: they have a static member kKind.
 template<typename T>
 concept EditFields = requires
 {
@@ -38,7 +38,7 @@ concept EditFields = requires
         } -> std::convertible_to<EditKind const&>;
 };
 
-// An edit of any kind. A value: copies share the immutable fields.
+// An edit of any kind. A value: copies share the edit's immutable fields.
 class Edit {
 public:
     template<EditFields T>
@@ -78,7 +78,7 @@ private:
     std::shared_ptr<void const> fields_; // Fields of the edit, shared between its copies.
 };
 
-// The kinds of edits that a program knows. Words are unique.
+// The kinds of edits that a program knows. Each kind has a different word.
 using EditKinds = std::span<EditKind const* const>;
 
 // Finds a kind of edit by its word in sessions; null if there is none.

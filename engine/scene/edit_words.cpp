@@ -26,7 +26,7 @@ std::string describe_stroke(Stroke const& stroke)
     double length_mm = 0;
     for (std::size_t i = 1; i < stroke.tips.size(); ++i)
         length_mm += (stroke.tips[i].position_mm - stroke.tips[i - 1].position_mm).norm();
-    // In an edited session, times may be too far apart for a Duration.
+    // In a session edited by hand, the times may be too far apart for a Duration.
     double const seconds = stroke.tips.empty()
         ? 0
         : to_seconds(stroke.tips.back().time) - to_seconds(stroke.tips.front().time);

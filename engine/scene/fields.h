@@ -18,40 +18,40 @@
 
 namespace tractus::scene {
 
-// Pointer to a field of any type that edits contain. A new type of field needs an alternative here
-// and support in each visitor.
+// Pointer to a field of an edit, of any type that edits use. A new type of field needs an
+// alternative here and support in each visitor.
 using FieldRef
     = std::variant<bool*, int*, std::uint64_t*, double*, std::string*, Vec3*, std::optional<int>*,
                    std::optional<double>*, std::vector<std::uint32_t>*, std::vector<std::uint64_t>*,
                    variation::Selection*, std::vector<PathAddress>*, std::vector<TipRange>*,
                    std::map<std::string, std::string>*>;
 
-// Visitor of the fields of an edit, in order. Each kind of edit lists its fields once, in a
-// function that passes them to a visitor; the visitors write them as JSON, read them back, search
-// for strokes or fill in random values.
+// Visitor of the fields of an edit, in order. Each kind of edit has one function that passes its
+// fields to a visitor. Visitors write the fields as JSON, read them back, search for strokes or
+// fill in random values.
 class Fields {
 public:
     virtual ~Fields() = default;
 
-    // `name` identifies the field in sessions and must never change.
+    // Visits a field. `name` identifies the field in sessions and must never change.
     virtual void field(char const* name, FieldRef value) = 0;
 
-    // Visits a field that is not written if it is 0 or empty.
+    // Visits a field that visitors leave out of a session if it is 0 or empty.
     virtual void sparse_field(char const* name, FieldRef value) { field(name, value); }
 
-    // Visits the id of the first item that the edit makes; 0 if not assigned yet.
+    // Visits the id of the first item that the edit makes; the id is 0 if not assigned yet.
     virtual void id(std::uint64_t& id) { sparse_field("id", &id); }
 
-    // Visits a choice from a list of words; the value is the index of the chosen word.
+    // Visits a choice from a list of words. `value` is the index of the chosen word.
     virtual void word(char const* name, int& value, std::span<char const* const> words) = 0;
 
-    // Visit bulk data without a name; an edit has at most one such field.
+    // Visits the edit's bulk data, which has no name; an edit has at most one such field.
     virtual void numbers(Stroke& stroke) = 0;
     virtual void numbers(std::vector<SkeletonPiece>& lines) = 0;
-    virtual void bytes(std::string& file) = 0; // Contents of a file from another program.
+    virtual void bytes(std::string& file) = 0; // Visits the contents of a file of another program.
 
-    // Visits an enumeration, which is written as one of `words`. They are in the order of its
-    // values.
+    // Visits an enumeration, which is written as one of `words`; these are in the order of the
+    // enumeration's values.
     template<typename Enum, std::size_t N>
     void word(char const* name, Enum& value, std::array<char const*, N> const& words)
     {

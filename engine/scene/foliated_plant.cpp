@@ -22,8 +22,8 @@ public:
 
     Plant run()
     {
-        // Appends new shapes; if their number would exceed the range of OrganShapeId, existing
-        // shapes are kept.
+        // Appends the new shapes. Where their ids would exceed the range of OrganShapeId, leaves
+        // keep their shape.
         auto const own = plant_.organ_shapes.size();
         std::vector<std::optional<OrganShapeId>> first(own);
         for (std::size_t i = 0; i < own; ++i)
@@ -47,10 +47,10 @@ private:
             <= std::numeric_limits<OrganShapeId>::max();
     }
 
-    // Returns the id of the first added shape.
+    // Appends a shape for each leaf of the sheet, in place of `of`. Returns the id of the first.
     OrganShapeId add_leaves(OrganShape const& of)
     {
-        auto organ = of; // A copy, since the list may be reallocated.
+        auto organ = of; // A copy, since the list that contains `of` may be reallocated.
         organ.material = material_of(of.material);
         auto const first = static_cast<OrganShapeId>(plant_.organ_shapes.size());
         for (auto const& leaf : sheet_.leaves)

@@ -5,13 +5,13 @@
 
 namespace tractus::scene {
 
-// True if organs of this shape are leaves: flat ones with a leaf's material. Needles, discs and
-// balls are not.
+// True if organs of this shape are leaves: flat shapes with a leaf's material. Needles, discs and
+// balls are not leaves.
 bool is_leaf(Plant const& plant, OrganShape const& shape);
 
-// Returns the plant with its leaves replaced by grown leaves of a sheet. They are chosen at random,
-// but reproducibly for the same plant and sheet. Each new blade has the length, fold and curl of
-// the leaf that it replaces. Other organs are unchanged, and so is a plant without leaves.
+// Returns the plant with its leaves replaced by grown leaves of a sheet. The new leaves are chosen
+// at random, but reproducibly for the same plant and sheet. Each has the length, fold and curl of
+// the leaf that it replaces. Other organs stay unchanged.
 Plant foliated(Plant const& plant, lsystem::LeafSheet const& sheet);
 
 } // namespace tractus::scene

@@ -36,13 +36,13 @@ public:
 
 private:
     Change change_;
-    // Original and changed lists by id. The originals are kept alive, since ids are memory
-    // addresses.
+    // Original and changed list for each id of an original. The originals are kept alive, since ids
+    // are memory addresses, which could be reused.
     std::map<void const*, std::pair<Addresses, Addresses>> changed_;
 };
 
-// True if the item was drawn entirely on the part. An item that extends to the rest of the plant
-// stays there.
+// True if an item at these paths was drawn entirely on the part. Only such an item leaves with the
+// part.
 bool is_on_part(PartPrefix const& prefix, Addresses const& at)
 {
     return !at.empty() && std::all_of(at.begin(), at.end(), [&](PathAddress const& path) {
@@ -50,15 +50,15 @@ bool is_on_part(PartPrefix const& prefix, Addresses const& at)
     });
 }
 
-// Path of the first stem of a part. Indicators that act on a whole plant act below this path once
-// it is grafted.
+// Returns the path of the first stem of a part. An indicator that acts on a whole plant acts below
+// this path once the plant is grafted.
 PathAddress stem_of(PartPrefix const& prefix)
 {
     auto const at = in_part(prefix, SegmentAddress { 0, 0 });
     return { at, at };
 }
 
-// Moves the items drawn on `part` to the plant that it becomes a part of.
+// Moves the items drawn on `part` to `plant`, of which it becomes a part.
 void take_over(PlantState& plant, PlantState const& part, PartPrefix const& prefix)
 {
     ChangedPaths paths([&](PathAddress const& path) { return in_part(prefix, path); });
@@ -80,7 +80,7 @@ void take_over(PlantState& plant, PlantState const& part, PartPrefix const& pref
     }
 }
 
-// Moves the items drawn on a part of `plant` back to `part`.
+// Moves the items drawn on a part of `plant` back to `part`, which becomes a plant again.
 void hand_back(PlantState& plant, PlantState& part, PartPrefix const& prefix)
 {
     ChangedPaths paths([&](PathAddress const& path) { return without_part(prefix, path); });

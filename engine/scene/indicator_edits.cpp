@@ -24,7 +24,7 @@ void list(Fields& fields, variation::MotionIndicator& indicator)
     fields.field("is_orphaned", &indicator.is_orphaned);
 }
 
-// Returns the addresses of an indicator that is given by segments, as in sessions before format 4.
+// Returns the addresses of the segments by which an indicator is given in sessions before format 4.
 Result<std::vector<PathAddress>> places_of(variation::MotionIndicator const& indicator,
                                            DocumentState const& state, SceneBuilder& builder)
 {
@@ -40,7 +40,7 @@ Result<std::vector<PathAddress>> places_of(variation::MotionIndicator const& ind
     return places;
 }
 
-// Removes the segments from an indicator: a document stores its addresses instead.
+// Returns the indicator without its segments: a document stores their addresses instead.
 Result<variation::MotionIndicator> placeless(variation::MotionIndicator indicator)
 {
     indicator.below.clear();
@@ -82,7 +82,8 @@ std::string name_of_indicator(ItemId id, std::uint64_t number)
 std::string describe_indicator(variation::MotionIndicator const& indicator, std::size_t places)
 {
     Vec3 const way_mm = indicator.end_mm - indicator.start_mm;
-    auto const whole = [](double mm) { return std::round(mm) + 0.0; }; // Adding 0.0 avoids -0.
+    // Adding 0.0 turns -0 into 0.
+    auto const whole = [](double mm) { return std::round(mm) + 0.0; };
     auto text
         = fmt::format("({}, {}, {}) mm{}", whole(way_mm.x()), whole(way_mm.y()), whole(way_mm.z()),
                       indicator.kind == variation::MotionIndicator::Kind::Light ? ", light" : "");

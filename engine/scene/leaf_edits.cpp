@@ -38,8 +38,8 @@ void list(Fields& fields, KeepGrammar& edit)
     fields.field("text", &edit.text);
 }
 
-// Stores a grammar and removes leaves that were grown with an earlier one of the same name:
-// redrawing a leaf that is in use does not change its name (app/methods/all_leaves.h).
+// Stores a grammar and removes leaves that were grown with an earlier grammar of the same name:
+// when the user redraws a leaf that is in use, its name stays (app/methods/all_leaves.h).
 Result<DocumentState> applied(DocumentState state, KeepGrammar const& edit, SceneBuilder&)
 {
     if (edit.name.empty())

@@ -15,12 +15,13 @@ namespace tractus::scene {
 
 namespace {
 
-// Minimum length of a limb and maximum distance from its joint, at the plant's natural size.
+// Minimum length of a limb, and maximum distance of its points from its joint, at the plant's
+// natural size.
 constexpr double kShortestLimb_mm = 1e-3;
 constexpr double kFarthestLimb_mm = 1e7;
 
-// Returns the prefix of the innermost part of the plant that an address belongs to; empty for the
-// plant itself.
+// Returns the prefix of the innermost part that contains an address; empty if only the plant itself
+// does.
 PartPrefix innermost_part(PlantState const& plant, SegmentAddress const& address)
 {
     PartPrefix innermost;
@@ -93,7 +94,7 @@ void list(Fields& fields, EraseLimb& edit)
     fields.field("limb", &edit.limb);
 }
 
-// True if all paths lie entirely on the limb. A path from below the limb does not.
+// True if all paths lie entirely on the limb. A path that begins below the limb does not.
 bool is_on_limb(PartPrefix const& limb, SharedVector<PathAddress> const& at)
 {
     return !at.empty() && std::all_of(at.begin(), at.end(), [&](PathAddress const& path) {

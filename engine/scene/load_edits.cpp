@@ -29,7 +29,7 @@ char const* describe_drawn(Drawn drawn)
     return kWords[static_cast<std::size_t>(drawn)];
 }
 
-// Lists the fields that only an added plant has. They come after the field "drawn".
+// Lists the fields that only an added plant has. In a session they follow the field "drawn".
 template<typename T> void list_plant(Fields& fields, T& edit)
 {
     if (edit.drawn != Drawn::Beside)

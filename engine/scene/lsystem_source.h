@@ -8,12 +8,12 @@
 
 namespace tractus::scene {
 
-// Derives and interprets the model of a LoadModel edit; also used by methods that generate models.
+// Derives and interprets the model of a LoadModel edit. Methods that generate models also use this.
 // Fails if the model does not compile or derive, or exceeds its limits.
 Result<BuiltSource> build_lsystem(LoadModel const& model, LoadOptions const& options);
 
-// Returns the source with `seed` for its model's stochastic rules, if it is a model from a file; no
-// value for other sources.
+// Returns the source with `seed` for the stochastic rules of its model. Returns no value unless the
+// source is a model from a file.
 std::optional<PlantSource> with_model_seed(PlantSource const& source, std::uint64_t seed);
 
 } // namespace tractus::scene

@@ -10,7 +10,7 @@
 
 namespace tractus::scene {
 
-// Makes the table row for edits of type T from functions on T.
+// Makes the table row for edits of type T from functions that take a T.
 template<typename T, void (*fields)(Fields&, T&),
          Result<DocumentState> (*apply)(DocumentState, T const&, SceneBuilder&),
          std::string (*describe)(T const&)>

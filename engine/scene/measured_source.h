@@ -5,8 +5,8 @@
 
 namespace tractus::scene {
 
-// Builds the plant from the file contents in the edit, according to its format: mtg.h, qsm.h or
-// ply_skeleton.h. Fails as that reader does, in a sentence that begins with the file's name.
+// Builds the plant from the file contents in the edit, with the reader for their format: mtg.h,
+// qsm.h or ply_skeleton.h. Fails like that reader, in a sentence that begins with the file's name.
 Result<BuiltSource> build_measured(LoadMeasured const& measured, LoadOptions const& options);
 
 } // namespace tractus::scene

@@ -8,7 +8,7 @@ namespace tractus::scene {
 
 Paper paper_of(DocumentState const& state)
 {
-    // Height of the default base above the lower edge, as a share of the tablet's depth.
+    // Height of the plant's base above the sheet's lower edge, as a share of the tablet's depth.
     constexpr double kGround = 0.1;
     Paper paper { .base_mm = { 0, (kGround - 0.5) * DrawingVolume {}.depth_mm } };
     auto const* const plant = active_plant(state);

@@ -9,12 +9,13 @@ namespace tractus::scene {
 
 // The tablet as a sheet of paper that stands upright in the drawing volume: right on the sheet is
 // right in the world (+x), and away from the user on the sheet (+y) is up. The sheet is placed so
-// that plants stand on the desk: the base of a plant coincides with its known position on the
-// paper, or by default with a point one tenth of the tablet's depth above the sheet's lower edge.
+// that plants stand on the desk: the base of a plant coincides with its position on the paper. For
+// a plant that was not drawn on paper, that position is one tenth of the tablet's depth above the
+// sheet's lower edge.
 struct Paper {
     // Position of the plant's base on the sheet, in tablet-centred millimetres.
     Vec2 base_mm = Vec2::Zero();
-    Vec3 world_point_mm = Vec3::Zero(); // Position of the plant's base in the world.
+    Vec3 world_point_mm = Vec3::Zero(); // Position of the plant's base, world frame.
     // World millimetres per millimetre of the sheet: 1, except for plants that were drawn smaller
     // because they are farther away (picture_ground.h).
     double unit = 1;
@@ -33,14 +34,14 @@ struct Paper {
     }
 };
 
-// Returns the paper on which a plant was drawn, or no value if there was none.
+// Returns the paper on which a plant was drawn, or no value if it was not drawn on paper.
 std::optional<Paper> paper_of(PlantState const& plant);
 
-// Returns the paper on which the active plant was drawn, or would be drawn.
+// Returns the paper on which the active plant was drawn, or on which it would be drawn.
 Paper paper_of(DocumentState const& state);
 
-// Replaces the source of a plant that was drawn on paper; `base_mm` is the new position of its base
-// on the sheet. The plant stays aligned with its ink.
+// Replaces the source of a plant that was drawn on paper. `base_mm` is the new position of the
+// plant's base on the sheet. The plant moves so that it stays aligned with the ink of its drawing.
 void redraw_on_paper(DocumentState& state, std::size_t number, PlantSource source,
                      Vec2 const& base_mm);
 

@@ -7,7 +7,7 @@ namespace tractus::scene {
 
 namespace {
 
-// Minimum distance of a foot below the horizon, as a share of the picture's width.
+// Minimum distance of an object's foot below the horizon, as a share of the picture's width.
 constexpr double kMinDrop = 0.004;
 
 } // namespace

@@ -22,7 +22,8 @@ Result<void> check_place(Vec3 const& place_mm)
 
 std::string describe_place(Vec3 const& place_mm)
 {
-    auto const whole = [](double mm) { return std::round(mm) + 0.0; }; // Adding 0.0 avoids -0.
+    // Adding 0.0 turns -0 into 0.
+    auto const whole = [](double mm) { return std::round(mm) + 0.0; };
     return fmt::format("({}, {}, {}) mm", whole(place_mm.x()), whole(place_mm.y()),
                        whole(place_mm.z()));
 }
@@ -70,8 +71,8 @@ void list(Fields& fields, CopyPlant& edit)
     fields.id(edit.id);
 }
 
-// Gives the items of a copied plant their own ids, so that they can be edited separately from the
-// original's.
+// Gives the items of a copied plant new ids, so that they can be edited separately from the items
+// of the original plant.
 void rename_items(PlantState& plant, std::uint64_t edit)
 {
     std::size_t item = 1;

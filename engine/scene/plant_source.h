@@ -18,40 +18,41 @@
 
 namespace tractus::scene {
 
-// Limits and outputs of building a plant. Not part of the document: they affect only whether a
-// plant can be built, not its shape.
+// Limits and outputs of building a plant. They are not part of the document: they decide only
+// whether a plant can be built, not its shape.
 struct LoadOptions {
     lsystem::ModelLimits limits {};
-    // Receives what the model prints; if empty, output is discarded.
+    // Receives the text that the model prints; if empty, the text is discarded.
     std::function<void(std::string_view text)> print {};
 };
 
-// Returns the limits for the plant that is about to be built.
+// Returns the limits and outputs for the plant that is built next.
 using MakeLoadOptions = std::function<LoadOptions()>;
 
 struct BuiltSource {
     Plant plant {};
-    std::vector<std::string> warnings {}; // Requested features that are not supported, each once.
+    // Warnings, each once, such as features of the source that are not supported.
+    std::vector<std::string> warnings {};
     AxisKeys axis_keys {};
 };
 
-// A model in the language of cpfg, with the files that it includes, by name.
+// A model in the language of cpfg, with the files that it includes, by their names.
 struct SourceModel {
     lsystem::ModelSource source {};
     std::map<std::string, std::string> includes {};
 };
 
-// Random variation of a plant's source, for a collection of plants.
+// Random variation of a plant's source, by which the plants of a collection differ.
 struct SourceVariation {
     std::uint64_t seed = 1;
     std::uint32_t plant = 0; // Number of the plant in the collection.
-    // Distinguishes plants with the same number, such as parts of one plant.
+    // Distinguishes sources with the same plant number, such as those of one plant's parts.
     std::uint32_t stream = 0;
-    // Amount of variation: 0 none, 1 as individuals of a species differ; at most 4.
+    // Amount of variation: 0 is none, 1 that between individuals of a species; at most 4.
     double spread = 1;
 };
 
-// User-written rules that replace those of the model generated from a drawing, with its view file.
+// User-written rules, with a view file, that replace those of a model generated from a drawing.
 struct SourceRules {
     std::string text {};
     std::string view_text {};
@@ -59,8 +60,8 @@ struct SourceRules {
     bool operator==(SourceRules const&) const = default;
 };
 
-// A kind of plant source: functions that make base plants from what was drawn or written, as
-// immutable values of one type. Edits put these values into a document.
+// A kind of plant source: the functions that make base plants from drawn or written data. The data
+// are immutable values of one type; edits put them into a document.
 struct SourceKind {
     char const* word; // Name of the kind, such as "lsystem".
     // Builds the plant. Fails, in one sentence, if there is no valid plant or it exceeds its
@@ -68,15 +69,16 @@ struct SourceKind {
     Result<BuiltSource> (*build)(void const* drawn, LoadOptions const& options);
     // Returns true only if both values certainly give the same plant.
     bool (*same)(void const* one, void const* other);
-    // Returns the equivalent model in cpfg's language, for other programs. Null if the kind has
-    // none.
+    // Returns the equivalent model in cpfg's language, for other programs. Null if the kind has no
+    // such model.
     Result<SourceModel> (*model)(void const* drawn) = nullptr;
     // Returns a varied copy: drawn elements stay at or near their positions, and what is derived
-    // from them varies. Deterministic. Null if the kind does not vary.
+    // from them varies. The same variation gives the same copy. Null if the kind does not vary.
     std::shared_ptr<void const> (*vary)(void const* drawn, SourceVariation const& variation)
         = nullptr;
-    // Returns a copy whose model uses these rules, or its own rules again for no value. Numbers in
-    // the rules still follow from the drawing. Null if rules cannot be replaced.
+    // Returns a copy whose model uses `rules` or, if these have no value, the generated rules
+    // again. Values that the rules refer to are still computed from the drawing. Null if rules
+    // cannot be replaced.
     std::shared_ptr<void const> (*with_rules)(void const* drawn,
                                               std::optional<SourceRules> const& rules)
         = nullptr;
@@ -97,10 +99,10 @@ constexpr SourceKind make_source_kind(char const* word)
                  } };
 }
 
-// The source of a base plant. A value: copies share the drawn data.
+// The source from which a base plant is built. A value: copies share the drawn data.
 class PlantSource {
 public:
-    PlantSource() = default; // Empty: gives a plant without branches.
+    PlantSource() = default; // Makes an empty source, which gives a plant without branches.
 
     template<typename T>
     PlantSource(SourceKind const& kind, T drawn)
@@ -116,7 +118,7 @@ public:
         return empty() ? BuiltSource {} : kind_->build(drawn_.get(), options);
     }
 
-    // Returns the equivalent model, or no value if the kind has none.
+    // Returns the equivalent model, or no value if the kind of source has none.
     Result<std::optional<SourceModel>> model() const
     {
         if (empty() || !kind_->model)
@@ -144,7 +146,7 @@ public:
         return other;
     }
 
-    // Returns what was drawn, or null if the source is of another kind.
+    // Returns the drawn data, or null if the source is of another kind.
     template<typename T> T const* get(SourceKind const& kind) const
     {
         return kind_ == &kind ? static_cast<T const*>(drawn_.get()) : nullptr;
@@ -158,7 +160,7 @@ public:
 
 private:
     SourceKind const* kind_ = nullptr;
-    // Drawn data, of the type that belongs to the kind; shared between copies.
+    // Drawn data, of the type that belongs to the kind; shared between copies of the source.
     std::shared_ptr<void const> drawn_;
 };
 

@@ -19,8 +19,8 @@ std::vector<variation::MotionIndicator> motion_indicators(BuiltPlant const& plan
 
 std::vector<std::size_t> shaping_numbers(BuiltPlant const& plant)
 {
-    // Orders associations by path and propagation. Most associations with equal paths share the
-    // path, so comparing ids is usually sufficient.
+    // Orders associations by path and propagation. Most associations with equal paths share one
+    // list of segments, so comparing the lists' ids is usually sufficient.
     auto const before = [&](std::size_t one, std::size_t other) {
         auto const& a = plant.associations[one].what;
         auto const& b = plant.associations[other].what;

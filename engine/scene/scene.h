@@ -18,28 +18,29 @@
 
 namespace tractus::scene {
 
-// A plant of a document as built: its base plant, and the strokes and indicators resolved on it.
+// A plant of a document as built: its base plant, with strokes and indicators resolved on its
+// segments.
 struct BuiltPlant {
-    // The state that it was built from; never null. Shared with the states of the document.
+    // The state that the plant was built from; never null. Shared with the states of the document.
     std::shared_ptr<PlantState const> drawn = std::make_shared<PlantState const>();
 
     std::string model_name;
-    // Features of the model that are not supported, each once.
+    // Warnings, each once, such as features of the model that are not supported.
     std::vector<std::string> model_warnings;
 
-    // The plant as given by its source; never null, and empty before there is a source. Immutable,
-    // and shared between successive scenes, the views and the threads that grow it.
+    // The plant as its source gives it, with added parts and without hidden branches; never null.
+    // Immutable, and shared between successive scenes, the views and the threads that grow it.
     std::shared_ptr<Plant const> base = std::make_shared<Plant const>();
     variation::SharedRestShape rest {}; // The rest shape of `base`.
     // `foliated` is `base` with the leaves chosen for the plant. `in_season` is `foliated` in the
-    // document's season, with different organs on the same segments; it is the plant that grows.
+    // document's season: other organs on the same segments. Growth uses `in_season`.
     std::shared_ptr<Plant const> foliated = base;
     std::shared_ptr<Plant const> in_season = base;
 
     DeskPlacement placement; // Where the plant is shown in the drawing volume.
-    DeskPlacement fitted;    // Placement if it were the only plant.
+    DeskPlacement fitted;    // Placement that the plant would have as the only plant.
     SharedVector<std::vector<SegmentId>> selection;
-    // In drawing order: a later association overrides an earlier one. Each has one path.
+    // Resolved strokes in drawing order: a later one overrides an earlier one. Each has one path.
     SharedList<Anchored<variation::Association>> associations;
     // Each indicator includes the segments below which it acts.
     std::vector<Anchored<variation::MotionIndicator>> indicators;
@@ -49,25 +50,25 @@ struct BuiltPlant {
 // A document as built. The inherited members are those of the active plant.
 struct Scene : BuiltPlant {
     DocumentState state {};
-    // The built plants in the order of the state, including the active one. Immutable, and shared
-    // with earlier and later scenes.
+    // The built plants in the order of state.plants, including the active one. Immutable, and
+    // shared with earlier and later scenes.
     std::vector<std::shared_ptr<BuiltPlant const>> plants {};
 };
 
-// Returns the indicators of a plant without their addresses.
+// Returns the indicators of a plant, without their addresses.
 std::vector<variation::MotionIndicator> motion_indicators(BuiltPlant const& plant);
 
 // Returns the indices, in order, of the associations that may affect a branch: those that are not
 // orphaned and not overridden by a later one for the same path and propagation. After hours of
-// drawing they are a small share of all. An overridden one takes effect again when the later one is
-// deleted.
+// drawing most associations are overridden. An overridden one takes effect again when the later one
+// is deleted.
 std::vector<std::size_t> shaping_numbers(BuiltPlant const& plant);
 
 // Returns the associations of shaping_numbers().
 std::vector<variation::Association> shaping_associations(BuiltPlant const& plant);
 
-// Returns the paths of the branches that were drawn: those of shaping_associations(), and the limbs
-// that were drawn themselves.
+// Returns the paths of branches that the user drew: the paths of shaping_associations(), and the
+// drawn limbs, each as its first segment.
 std::vector<std::vector<SegmentId>> drawn_paths(BuiltPlant const& plant);
 
 // Returns the indices of the strokes that the pen edits: those of shaping_numbers() whose path
@@ -92,12 +93,13 @@ Result<Scene> apply_edits(Scene scene, std::span<Edit const> edits,
 // Returns the scene that results from all edits, starting with an empty one.
 Result<Scene> fold(std::span<Edit const> edits);
 
-// Returns the scene in another season, or without one, as a preview before the edit is made: grown
+// Returns the scene in another season, or in none, as a preview before a SetSeason edit. Grown
 // leaves that the document lacks for that season are approximated by their colour.
 Scene preview_in_season(Scene scene, std::optional<Season> const& season);
 
-// Returns the growth plan of a plant: its strokes and indicators are resolved once, for any number
-// of variations. Fails like resolve_associations() and the plan_growth() of engine/variation.
+// Returns the growth plan of a plant. Strokes and indicators are resolved once, and any number of
+// variations can be grown from the plan. Fails like resolve_associations() and
+// variation::plan_growth().
 Result<variation::GrowthPlan> plan_growth(BuiltPlant const& plant);
 
 } // namespace tractus::scene

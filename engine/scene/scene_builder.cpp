@@ -9,7 +9,7 @@
 
 namespace tractus::scene {
 
-// Number of unused base plants that are kept, since undo may need them again.
+// Number of unused base plants to keep: undo may need them again.
 static constexpr std::size_t kOldBases = 2;
 
 static std::shared_ptr<BasePlant const> make_base(BuiltSource source)
@@ -176,8 +176,8 @@ BuiltPlant SceneBuilder::build(std::shared_ptr<PlantState const> const& drawn,
     return plant;
 }
 
-// Sets the plant's leaves and season. `before` is the plant as last built in the same season; may
-// be null.
+// Sets the plant's leaves and season. `before` is the same plant as last built, if it was built in
+// the same season; otherwise null.
 void SceneBuilder::set_season(BuiltPlant& plant, BuiltPlant const* before,
                               DocumentState const& state) const
 {
@@ -195,7 +195,7 @@ void SceneBuilder::set_season(BuiltPlant& plant, BuiltPlant const* before,
                                    : plant.foliated;
 }
 
-// Returns the limbs of a plant with their axes, without limbs that have no segments.
+// Returns the limbs of a plant with their axes. Limbs without segments are left out.
 static std::vector<std::pair<DrawnLimb const*, AxisId>> limb_axes(BuiltPlant const& plant)
 {
     std::vector<std::pair<DrawnLimb const*, AxisId>> axes;

@@ -21,14 +21,14 @@ struct BasePlant {
     std::vector<std::string> warnings;
 };
 
-// Builds the plants of a document incrementally. Successive states are mostly equal: a plant is
-// derived again only if its source has changed, and strokes are resolved again only if they or
-// their plant have changed. Not thread-safe.
+// Builds the plants of a document incrementally, since successive states are mostly equal. A plant
+// is derived again only if its source has changed. Strokes are resolved again only if they or their
+// plant have changed. Not thread-safe.
 class SceneBuilder {
 public:
     explicit SceneBuilder(MakeLoadOptions load_options = {});
 
-    // Starts from a scene that has been built already.
+    // Starts from a scene that has already been built.
     SceneBuilder(Scene const& scene, MakeLoadOptions load_options);
 
     // Builds the scene of a state. Fails if a source gives no plant.
@@ -37,14 +37,14 @@ public:
     // After a failure: the number of the edit that set the failing source.
     std::uint64_t failed_edit() const { return failed_edit_; }
 
-    // Returns the active plant without strokes and indicators, or one without branches if there are
-    // no plants. Needed for edits of sessions before format 4, which refer to segments by number
-    // instead of address.
+    // Returns the active plant without its strokes and indicators, or a plant without branches if
+    // there is no active plant. Needed for edits of sessions before format 4, which refer to
+    // segments by number instead of address.
     Result<std::shared_ptr<BasePlant const>> active_base(DocumentState const& state);
 
 private:
-    // Cache of the segments of paths resolved in one base plant, by the identity of the address
-    // list.
+    // Paths resolved so far in one base plant: their addresses and segments, by the id of the list
+    // of addresses (SharedVector::id()).
     struct FoundPaths {
         variation::SharedRestShape rest;
         std::map<void const*, std::pair<SharedVector<PathAddress>, SharedVector<SegmentId>>> paths;
@@ -52,7 +52,7 @@ private:
     struct KnownBase {
         PlantSource source;
         std::shared_ptr<BasePlant const> base;
-        // Parts and hidden branches of a composed plant (compose_base.h).
+        // Parts and hidden branches, if the plant is composed (compose_base.h).
         std::vector<Graft> grafts {};
         std::vector<SegmentAddress> hidden_branches {};
 

@@ -27,7 +27,7 @@ Result<variation::GrowthPlan> plan_growth(BuiltPlant const& plant, SceneShaper& 
     std::vector<Vec3> nodes_mm;
     variation::place_nodes(*plant.base, *plant.rest, shape, nodes_mm);
     auto indicators = motion_indicators(plant);
-    // Converts to coordinates in which the plant's base is at the origin.
+    // Moves the indicators to coordinates in which the plant's base is at the origin.
     for (auto& indicator : indicators) {
         indicator.start_mm -= plant.placement.origin_mm;
         indicator.end_mm -= plant.placement.origin_mm;

@@ -11,25 +11,27 @@
 
 namespace tractus::scene {
 
-// Maintains the shape that strokes give to a plant, incrementally over successive states: only new
-// strokes are processed. Not thread-safe.
+// Maintains the shape that strokes give to a plant while the document changes: only strokes that
+// are new since the last call are processed. Not thread-safe.
 class SceneShaper {
 public:
-    // Updates the shape to that of this plant. If a stroke is invalid the shape stays as it was; if
-    // the plant is a different one it becomes the shape without strokes.
+    // Updates the shape to that of `plant`. If a stroke is invalid, fails: the shape stays as it
+    // was, or, if the base plant has changed, becomes the shape without strokes.
     Result<void> set_plant(BuiltPlant const& plant);
 
-    // Call set_plant() first.
+    // Returns the shape of the plant that was last passed to set_plant(), which must be called
+    // first.
     variation::PredefinedShape const& shape() const { return shaper_->shape(); }
 
 private:
-    std::shared_ptr<Plant const> base_; // Plant that is shaped; immutable, shared with the scenes.
+    // Plant that is shaped; immutable, and shared with the scenes.
+    std::shared_ptr<Plant const> base_;
     variation::SharedRestShape rest_;
     std::optional<variation::StrokeShaper> shaper_;
 };
 
-// Returns the same plan as plan_growth(plant), faster if the shaper's previous plant was similar.
-// Returns early, with a plan without segments, if `stop` is requested.
+// Returns the same plan as plan_growth(plant). Faster if the plant last passed to `shaper` was
+// similar. Returns early, with a plan without segments, if `stop` is requested.
 Result<variation::GrowthPlan> plan_growth(BuiltPlant const& plant, SceneShaper& shaper,
                                           std::stop_token const& stop = {});
 

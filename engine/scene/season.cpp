@@ -32,7 +32,7 @@ bool is_same_word(std::string_view one, std::string_view other)
     return std::ranges::equal(one, other, {}, lower, lower);
 }
 
-// Leaf ages: at the end of bud burst, when fully grown, and at the beginning of senescence.
+// Leaf ages at the end of bud burst, at full growth, and at the beginning of senescence.
 constexpr double kOpened = 0.06;
 constexpr double kGrownUp = 0.45;
 constexpr double kTurning = 0.55;

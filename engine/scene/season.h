@@ -21,8 +21,9 @@ struct Season {
     bool operator==(Season const&) const = default;
 };
 
-// Parses a month: a number from 1 to below 13, an English month name (its middle), or one of buds,
-// spring, summer, autumn, fall, winter and bare. Fails with a user error, listing these.
+// Parses a month: a number from 1 to below 13, an English month name (the middle of that month), or
+// one of buds, spring, summer, autumn, fall, winter and bare. Fails with a user error that lists
+// the choices.
 Result<double> parse_month(std::string_view text);
 
 // Returns a description of the month, such as "mid-October".
@@ -35,19 +36,19 @@ std::optional<double> age_in_season(OrganCalendar const& calendar, double month)
 // Sheets of grown leaves, by name.
 using LeafSheets = std::map<std::string, std::shared_ptr<lsystem::LeafSheet const>, std::less<>>;
 
-// Returns the names of the sheets that a plant's grown leaves need in that season and that are
-// missing from `sheets`.
+// Returns the names of the sheets that are needed to show a plant's grown leaves in that season but
+// are missing from `sheets`.
 std::set<std::string> missing_leaves(Plant const& plant, Season const& season,
                                      LeafSheets const& sheets);
 
-// Returns the plant in a season: each organ has the age that its calendar gives, with a small
-// random spread, or has fallen and lies on the ground below. Segments and nodes are unchanged.
+// Returns the plant in a season. Each leaf has the age that its calendar gives, with a small random
+// spread, or has fallen and lies on the ground. Segments and nodes are unchanged.
 //
-// Default calendars, by kind and material: blades and surfaces with a leaf material are deciduous,
-// petals are present as long as deciduous leaves, needles and all other organs are evergreen. Grown
-// leaves are taken from the sheets; if a sheet is missing, and for other organs, age is shown by
-// the colour of the material and the size. Season::fallen is the share of fallen leaves displayed,
-// on the plane z = 0.
+// Default calendars, by kind and material: blades and surfaces with a leaf material are deciduous;
+// petals are present as long as deciduous leaves; needles and all other organs are evergreen. Grown
+// leaves are taken from the sheets. If a sheet is missing, and for leaves that were not grown, age
+// is shown by colour and size. Season::fallen is the share of fallen leaves that are displayed, on
+// the plane z = 0.
 Plant in_season(Plant const& plant, Season const& season, LeafSheets const& sheets);
 
 } // namespace tractus::scene

@@ -14,11 +14,12 @@ namespace tractus::scene {
 
 namespace {
 
-constexpr double kSpread
-    = 0.08; // Standard deviation of organ ages about the age from the calendar.
-constexpr double kSheetAges = 50; // Number of steps into which leaf ages from 0 to 1 are rounded.
+// Standard deviation of the age of leaves about the age that their calendar gives.
+constexpr double kSpread = 0.08;
+// Leaf ages, 0 to 1, are rounded to this many steps to find a sheet.
+constexpr double kSheetAges = 50;
 constexpr double kDecayed = 3;    // Month by which the leaves of the previous year have decayed.
-constexpr int kPlainVariants = 4; // Number of age variants of an organ that is not a grown leaf.
+constexpr int kPlainVariants = 4; // Number of age variants of a leaf that is not from a sheet.
 // Horizontal drift of falling leaves, as a share of the height of fall.
 constexpr double kDrift = 0.12;
 constexpr std::uint32_t kFallStream = 0x5ea5;
@@ -37,14 +38,14 @@ OrganCalendar calendar_of(Plant const& plant, OrganShape const& shape)
     return { .is_evergreen = !is_petal && !is_leaf(plant, shape) };
 }
 
-// True if fallen leaves of the year lie on the ground while the plant is bare.
+// True if this year's leaves have fallen and still lie below the bare plant in that month.
 bool lies_below(OrganCalendar const& calendar, double month)
 {
     return !calendar.is_evergreen && (month >= calendar.bare || month < kDecayed);
 }
 
-// Returns the LeafOrder that grows the leaves of this shape at another age, or no value if the
-// shape is not from a sheet.
+// Returns the order by which the leaves of this shape are grown at another age, or no value if the
+// shape is not from a leaf sheet.
 std::optional<lsystem::LeafOrder> order_at(OrganShape const& shape, double age)
 {
     auto order = shape.cut ? lsystem::parse_leaf_sheet_name(shape.cut->sheet) : std::nullopt;
@@ -55,8 +56,8 @@ std::optional<lsystem::LeafOrder> order_at(OrganShape const& shape, double age)
     return order;
 }
 
-// Returns the age at which organs are displayed, on the plant or on the ground, or no value if they
-// are not displayed.
+// Returns the age at which organs with this calendar are displayed, on the plant or on the ground.
+// Returns no value if they are not displayed in that month.
 std::optional<double> age_to_show(OrganCalendar const& calendar, double month)
 {
     if (auto const age = age_in_season(calendar, month))
@@ -64,7 +65,7 @@ std::optional<double> age_to_show(OrganCalendar const& calendar, double month)
     return lies_below(calendar, month) ? std::optional(1.0) : std::nullopt;
 }
 
-// Colour of a leaf at an age, derived from its fully grown colour.
+// Returns the colour of a leaf at this age from its fully grown colour.
 Vec3f aged_color(Vec3f const& grown_up, double age)
 {
     Vec3f const fresh(0.62f, 0.76f, 0.32f);
@@ -77,14 +78,14 @@ Vec3f aged_color(Vec3f const& grown_up, double age)
     return mixed(mixed(young, turned, eased((age - 0.58) / 0.24)), dead, eased((age - 0.8) / 0.2));
 }
 
-// Size of a leaf at an age, relative to its full size.
+// Returns the size of a leaf at this age, relative to its full size.
 float size_at(double age)
 {
     return static_cast<float>(0.15 + 0.85 * eased(age / 0.4));
 }
 
-// Share of the leaves of age `age` that have fallen, if the average leaf has `mean_age`: older
-// leaves fall sooner, and finally all.
+// Returns the share of the leaves of age `age` that have fallen when the mean age of the plant's
+// leaves is `mean_age`. Older leaves fall sooner; at mean age 1 all have fallen.
 double fallen_share(double age, double mean_age)
 {
     return std::max(eased((age - 0.88) / 0.12), eased((mean_age - 0.9) / 0.1));
@@ -113,17 +114,18 @@ public:
     }
 
 private:
-    // A shape at one age.
+    // An organ shape at one age.
     struct Aged {
         OrganShapeId shape = 0;
         double age = 0;
         float scale = 1;
     };
     struct Look {
-        // Variants, of which one is chosen at random; empty if the organ is not present.
+        // Variants, one of which is chosen at random for each organ; empty if the organ is not
+        // present.
         std::vector<Aged> ages {};
         bool falls = false;
-        double mean_age = 0; // Average age of these organs; at 1 all have fallen.
+        double mean_age = 0; // Mean age of the organs of this shape; at 1 all have fallen.
     };
 
     Look look_of(OrganShape const& shape, OrganShapeId id)
@@ -150,7 +152,8 @@ private:
         return look;
     }
 
-    // Replaces the shape by the leaf of the same number on the sheet.
+    // Replaces the shape by the leaf with the same number on `sheet`, which was grown at another
+    // age.
     Aged grown_leaf(OrganShape const& shape, OrganShapeId id, lsystem::LeafOrder const& order,
                     lsystem::LeafSheet const& sheet)
     {
@@ -166,7 +169,7 @@ private:
         return { .shape = id, .age = age, .scale = size_at(age) };
     }
 
-    // Makes variants of an organ with ages around `age`, each with its own colour and shape.
+    // Makes variants of a leaf with ages about `age`, each with its own colour and shape.
     std::vector<Aged> plain_ages(OrganShape const& shape, double age)
     {
         lsystem::LeafOrder const order { .variants = kPlainVariants,
@@ -186,8 +189,8 @@ private:
         return ages;
     }
 
-    // Returns the material for an age. Textures are kept as long as the leaf has about the colour
-    // shown there. Those of grown leaves show a single age and are always removed.
+    // Returns a material of the colour at this age. Textures are kept while that colour is nearly
+    // the original. Textures of grown leaves show a single age and are always removed.
     MaterialId aged_material(MaterialId material, double age, bool is_of_grown_leaf = false)
     {
         auto const [known, is_new]
@@ -198,14 +201,14 @@ private:
             constexpr float kAsGreen = 0.03F;
             auto const turned = (aged.base_color - from_.materials[material].base_color).norm();
             if (is_of_grown_leaf || turned > kAsGreen)
-                aged.textures = {}; // The pictures show leaves of another age.
+                aged.textures = {}; // The textures show leaves of another age.
             plant_.materials.push_back(std::move(aged));
             known->second = static_cast<MaterialId>(plant_.materials.size() - 1);
         }
         return known->second;
     }
 
-    // Bends a leaf according to its age: folded in the bud, drooping and rolled up when old.
+    // Bends a leaf as it is at this age: folded in the bud, drooping and rolled up when old.
     static void bend(OrganShape& shape, double age)
     {
         double const young = 1 - eased(age / 0.35);
@@ -239,7 +242,7 @@ private:
         plant_.organs.push_back(organ);
     }
 
-    // Lays an organ on the ground, with a random side up.
+    // Lays an organ on the ground with either side up, at random.
     void lay_down(Organ& organ, Random& random)
     {
         auto const [known, is_new] = fallen_.try_emplace(organ.shape, OrganShapeId { 0 });
@@ -258,8 +261,8 @@ private:
         organ.position_mm.y() += aside_mm * random.normal();
         organ.position_mm.z() = above_mm * random.uniform(0.3, 1);
         bool const is_face_down = random.uniform() < 0.5;
-        // Separate statements, since the order of evaluation within an expression differs between
-        // compilers.
+        // Drawn in separate statements, since the order of evaluation within an expression differs
+        // between compilers.
         double const about_y = (is_face_down ? std::numbers::pi : 0) + 0.2 * random.normal();
         double const about_x = 0.2 * random.normal();
         double const about_z = random.uniform(0, 2 * std::numbers::pi);
@@ -267,8 +270,8 @@ private:
             * Eigen::AngleAxisd(about_x, Vec3::UnitX()) * Eigen::AngleAxisd(about_y, Vec3::UnitY());
     }
 
-    // Sets the age of polygons drawn by the turtle: they have no calendar of their own and are
-    // treated as deciduous leaves.
+    // Ages the polygons that the turtle drew with a leaf material. They have no calendar of their
+    // own, so the default one, of deciduous leaves, applies.
     void age_polygons()
     {
         if (from_.polygons.empty())
@@ -295,7 +298,7 @@ private:
     LeafSheets const& sheets_;
     Plant plant_;
     std::vector<Look> looks_; // Appearance of each organ shape.
-    // New material for each original material and age in thousandths.
+    // New materials, by original material and age in thousandths.
     std::map<std::pair<MaterialId, long>, MaterialId> materials_;
     std::map<OrganShapeId, OrganShapeId> fallen_;
 };

@@ -35,8 +35,8 @@ struct AddressHash {
 using Place = SharedVector<PathAddress>;
 
 // Returns the wanted addresses, each sharing its elements with an earlier stroke at the same
-// address: after hours of drawing every branch has been drawn many times, and its address should be
-// stored once.
+// address. Each address is thus stored once, even after hours of drawing, when many strokes have
+// the same one.
 std::vector<Place> shared_places(SharedList<Anchored<variation::ShapingStroke>> const& strokes,
                                  SharedVector<PathAddress> const& wanted)
 {
@@ -79,7 +79,7 @@ Result<std::vector<StrokeNumber>> numbered_strokes(DocumentState const& state,
 Result<std::vector<StrokeNumber>> named_strokes(DocumentState const& state,
                                                 std::vector<ItemId> const& ids)
 {
-    // All strokes by id, collected in one pass even if many strokes are wanted.
+    // All strokes by id: collected in one pass, however many are wanted.
     std::map<ItemId, StrokeNumber> all;
     for (std::size_t i = 0; i < state.plants.size() && !ids.empty(); ++i)
         for (std::size_t k = 0; k < state.plants[i]->strokes.size(); ++k)
@@ -94,8 +94,8 @@ Result<std::vector<StrokeNumber>> named_strokes(DocumentState const& state,
     return found;
 }
 
-// Returns the strokes, each once, in the order of plants and strokes. Fails if one does not exist
-// or none are given.
+// Returns the strokes, each once, in the order of plants and of strokes in a plant. Fails if one of
+// them does not exist or the list is empty.
 Result<std::vector<StrokeNumber>> find_strokes(DocumentState const& state, Items const& strokes)
 {
     if (strokes.empty())
@@ -108,8 +108,8 @@ Result<std::vector<StrokeNumber>> find_strokes(DocumentState const& state, Items
     return found;
 }
 
-// Calls `change(plant, numbers)` for each plant that owns some of the strokes; `found` as from
-// find_strokes().
+// Calls `change(plant, numbers)` for each plant that has some of the strokes. `found` is the result
+// of find_strokes().
 template<typename Change>
 Result<DocumentState> change_plants(DocumentState state, std::vector<StrokeNumber> const& found,
                                     Change const& change)
@@ -127,7 +127,7 @@ Result<DocumentState> change_plants(DocumentState state, std::vector<StrokeNumbe
     return state;
 }
 
-// Replaces strokes by copies that `change` has modified.
+// Replaces strokes by copies that `change` has modified. Fails if `change` fails.
 Result<DocumentState>
 with_other_strokes(DocumentState state, Items const& strokes,
                    std::function<Result<void>(variation::ShapingStroke&)> const& change)
@@ -148,8 +148,8 @@ with_other_strokes(DocumentState state, Items const& strokes,
         });
 }
 
-// Returns the names of strokes for display: ids, or, in older sessions, numbers converted to count
-// from 1.
+// Returns the names of strokes for display: their ids or, in sessions without ids, their numbers,
+// counted from 1.
 std::string names_of(Items const& strokes)
 {
     return strokes.ids.empty() ? list_numbers(strokes.numbers) : list_names(strokes.ids);
@@ -161,8 +161,8 @@ void list(Fields& fields, Items& strokes)
     fields.sparse_field("associations", &strokes.numbers);
 }
 
-// Replaces strokes by what `change` returns. A stroke shared by several branches stays shared, so
-// that its tips are stored once.
+// Replaces strokes by those that `change` returns. Branches that shared a stroke share the new one,
+// so that its tips are stored once.
 Result<DocumentState>
 with_changed_strokes(DocumentState state, Items const& strokes,
                      std::function<Result<Stroke>(Stroke const& drawn)> const& change)
@@ -198,7 +198,7 @@ Result<DocumentState> applied(DocumentState state, Associate const& edit, SceneB
                     "nothing is selected for the stroke to shape: select a branch first");
     variation::ShapingStroke const stroke { edit.stroke, edit.propagation, edit.fit,
                                             edit.detail_weight, edit.laying };
-    // Validated here, so that this edit fails and not the later growing of the plant.
+    // Checked here, so that this edit fails instead of the plant's growth later.
     TRY(variation::check_shaping_stroke(stroke));
     auto const edit_number = edit_of_item(take_id(state, edit.id));
     change_active(state, [&](PlantState& plant) {

@@ -24,13 +24,16 @@ bool has_sources_that_vary(Scene const& scene)
 
 namespace {
 
-constexpr std::uint32_t kModelSeeds = 0x6D6F6400; // Random stream of the seeds of models.
+// First random stream for the seeds of models; each attempt uses the next one.
+constexpr std::uint32_t kModelSeeds = 0x6D6F6400;
 constexpr std::uint32_t kMaxSeeds = 6;
-// Branches that differ less than this (SimilarBranches::greatest_difference()) are alike enough for
-// the strokes drawn on them, so that no further seed is tried.
+// Branches of two individuals that differ by less than this
+// (SimilarBranches::greatest_difference()) are similar enough for the same strokes, so that no
+// further seed is tried.
 constexpr double kAlike = 0.5;
 
-// Returns the number of strokes, limbs and grafts of a plant whose branch exists.
+// Returns the number of a plant's strokes, limbs and grafts whose branch exists. Overridden strokes
+// are not counted.
 std::size_t items_with_branch(BuiltPlant const& plant)
 {
     auto const& grafts = plant.drawn->grafts;
@@ -40,7 +43,7 @@ std::size_t items_with_branch(BuiltPlant const& plant)
     return shaping_numbers(plant).size() + static_cast<std::size_t>(seated);
 }
 
-// Returns the number of strokes, limbs and grafts in all plants of the scene whose branch exists.
+// Returns the total of items_with_branch(plant) over all plants of the scene.
 std::size_t items_with_branch(Scene const& scene)
 {
     std::size_t count = items_with_branch(static_cast<BuiltPlant const&>(scene));
@@ -50,7 +53,7 @@ std::size_t items_with_branch(Scene const& scene)
     return count;
 }
 
-// Returns the state with new seeds for all models from files; no value if there is no such model.
+// Returns the state with new seeds for all models from files, or no value if it has no such model.
 std::optional<DocumentState> reseeded(DocumentState state, std::uint64_t seed, std::uint32_t plant,
                                       std::uint32_t attempt)
 {
@@ -72,9 +75,9 @@ std::optional<DocumentState> reseeded(DocumentState state, std::uint64_t seed, s
     return has_models ? std::optional(std::move(state)) : std::nullopt;
 }
 
-// Moves the strokes of a plant to the branches of another individual, `grown`, that are most
-// similar to those that they were drawn on, `drawn`. A stroke without such a branch stays at its
-// address. Returns how much the branches differ at most (SimilarBranches::greatest_difference()).
+// Moves the strokes of a plant from the branches of `drawn` to the most similar branches of
+// `grown`, another individual. A stroke without a similar branch stays at its address. Returns the
+// greatest difference between paired branches (SimilarBranches::greatest_difference()).
 double move_strokes(PlantState& state, BuiltPlant const& drawn, BuiltPlant const& grown)
 {
     variation::SimilarBranches branches(*drawn.base, *grown.base);
@@ -92,7 +95,8 @@ double move_strokes(PlantState& state, BuiltPlant const& drawn, BuiltPlant const
     return branches.greatest_difference();
 }
 
-// Returns built plant number `i` of a scene; for the active one, the scene's base class object.
+// Returns the built plant number `i` of a scene; for the active plant, the scene itself as a
+// BuiltPlant.
 BuiltPlant const& plant_of(Scene const& scene, std::size_t i)
 {
     auto const& plant = *scene.plants[i];
@@ -190,7 +194,7 @@ Result<Scene> varied(Scene const& scene, SourceVariation const& variation)
             for (auto& graft : plant.grafts) {
                 if (graft.limb)
                     continue;
-                ++of_part.stream; // So that identical parts vary differently.
+                ++of_part.stream; // A stream of its own, so that identical parts vary differently.
                 graft.source = graft.source.varied(of_part);
             }
         });

@@ -7,8 +7,8 @@
 
 namespace tractus {
 
-// Value of knot i, in units of one span: clamped knots are repeated at both ends, uniform knots
-// continue.
+// Returns the value of knot i, in units of one span. Clamped knots repeat the values at both ends;
+// uniform knots continue beyond them.
 static double knot(int i, int degree, int spans, BSplineOptions::Ends ends)
 {
     int const value = i - degree;

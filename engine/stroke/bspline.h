@@ -9,8 +9,8 @@
 namespace tractus {
 
 struct BSplineOptions {
-    // Degree of the curve, 2 or 3. If there are too few control points for it, the highest degree
-    // that they allow is used.
+    // Degree of the curve, 2 or 3. If there are too few control points for this degree, the highest
+    // degree that their number allows is used.
     int degree = 3;
 
     enum class Ends {
@@ -20,11 +20,12 @@ struct BSplineOptions {
     Ends ends = Ends::Clamped;
 };
 
-// Returns the point of a B-spline curve at parameter `t`, from 0 (beginning) to 1 (end), clamped to
-// this range, by de Boor's algorithm. `control` needs at least one point.
+// Returns the point of a B-spline curve at parameter `t`, by de Boor's algorithm. `t` is clamped to
+// 0 (beginning of the curve) to 1 (end). `control` needs at least one point.
 Vec3 bspline_point(std::span<Vec3 const> control, double t, BSplineOptions const& options = {});
 
-// Returns `count` points (at least 2) at equal steps of t, including both ends.
+// Returns `count` points (at least 2) of the curve at equal steps of its parameter, including both
+// ends.
 std::vector<Vec3> bspline_points(std::span<Vec3 const> control, std::size_t count,
                                  BSplineOptions const& options = {});
 

@@ -8,16 +8,17 @@
 
 namespace tractus {
 
-// Sources of strokes that were computed from other strokes: read() recomputes the tips from the
-// sources of those strokes (SharedVector::source()).
+// Sources of strokes that were computed from other strokes. Their read() recomputes the tips from
+// the sources of those other strokes (SharedVector::source()).
 
-// Returns the source of a stroke that was partly redrawn (oversketch.h), from the sources of the
-// original stroke and of the stroke drawn over it. Returns null if either source is null.
+// Returns the source of a stroke that was partly redrawn (oversketch.h): `drawn` is the source of
+// the original stroke, `over` that of the stroke drawn over it. Returns null if either source is
+// null.
 SharedVector<TipSample>::Source redrawn_source(SharedVector<TipSample>::Source drawn,
                                                SharedVector<TipSample>::Source over);
 
-// Returns the source of a stroke that was partly erased, from the source of the original stroke.
-// Returns null if that is null.
+// Returns the source of a stroke from which `ranges` were erased, where `drawn` is the source of
+// the original stroke. Returns null if `drawn` is null.
 SharedVector<TipSample>::Source erased_source(SharedVector<TipSample>::Source drawn,
                                               std::vector<TipRange> ranges);
 

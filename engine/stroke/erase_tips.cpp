@@ -12,7 +12,7 @@ static Result<void> check_ranges(std::size_t tip_count, std::span<TipRange const
 {
     if (ranges.empty())
         return fail(Fault::User, "no tips are given that should be erased: give at least one");
-    std::size_t free_from = 0; // The first tip after the previous range.
+    std::size_t free_from = 0; // Index of the first tip after the previous range.
     for (auto const& [first, last] : ranges) {
         if (first < free_from || last < first || last >= tip_count)
             return fail(Fault::User,

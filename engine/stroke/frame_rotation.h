@@ -7,7 +7,7 @@
 namespace tractus {
 
 // Returns the frame as the rotation that takes +x to its tangent, +y to its normal and +z to its
-// binormal. It needs half the memory of a Frame, and rotations can be composed.
+// binormal. A rotation needs two thirds of the memory of a Frame, and rotations can be composed.
 inline Quat rotation_of(Frame const& frame)
 {
     Eigen::Matrix3d columns;
@@ -27,15 +27,15 @@ inline Vec3 normal_of(Quat const& q)
              2 * (q.y() * q.z() + q.w() * q.x()) };
 }
 
-// Corrects the length of a quaternion that is a unit quaternion up to rounding errors: one Newton
-// step, without a square root.
+// Corrects the length of a quaternion whose length differs from 1 only by rounding errors: one
+// Newton step, without a square root.
 inline Quat renormalised(Quat const& q)
 {
     return Quat(q.coeffs() * (1.5 - 0.5 * q.squaredNorm()));
 }
 
-// Parallel transport: rotates the frame by the least rotation from its tangent `from` to the
-// direction `to`. Both are unit vectors.
+// Parallel transport: rotates the frame by the rotation of smallest angle from its tangent `from`
+// to the direction `to`. Both are unit vectors.
 inline Quat parallel_transport(Quat const& frame, Vec3 const& from, Vec3 const& to)
 {
     double const w = 1 + from.dot(to);

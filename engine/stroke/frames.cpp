@@ -34,7 +34,8 @@ static std::vector<Vec3> segment_directions(std::span<Vec3 const> points)
 {
     std::vector<Vec3> directions(points.size() - 1, Vec3::Zero());
     Vec3 last = Vec3::UnitZ();
-    // Backwards, so that leading segments of zero length take the direction of a later one.
+    // Iterates backwards, so that `last` ends as the direction of the first segment that has a
+    // length.
     for (std::size_t i = directions.size(); i-- > 0;) {
         Vec3 const step = points[i + 1] - points[i];
         if (double const length = step.norm(); length > 0)
@@ -58,7 +59,7 @@ std::vector<Frame> rotation_minimising_frames(std::span<Vec3 const> points,
     frames.push_back({ directions[0], normal_towards(directions[0], first_normal) });
     for (std::size_t i = 1; i < directions.size(); ++i) {
         auto const turn = least_rotation(directions[i - 1], directions[i]);
-        // Re-orthogonalised, since rounding errors would accumulate along the line.
+        // Made orthogonal again, since rounding errors would accumulate along the line.
         frames.push_back(
             { directions[i], normal_towards(directions[i], turn * frames.back().normal) });
     }

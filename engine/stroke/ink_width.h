@@ -2,11 +2,11 @@
 
 namespace tractus {
 
-// Width of ink drawn at full pressure, as displayed on the drawing pad.
+// Width at which the drawing pad shows ink that was drawn at full pressure.
 constexpr double kInkWidth_mm = 3.5;
 
-// Width of ink as a share of that at full pressure, for a pressure from 0 to 1. The lightest touch
-// leaves a visible line.
+// Returns the width of ink at a pressure from 0 to 1, as a share of its width at full pressure.
+// Even the lightest touch leaves a visible line.
 constexpr double ink_width_share(double pressure)
 {
     return 0.35 + 0.65 * pressure;

@@ -10,12 +10,13 @@ namespace {
 constexpr double kBroadest = 4;
 constexpr double kPointUntil_rad = 30 * kPi / 180;
 constexpr double kSideFrom_rad = 60 * kPi / 180;
-// The direction of movement at a tip is measured over this distance to either side; over less,
-// tremor dominates.
+// The direction of movement at a tip is measured over this distance to either side of the tip. Over
+// a shorter distance, hand tremor dominates.
 constexpr double kDirectionOver_mm = 1.5;
 
 // Returns the position of the nearest tip before (step -1) or after (step 1) tip `i` that is at
-// least kDirectionOver_mm away from it; if there is none, of the last tip on that side.
+// least kDirectionOver_mm away from tip `i`. If there is none, returns that of the stroke's first
+// or last tip.
 Vec3 place_away(std::span<TipSample const> tips, std::size_t i, std::ptrdiff_t step)
 {
     auto const last = step < 0 ? std::size_t { 0 } : tips.size() - 1;
@@ -25,8 +26,8 @@ Vec3 place_away(std::span<TipSample const> tips, std::size_t i, std::ptrdiff_t s
     return tips[at].position_mm;
 }
 
-// Returns the width that the side of the nib sweeps, as a share of the side's length: the sine of
-// the angle between movement and tilt.
+// Returns the width of the line that the side of the nib draws, as a share of the side's length:
+// the sine of the angle between movement and tilt.
 double swept_share(std::span<TipSample const> tips, std::size_t i, Vec2 const& slope)
 {
     Vec3 const side(slope.x(), slope.y(), 0);

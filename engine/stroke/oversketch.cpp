@@ -25,8 +25,8 @@ NearestTip nearest_tip(Stroke const& stroke, Vec3 const& place_mm)
     return nearest;
 }
 
-// Moves the first and the last tip of `over` by the given vectors, and the tips between by
-// interpolated ones.
+// Moves the first and the last tip of `over` by the given vectors, and the tips between them by
+// linearly interpolated vectors.
 void shift(Stroke& over, Vec3 const& first_mm, Vec3 const& last_mm)
 {
     auto& tips = over.tips.own();
@@ -37,8 +37,8 @@ void shift(Stroke& over, Vec3 const& first_mm, Vec3 const& last_mm)
     }
 }
 
-// Appends tips, shifted in time to begin 1 ms after the end of the stroke. The intervals between
-// them are kept.
+// Appends tips, shifted in time to begin 1 ms after the end of the stroke. The time intervals
+// between these tips are kept.
 void append(Stroke& stroke, std::span<TipSample const> tips)
 {
     if (tips.empty())
@@ -67,7 +67,8 @@ Result<Stroke> oversketch(Stroke const& drawn, Stroke over, double finger_mm)
                     fmt::format("the new line begins and ends {:.0f} mm or more beside the stroke "
                                 "that it should redraw: begin or end it on the stroke",
                                 std::min(first.distance_mm, last.distance_mm)));
-    if (first_near && last_near && first.index > last.index) { // `over` was drawn from tip to base.
+    // `over` was drawn against the direction of `drawn`.
+    if (first_near && last_near && first.index > last.index) {
         auto const begin = over.tips.front().time;
         auto const end = over.tips.back().time;
         auto& tips = over.tips.own();

@@ -97,7 +97,7 @@ Result<Archive> open_archive(std::string const& name, Bytes zip)
     return Archive(archive);
 }
 
-// Extracts data.sketch. Reads to the entry's end, whatever size the archive claims.
+// Extracts the file data.sketch. Reads until its data end, whatever size the archive claims.
 Result<std::vector<std::byte>> find_sketch(std::string const& name, Bytes zip)
 {
     auto const archive = TRY(open_archive(name, zip));
@@ -125,12 +125,12 @@ struct SketchStroke {
     bool has_time = false;
 };
 
-// Bits of the two masks that list the optional fields of a stroke and of its points. Each field has
-// 4 bytes, except the stroke extensions that give their own length.
+// Bits of the mask that lists the optional fields of each point of a stroke. Each such field has 4
+// bytes.
 constexpr std::uint32_t kPressureBit = 1;
 constexpr std::uint32_t kTimeBit = 2;
 
-// Tilt Brush uses decimetres in a left-handed frame with y up.
+// Converts from Tilt Brush's left-handed frame, in decimetres with y up.
 Vec3 world_mm(float x, float y, float z)
 {
     return 100 * Vec3(x, z, y);
@@ -144,8 +144,8 @@ bool read_stroke(Reader& in, SketchStroke& result)
     for (std::uint32_t bit = 0; bit < 32; ++bit) {
         if ((stroke_mask >> bit & 1) == 0)
             continue;
-        // Flags, scale, group and seed have four bytes; extensions from bit 16 on begin with their
-        // size.
+        // Optional fields of the stroke: flags, scale, group and seed have four bytes each;
+        // extensions, from bit 16 on, begin with their size.
         in.skip(bit < 16 ? 4 : in.read<std::uint32_t>());
     }
     auto const count = in.read<std::uint32_t>();

@@ -11,10 +11,10 @@ namespace tractus {
 
 // Reads the strokes of an Open Brush or Tilt Brush sketch (.tilt: a header of sixteen bytes and a
 // zip archive whose data.sketch contains the strokes, as documented by the developers of these
-// programs). The result is in the world frame: up stays up, decimetres become millimetres, and the
-// centre of the bottom of the sketch's bounding box is moved to the origin on the desk. Brushes,
-// colours and layers are not read. Strokes of fewer than two distinct points are left out; tips
-// without time are placed 10 ms apart.
+// programs). The strokes are converted to the world frame: up stays up, decimetres become
+// millimetres, and the centre of the bottom of the sketch's bounding box is moved to the origin on
+// the desk. Brushes, colours and layers are not read. Strokes with fewer than two distinct points
+// are left out; tips without a time are placed 10 ms apart.
 //
 // Fails, in a sentence that begins with `name`, if the file is not such a sketch, is truncated or
 // inconsistent, or contains more than 64 MB of strokes. Safe for arbitrary bytes.

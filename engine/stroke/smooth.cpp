@@ -6,7 +6,8 @@
 
 namespace tractus {
 
-// Number of control points that remain after all reverse rounds: enough for a helix of three turns.
+// Number of control points that remain after reverse subdivision: enough for a helix of three
+// turns.
 constexpr std::size_t kControlPoints = 18;
 
 std::vector<Vec3> smooth_hand_line(std::span<Vec3 const> points, double detail_weight)
@@ -16,7 +17,8 @@ std::vector<Vec3> smooth_hand_line(std::span<Vec3 const> points, double detail_w
     if (detail_weight == 1)
         return { points.begin(), points.end() };
 
-    // A round takes n points to 2n - 2, so these counts reduce to exactly kControlPoints.
+    // A round takes n points to 2n - 2. Finds the number of rounds, at least one, that take
+    // kControlPoints to at least as many points as were given.
     int rounds = 1;
     std::size_t count = 2 * kControlPoints - 2;
     for (; count < points.size(); ++rounds)

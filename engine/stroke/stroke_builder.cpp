@@ -17,7 +17,7 @@ void StrokeBuilder::push_live(TipSample const& tip)
     auto const last = live_.empty() ? last_settled_ : live_.back().time;
     if (!tip.position_mm.allFinite() || (last && tip.time <= *last))
         return;
-    // A single hovering tip suffices to separate two strokes.
+    // One hovering tip is enough to separate two strokes in the ink.
     bool const ink_goes_on = live_.empty() ? !stroke_.tips.empty() : live_.back().touching;
     if (tip.touching || ink_goes_on)
         live_.push_back(tip);

@@ -15,11 +15,12 @@ namespace tractus {
 // by spaces, commas or semicolons. An empty line ends a stroke; # begins a comment. Tips without
 // time are placed 10 ms apart.
 //
-// Also reads the text that tilt2txt writes for VR sketches: there a stroke begins with a line `S
-// points brush size`, lengths are decimetres and y is up.
+// Also reads the text that tilt2txt writes for VR sketches. In that text a stroke begins with a
+// line `S points brush size`, lengths are in decimetres and y is up.
 //
 // Fails, in a sentence that begins with `name` and the line number, if the text has neither form, a
-// number is not finite, or no stroke has two distinct points. Strokes with fewer are left out.
+// number is not finite, or no stroke has two distinct points. Strokes with fewer than two are left
+// out.
 Result<std::vector<Stroke>> parse_strokes(std::string const& name, std::string_view text);
 
 // Writes strokes as text, with pressure and time, for parse_strokes(). Each number has the fewest

@@ -30,7 +30,7 @@ std::vector<Vec3> reverse_subdivide(std::span<Vec3 const> fine)
     CHECK(count >= 4 && count % 2 == 0);
     auto const f = [&](std::size_t i) -> Vec3 const& { return fine[i]; };
     auto const n = count / 2 + 1;
-    if (n == 3) // Too short for the filters: solved directly for the middle point.
+    if (n == 3) // Too short for the filters: the middle point is solved for directly.
         return { f(0), f(1) + f(2) - (f(0) + f(3)) / 2, f(3) };
 
     std::vector<Vec3> coarse;

@@ -14,7 +14,8 @@ namespace tractus {
 struct TipSample {
     Timestamp time {}; // Time of the sample; the tablet's latency is already subtracted.
     Vec3 position_mm = Vec3::Zero(); // Position of the tip, world frame.
-    double pressure = 0; // Pressure, 0 to 1; 1 while touching if the tablet does not measure it.
+    // Pressure from 0 to 1. If the tablet does not measure it, 1 while the tip touches.
+    double pressure = 0;
     // Tilt of the pen from upright, towards +x and +y of the world. No value if the tablet does not
     // report tilt.
     std::optional<Vec2> tilt_rad {};
@@ -23,8 +24,8 @@ struct TipSample {
 
     // How the height was determined.
     enum class HeightSource {
-        Interpolated, // Between two height readings: final.
-        // Extrapolated from the last reading: for live ink, and replaced when later readings
+        Interpolated, // Interpolated between two height readings; final.
+        // Extrapolated from the last height reading, for live ink; replaced when later readings
         // arrive.
         Extrapolated,
     };

@@ -11,10 +11,11 @@
 
 namespace tractus::variation {
 
-// The branches to which a stroke is applied (Streit 2006, section 4.3).
+// The branches to which a stroke is applied, given the path that was selected for it (Streit 2006,
+// section 4.3).
 enum class Propagation {
-    Selected, // The branches of the path itself.
-    // Every descendant of the path, down to the leaf branches, but not the path itself.
+    Selected, // The segments of the path.
+    // All axes that descend from the path, but not the path itself.
     Descendants,
     Both,
 };
@@ -26,29 +27,30 @@ enum class StrokeFit {
     // branch starts in the base plant. The start is the first twentieth of the stroke, since single
     // samples are noisy.
     Start,
-    // As Start, but the chord of the stroke, from its first to its last point, is aligned with the
-    // chord of the branch, from base to tip: the tip keeps its direction as seen from the base and
-    // only its distance changes.
+    // The chord of the stroke, from its first to its last point, is aligned with the chord of the
+    // branch, from base to tip. The tip keeps its direction as seen from the base; only its
+    // distance changes.
     Chord,
     // The stroke is not rotated: each segment has the direction in which it was drawn, regardless
     // of its parent.
     World,
 };
 
-// How the rotation is chosen for a stroke fitted by its start or chord.
+// How the rotation is chosen for a stroke with StrokeFit::Start or StrokeFit::Chord.
 enum class StrokeLaying {
-    // The least rotation; on descendants, in the base frames of the branches. A stroke drawn
-    // drooping may come out rising, so this is used only for strokes made before HeadingAndPitch
-    // existed: it is the default for sessions and logs that do not name a rotation law.
+    // The least rotation; on descendants, the least rotation in the base frame of each branch. A
+    // branch may rise under a stroke that was drawn drooping. So this law is used only for strokes
+    // made before HeadingAndPitch existed: it is the default for sessions and logs that name no
+    // law.
     LeastTwist,
     // By heading and pitch (stroke_laying.h): a stroke drawn drooping droops along each branch. A
     // trunk, and any axis without a parent, takes the stroke as drawn in the world.
     HeadingAndPitch,
 };
 
-// A stroke that shapes branches, independent of which branches these are.
+// A stroke that shapes branches, and how it does so, whichever branches they are.
 struct ShapingStroke {
-    Stroke stroke {}; // This and the other fields are as in Association.
+    Stroke stroke {}; // This and the following fields have the same meaning as in Association.
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
     double detail_weight = 1;
@@ -63,7 +65,7 @@ struct Association {
     Propagation propagation = Propagation::Selected;
     StrokeFit fit = StrokeFit::Start;
     double detail_weight
-        = 1; // Share of the stroke's fine detail that is kept, 0 to 1: see smooth_hand_line().
+        = 1; // Share of the stroke's fine detail that is kept, 0 to 1 (smooth_hand_line()).
     StrokeLaying laying = StrokeLaying::LeastTwist;
 
     // Descendants of the path that do not take the stroke, in ascending order: limbs that were
@@ -75,8 +77,8 @@ struct Association {
     bool is_orphaned = false;
 };
 
-// The shape of a plant bent by its strokes, before growth: a frame for every segment, as in
-// RestShape, except that the frame at an axis' base is transported by the bending of its parent.
+// The shape of a plant bent by its strokes, before growth: a frame for every segment. Frames are
+// those of RestShape, except that the frame at an axis' base is rotated with the bent parent.
 struct PredefinedShape {
     std::vector<Quat> frame {};
 };
@@ -86,25 +88,27 @@ struct PredefinedShape {
 // outside 0 to 1. An orphaned association is valid.
 Result<void> check_association(Plant const& plant, Association const& association);
 
-// Makes those checks of check_association() that do not depend on the plant.
+// Makes only those checks of check_association() that do not depend on the plant.
 Result<void> check_shaping_stroke(ShapingStroke const& stroke);
 
 // Bends the branches of `plant`, whose rest shape is `rest`, according to the strokes. Topology and
 // segment lengths are unchanged.
 //
-// A path follows its stroke by arc length: the stroke is divided in the same proportions as the
-// path is by its joints, and the chords give the directions. The parent of the path's first segment
-// may itself be bent; the path moves with it rigidly, except with StrokeFit::World.
+// A path follows its stroke by arc length. The stroke is divided in the same proportions as the
+// segments divide the path, and each segment gets the direction of the chord of its piece. If the
+// parent of the path's first segment is bent, the path moves with the parent rigidly, except with
+// StrokeFit::World.
 //
 // With HeadingAndPitch each descendant axis takes the stroke in the vertical plane of its own
 // direction, after its parent has been bent. With LeastTwist it takes the stroke in its own base
-// frame (RestShape), as the path does: what bends the path towards its parent bends all descendants
-// towards theirs. In both cases each branch starts as in the base plant. With StrokeFit::World all
-// branches have the directions drawn.
+// frame (RestShape), as the path does: a stroke that bends the path towards its parent bends each
+// descendant towards its own parent. With both laws each branch starts as in the base plant. With
+// StrokeFit::World all branches have the directions drawn.
 //
 // Segments without a stroke keep their base shape and move rigidly: axes without an association,
-// and the rest of an axis beyond a path's end. Where several associations apply to a segment the
-// last one wins; the shape of segments that it does not cover is relative to it.
+// and the rest of an axis beyond a path's end. Where several associations apply to a segment, the
+// last one shapes it. Segments of the axis that the last one does not cover keep their shape
+// relative to those below them.
 //
 // Fails like check_association().
 Result<PredefinedShape> resolve_associations(Plant const& plant, RestShape const& rest,

@@ -8,7 +8,7 @@ std::vector<AxisAge> find_axis_ages(Plant const& plant, RestShape const& rest)
     auto const base_mm = [&](Axis const& axis) { return rest.end_mm[axis.parent_segment]; };
     for (AxisId id = 0; id < ages.size(); ++id)
         ages[id].reach_mm = rest.axis_length_mm[id];
-    // Laterals come after their parents, so this goes from the tips to the ground.
+    // A plant lists parents before laterals, so the reverse order goes from the tips to the ground.
     for (std::size_t id = ages.size(); id-- > 0;) {
         auto const& axis = plant.axes[id];
         if (axis.parent_axis == kNone)

@@ -8,13 +8,13 @@
 
 namespace tractus::variation {
 
-// Age at which a plant's skeleton is complete. Ages run from 0 (nothing) to 1 (the whole plant); in
-// the remaining time the youngest parts thicken and unfold their leaves.
+// Age at which a plant's skeleton is complete. Ages run from 0 (nothing) to 1 (the whole plant).
+// From this age to 1 the youngest parts thicken and unfold their leaves.
 constexpr double kSkeletonShare = 0.85;
 
-// Growth period of an axis. Its apex starts when its parent segment is complete and advances at a
-// speed at which the farthest tip above it is reached when the skeleton is complete. So the longest
-// path through the plant grows evenly, and every part grows until the end.
+// Growth period of an axis. The apex starts when the parent segment is complete. It advances at the
+// speed that completes the longest path from the axis to a tip at the age kSkeletonShare. So the
+// longest path through the plant grows evenly, and every axis has growing tips until that age.
 struct AxisAge {
     double begin = 0; // Age of the plant at which the axis starts, 0 to kSkeletonShare.
     // Distance along branches from the axis' base to the farthest tip above it.
@@ -27,8 +27,8 @@ struct AxisAge {
                             : begin;
     }
 
-    // The inverse of birth_at(): how far the apex has advanced at an age, at most `reach_mm`; 0
-    // before the axis starts.
+    // The inverse of birth_at(): distance by which the apex has advanced at an age, at most
+    // `reach_mm`; 0 before the axis starts.
     double along_at_mm(double age) const
     {
         if (age >= kSkeletonShare)
@@ -37,18 +37,18 @@ struct AxisAge {
     }
 };
 
-// Returns the growth periods, by axis. `rest` is the rest shape of the plant.
+// Returns the growth period of each axis. `rest` is the rest shape of the plant.
 std::vector<AxisAge> find_axis_ages(Plant const& plant, RestShape const& rest);
 
 // Maturity, from 0 to 1, of a part that was born at the age `birth` (0 to kSkeletonShare), in a
-// plant of the given age. 1 for the whole plant.
+// plant of the given age. At age 1 the maturity of all parts is 1.
 inline double maturity(double age, double birth)
 {
     return std::clamp((age - birth) / (1 - birth), 0.0, 1.0);
 }
 
-// How far an organ born at the age `birth` has unfolded, from 0 to 1: it unfolds over a short time,
-// with a smooth start and end.
+// How far an organ born at the age `birth` has unfolded, from 0 to 1. Unfolding takes 1 -
+// kSkeletonShare of the plant's age, and starts and ends smoothly.
 inline double unfolded(double age, double birth)
 {
     double const t = std::clamp((age - birth) / (1 - kSkeletonShare), 0.0, 1.0);

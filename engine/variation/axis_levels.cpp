@@ -6,8 +6,8 @@
 
 namespace tractus::variation {
 
-// Minimum segments of a level worth several threads: with fewer it is finished before other threads
-// have woken up.
+// Minimum number of segments in a level that is divided among threads. With fewer, one thread
+// finishes the level before others have woken up.
 constexpr std::size_t kSegmentsWorthThreads = 4096;
 
 AxisLevels find_axis_levels(Plant const& plant)

@@ -10,12 +10,13 @@
 namespace tractus::variation {
 
 // The axes of a plant by level: level 0 is on the ground, level n is attached to axes of level n -
-// 1. Computations from parents to children run level by level, in any order within a level.
+// 1. Computations that need the results of parents run level by level, in any order within a level.
 struct AxisLevels {
-    // All axes, level after level. Within a level, axes with fewer segments come first, so that
-    // neighbours take similar time when processed side by side; ties are in the plant's order.
+    // All axes, level after level. Within a level they ascend by number of segments, so that axes
+    // processed side by side take similar time; axes with equally many segments keep the plant's
+    // order.
     std::vector<AxisId> axes;
-    // Index in `axes` of each level's first axis; last, the total number of axes.
+    // Index in `axes` of each level's first axis, followed by the total number of axes.
     std::vector<std::uint32_t> first;
     std::vector<std::size_t> segment_count; // Number of segments of each level.
 

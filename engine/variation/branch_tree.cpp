@@ -35,7 +35,8 @@ static void find_children(BranchTree& tree)
             tree.children[next[parent]++] = segment;
 }
 
-// Parents have lower numbers than their children, so two passes replace a stack.
+// Finds the positions in a depth-first traversal. Parents have lower numbers than their children,
+// so two passes over the segments suffice, without a stack.
 static void find_ranks(BranchTree& tree)
 {
     auto const count = tree.size();

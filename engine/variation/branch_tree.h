@@ -14,12 +14,13 @@ struct BranchTree {
     std::vector<SegmentId> parent;    // Parent of each segment; kNone if it is on the ground.
     std::vector<AxisId> axis;         // Axis of each segment.
     std::vector<std::uint32_t> depth; // Number of ancestor segments: 0 on the ground.
-    // Index in `children` of each segment's first child; last, the total number of children.
+    // Index in `children` of each segment's first child, followed by the total number of children.
     std::vector<std::uint32_t> first_child;
-    std::vector<SegmentId> children; // Children of all segments, in the order of the segments.
+    // The children of the first segment, then those of the second, and so on.
+    std::vector<SegmentId> children;
 
-    // Numbers from a depth-first traversal: a segment and its descendants have the numbers in
-    // [rank, rank_end).
+    // Positions in a depth-first traversal: those of a segment and its descendants are the range
+    // [rank, rank_end) of the segment.
     std::vector<std::uint32_t> rank;
     std::vector<std::uint32_t> rank_end;
 

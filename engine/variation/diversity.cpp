@@ -68,8 +68,9 @@ bool Diversity::is_like_drawn(Plant const& plant) const
                       });
 }
 
-// Position of the node at the end of the segment at an address, or, if there is no such segment, at
-// the end of the last existing segment on the path to it from the ground.
+// Returns the position of the tip of the segment at an address (`is_base`: of its base). If there
+// is no such segment, returns the tip of the last existing segment on the path to it from the
+// ground.
 static Vec3 position_at(Plant const& plant, AddressIndex const& index, SegmentAddress address,
                         bool is_base)
 {

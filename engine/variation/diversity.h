@@ -10,7 +10,7 @@
 namespace tractus::variation {
 
 // Distance between two plants of the same topology: the root mean square of the distances between
-// corresponding nodes. Both lists have the same size; 0 for empty lists.
+// corresponding nodes. The lists must have the same size; the distance of empty lists is 0.
 double distance_mm(std::span<Vec3 const> one, std::span<Vec3 const> other);
 
 // Number, mean and standard deviation of distances between plants (distance_mm()).
@@ -21,21 +21,22 @@ struct DistanceSpread {
 };
 
 // Measures how much the plants of a collection differ from each other and from the plant as drawn.
-// Compares about 2,000 evenly spaced nodes of the drawn plant, so that many plants can be compared,
-// with the nodes at the same addresses of each other plant. Where a plant lacks a branch, the point
-// at which that branch would begin is compared.
+// Fewer than 4,000 evenly spaced nodes of the drawn plant are compared with the nodes at the same
+// addresses in each other plant, so that many plants can be compared. Where a plant lacks a branch,
+// the point at which the branch would begin is compared.
 class Diversity {
 public:
-    // `drawn` is the plant as drawn (at_variability() at 0).
+    // `drawn` is the plant grown with variability 0 (at_variability()).
     explicit Diversity(Plant const& drawn);
 
     void add(Plant const& plant);
 
-    DistanceSpread between_plants() const; // Over every pair of plants, in O(plants squared).
+    // Distances between every two of the plants, in O(plants squared).
+    DistanceSpread between_plants() const;
     DistanceSpread from_drawn() const;
 
 private:
-    // A node of the drawn plant, identified as the tip or base of the segment at an address.
+    // A compared node of the drawn plant: the base or the tip of the segment at an address.
     struct Place {
         NodeId node = 0;
         SegmentAddress segment {};

@@ -33,7 +33,8 @@ std::string describe_underground(std::size_t count, Plant const& plant)
 
 namespace {
 
-// Returns, for each axis, whether it or an ancestor is below the ground in the base plant.
+// Returns, for each axis, whether a node of it or of an ancestor is below the ground in the base
+// plant.
 std::vector<bool> find_roots(Plant const& base)
 {
     std::vector<bool> is_root(base.axes.size());
@@ -53,14 +54,14 @@ NodeId tip_of(Plant const& plant, SegmentId segment, AxisId axis)
     return owner.first_node + (segment - owner.first_segment) + 1;
 }
 
-// A plant before and after bending. Parents come before their children.
+// A plant before and after bending. Axes must be bent in the plant's order, parents first.
 struct Bending {
     Plant& plant;
     std::vector<Vec3> const before_mm = plant.node_position_mm;
     std::vector<Quat> turn = std::vector<Quat>(plant.segment_count(), Quat::Identity());
 
     void bend_axis(Axis const& axis, bool is_root);
-    // Returns the new position of a point attached to the end of a segment.
+    // Returns the new position of a point that is attached to the end of a bent segment.
     Vec3 moved(Vec3 const& place_mm, SegmentId segment, AxisId axis) const
     {
         auto const tip = tip_of(plant, segment, axis);
@@ -78,7 +79,7 @@ void Bending::bend_axis(Axis const& axis, bool is_root)
         position[axis.first_node]
             = moved(before_mm[axis.first_node], axis.parent_segment, axis.parent_axis);
     }
-    Vec2 heading = Vec2::UnitX(); // Heading of the last segment that was not vertical.
+    Vec2 heading = Vec2::UnitX(); // Heading of the last segment of the axis that was not vertical.
     for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
         auto const node = axis.first_node + i;
         Vec3 step = copied_by * (before_mm[node + 1] - before_mm[node]);
@@ -86,8 +87,9 @@ void Bending::bend_axis(Axis const& axis, bool is_root)
         if (double const level = step.head<2>().norm(); level > 1e-9 * length_mm)
             heading = step.head<2>() / level;
         turn[axis.first_segment + i] = copied_by;
-        // Lowest height of the tip: its underside is on the ground, or the tip is level with the
-        // segment's base where that lies lower.
+        // Minimum height of the tip's centre. There its underside is on the ground, or, if the
+        // segment's base is lower than that, the tip is level with the base, but not below the
+        // ground.
         double const lowest_mm
             = std::min<double>(plant.node_radius_mm[node + 1], std::max(position[node].z(), 0.0));
         double const rise_mm = lowest_mm - position[node].z();

@@ -97,7 +97,7 @@ Plant const& Grower::grow(PlantKey const& key, double age, std::stop_token const
     return plant_;
 }
 
-// Sets the radii of nodes and the sizes of organs for an age of the plant.
+// Sets the radii of all nodes and the sizes of all organs to those at an age of the plant.
 void Grower::age_plant(double age)
 {
     is_aged_ = age < 1;

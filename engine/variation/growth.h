@@ -15,9 +15,10 @@
 
 namespace tractus::variation {
 
-// Grows plants from one plan (Streit 2006, section 4.5; the law is in growth_law.h). Every plant
-// has the topology, segment lengths, radii and organs of the base plant; branches bend, and their
-// laterals and organs move with them. The same key gives the same bytes on any number of threads.
+// Grows plants from one GrowthPlan (Streit 2006, section 4.5), by the law of growth_law.h. Every
+// plant has the topology, segment lengths, radii and organs of the base plant; branches bend, and
+// their laterals and organs move with them. The same key gives a bit-identical plant on any number
+// of threads.
 //
 // Uses all threads of the calling task arena. Not thread-safe.
 class Grower {
@@ -25,16 +26,16 @@ public:
     // `plan` must outlive the grower.
     explicit Grower(GrowthPlan const& plan);
 
-    // Returns the plant of `key`. The reference is valid until the next call, so growing many
-    // plants needs the memory of one.
+    // Returns the plant of `key`. The reference is valid until the next call: all plants use the
+    // same memory.
     //
-    // An `age` below 1 (0 to 1) gives the same plant when it was young: the parts that its apices
-    // had reached by then (AxisAge) are present but thinner, and parts that have matured already
+    // With an `age` from 0 to below 1, returns the same plant when it was young: the parts that its
+    // apices had reached by then (AxisAge) are present but thinner, and parts that have matured
     // have their final positions. Organs unfold once the segment below them is complete, but every
     // growing shoot carries leaves (YoungLeaves). The topology is that of the whole plant: parts
-    // that have not grown yet have no length, radius or size, and lie at their apex. So plants of
-    // all ages can be blended vertex by vertex; without_unborn() returns a plant without such
-    // parts.
+    // that have not grown yet have no length, radius or size, and lie at the apex below them. So
+    // plants of all ages can be blended vertex by vertex. without_unborn() removes the parts that
+    // have not grown.
     //
     // Returns early, with an unusable plant, if `stop` is requested.
     Plant const& grow(PlantKey const& key, double age = 1, std::stop_token const& stop = {});
@@ -44,16 +45,17 @@ private:
 
     GrowthPlan const& plan_;
     Plant plant_;
-    // Frame of each parent segment after growth, in the order of GrowthPlan::parent_frame.
+    // Frame, after growth, of each segment with attachments, in the order of
+    // GrowthPlan::parent_frame.
     std::vector<Quat> parent_frame_;
     SagSimulator sag_simulator_;
     std::optional<YoungLeaves> young_leaves_; // Created when a young plant is first grown.
     bool is_aged_ = false; // True if the radii and sizes of plant_ are those of a younger plant.
 };
 
-// Returns the plant without segments, axes, organs and polygons that have no length or size yet.
-// The others keep their order but get new numbers. A leaf whose segment has not grown is attached
-// to the nearest segment below that has.
+// Returns a young plant (Grower::grow()) without the segments, axes, organs and polygons that have
+// no length or size yet. The other parts keep their order but get new numbers. An organ whose
+// segment has not grown is attached to the nearest grown segment below.
 Plant without_unborn(Plant const& plant);
 
 // All inputs for growing one plant.
@@ -68,8 +70,8 @@ struct GrowthJob {
     double age = 1; // Age of the plant, 0 to 1: see Grower::grow().
 };
 
-// Grows one plant from its complete inputs. Fails like resolve_associations(), influence_of() and
-// plan_growth().
+// Grows one plant from its complete inputs. Fails if resolve_associations(), influence_of() or
+// plan_growth() fails.
 Result<Plant> grow(GrowthJob const& job);
 
 } // namespace tractus::variation

@@ -69,7 +69,7 @@ void GrowthBundle::grow(std::span<AxisId const> axes)
     }
 }
 
-// Sets the base position and rotation of each axis from its parent.
+// Assigns the axes to the lanes, and finds the base position and rotation of each from its parent.
 void GrowthBundle::seat(std::span<AxisId const> axes)
 {
     longest_ = 0;
@@ -113,8 +113,8 @@ AxisProgress GrowthBundle::progress_of(AxisId axis) const
     return { std::min(age.along_at_mm(age_), length_mm), maturity(age_, age.birth_at(length_mm)) };
 }
 
-// Returns the segment of an axis at a number from its base, or one of its other segments if the
-// axis is shorter.
+// Returns the segment of a lane's axis with this number from its base, or the axis' first segment
+// if the axis has fewer segments.
 SegmentId GrowthBundle::segment(std::size_t lane, std::uint32_t number) const
 {
     return first_segment_[lane] + (number < segment_count_[lane] ? number : 0);
@@ -144,8 +144,8 @@ void GrowthBundle::read_steps(std::uint32_t number)
     }
 }
 
-// Computes deviations by the law without delay and maturation: a few multiplications per segment,
-// with precomputed coefficients.
+// Computes the deviations of `count` segments by the law without delay and maturation. This takes a
+// few multiplications per segment, with the coefficients of GrowthPlan::steps.
 void GrowthBundle::follow_law(std::uint32_t first, std::uint32_t count)
 {
     if (is_noisy_)
@@ -189,8 +189,7 @@ void GrowthBundle::add_noise(StepNoiseLanes const& noise)
     add(deviation_y_, memory_y_, noise.first[1], noise.second[1]);
 }
 
-// Limits deviations to kMaxDeviation. Exceeding it is rare, so one check of the maximum comes
-// first.
+// Limits deviations to kMaxDeviation. They rarely exceed it, so the largest is checked first.
 void GrowthBundle::hold()
 {
     double most = 0;
@@ -206,7 +205,7 @@ void GrowthBundle::hold()
     }
 }
 
-// Reads the influence of the indicators. They act on the tip before the step, that is on the
+// Finds the influence on each axis' tip before the step to segment `number`, when the tip is in the
 // previous segment.
 void GrowthBundle::find_influence(std::uint32_t number)
 {
@@ -249,7 +248,7 @@ void GrowthBundle::push(std::uint32_t number)
     }
 }
 
-// Grows axes by the law with delay or maturation, computed for each axis separately.
+// Grows axes by the law with delay or maturation. SteppedTip computes each axis separately.
 void GrowthBundle::follow_tips(std::span<AxisId const> axes)
 {
     std::array<std::optional<AxisInfluence>, kGrowthLanes> influences;
@@ -279,7 +278,8 @@ void GrowthBundle::follow_tips(std::span<AxisId const> axes)
     }
 }
 
-// Sets the node positions and stores the frames for attached axes and organs.
+// Places the next `count` segments, from number `first` on: sets their nodes, and the frames for
+// attached axes and organs.
 void GrowthBundle::place(std::uint32_t first, std::uint32_t count)
 {
     for (std::uint32_t number = 0; number < count; ++number) {
@@ -292,7 +292,7 @@ void GrowthBundle::place(std::uint32_t first, std::uint32_t count)
     }
 }
 
-// Places the next segment for four lanes from `lane` on.
+// Moves the tips of four axes, in the lanes from `lane` on, along their next segment.
 void GrowthBundle::place(std::size_t lane, Four const& dx, Four const& dy)
 {
     auto const half = half_angle<Four>(dx * dx + dy * dy);
@@ -311,7 +311,7 @@ void GrowthBundle::place(std::size_t lane, Four const& dx, Four const& dy)
     store(position.z + length * (2 * (q.x * q.z - q.w * q.y)), &position_mm_.z[lane]);
 
     auto const scale
-        // Factor that normalises the quaternion q, from one Newton step.
+        // Factor that normalises the quaternion q, which is nearly normalised, by one Newton step.
         = 1.5 - 0.5 * (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     store(scale * q.w, &turned_frame_.w[lane]);
     store(scale * q.x, &turned_frame_.x[lane]);

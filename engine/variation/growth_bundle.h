@@ -13,14 +13,15 @@
 
 namespace tractus::variation {
 
-// Grows several axes at once with SIMD instructions, since most axes are too short to fill vectors
-// alone. Each axis grows bit for bit as it would by itself.
+// Grows several axes at once with SIMD instructions, one axis in each lane, since most axes are too
+// short to fill the lanes with their own segments. Each axis grows bit for bit as it would alone.
 //
-// For one thread; an object takes a kilobyte or two and is meant for the stack.
+// An object must be used by one thread only. It takes one or two kilobytes and is meant for the
+// stack.
 class GrowthBundle {
 public:
-    // Node positions and parent frames of the grown plant: written for the axes of the bundle, read
-    // for their parents.
+    // Node positions and frames (GrowthPlan::parent_frame) of the grown plant. grow() writes those
+    // of its axes and reads those of their parents.
     struct Grown {
         std::span<Vec3> node_position_mm;
         std::span<Quat> parent_frame;
@@ -29,7 +30,7 @@ public:
     // `plan` and `noise` must outlive the bundle.
     GrowthBundle(GrowthPlan const& plan, GrowthNoise const& noise, double age, Grown const& grown);
 
-    // Grows 1 to kGrowthLanes axes, whose parents must have been grown.
+    // Grows 1 to kGrowthLanes axes; their parents must have been grown before.
     void grow(std::span<AxisId const> axes);
 
 private:
@@ -65,34 +66,36 @@ private:
     GrowthNoise const& noise_;
     double age_;
     Grown grown_;
-    bool is_stepped_; // True if the axes are grown step by step with SteppedTip.
+    // True if the law has a delay or maturation, so that SteppedTip grows each axis step by step.
+    bool is_stepped_;
     bool is_pushed_;
     bool is_noisy_;
 
-    // Data of each lane's axis. Unused lanes repeat the first axis and write nothing.
-    std::uint32_t longest_ = 0; // Number of segments of the longest axis.
+    // Data of each lane's axis. Lanes without an axis of their own repeat the first axis and write
+    // nothing.
+    std::uint32_t longest_ = 0; // Greatest number of segments of a lane's axis.
     std::array<AxisId, kGrowthLanes> axis_ {};
     std::array<NodeId, kGrowthLanes> first_node_ {};
     std::array<SegmentId, kGrowthLanes> first_segment_ {};
-    // Number of segments of each axis; 0 for unused lanes.
+    // Number of segments of each lane's axis; 0 for unused lanes.
     std::array<std::uint32_t, kGrowthLanes> segment_count_ {};
 
-    alignas(64) QuatLanes turn_; // Rotation of the axis as a whole, inherited from its parent.
+    alignas(64) QuatLanes turn_; // Rotation of each axis as a whole, inherited from its parent.
     VectorLanes position_mm_;    // Position of each axis' growing tip.
-    Lanes left_mm_;              // Length of the axis at this age, minus that already placed.
-    // The influence that acts on the whole plant, in the axis' coordinates.
+    Lanes left_mm_;              // Length of each axis at age_, minus the length already placed.
+    // The influence that acts on the whole plant, in the coordinates of each axis.
     VectorLanes everywhere_;
     Lanes deviation_x_, deviation_y_;
     Lanes memory_x_, memory_y_;
 
-    // State of each axis at the current segment.
+    // The following describe each axis at its current segment.
     QuatLanes frame_;
     QuatLanes turned_frame_;
-    VectorLanes influence_; // Influence at the segment, in its frame.
+    VectorLanes influence_; // Influence at the segment, in the segment's frame.
     StepLanes step_;
     Lanes length_mm_;
 
-    // Deviations of the next kStepsAtOnce segments, and the noise drawn for them.
+    // Deviations of the next kStepsAtOnce segments of each axis, and the noise drawn for them.
     std::array<Lanes, kStepsAtOnce> deviations_x_, deviations_y_;
     std::array<StepNoiseLanes, kStepsAtOnce> drawn_;
 };

@@ -9,8 +9,8 @@
 
 namespace tractus::variation {
 
-// With this many substeps the steady tilt is accurate to one per cent for indicators up to several
-// times the plant's height.
+// Maximum number of substeps of GrowthStep. With it the steady deviation is accurate to one per
+// cent for indicators several times as long as the plant is high.
 constexpr double kMaxSubsteps = 4;
 
 static double largest_gain(GrowthParameters const& parameters)
@@ -93,15 +93,16 @@ GrowthStep unit_step(GrowthParameters const& p)
              .substeps = 1 };
 }
 
-// Ratio of the push over `length` to that of a unit step: (1 - exp(-rate length)) / (1 -
-// exp(-rate)).
+// Returns the ratio of an influence's push over `length` to its push over a step of length 1: (1 -
+// exp(-rate length)) / (1 - exp(-rate)).
 static double share_of_push(double rate, double length)
 {
     return rate > 0 ? std::expm1(-rate * length) / std::expm1(-rate) : length;
 }
 
-// Noise without feedback: a random walk, for which there is no steady state to match. Noise memory
-// only widens the steps, as it does in the long run.
+// Sets the noise of a step without feedback. The deviation is then a random walk, which has no
+// steady state to match; the memory of the noise is replaced by wider steps, which is exact in the
+// long run.
 static void set_free_noise(GrowthStep& step, GrowthParameters const& p, double length)
 {
     double const widened = (1 + p.noise_memory) / (1 - p.noise_memory);
@@ -109,15 +110,16 @@ static void set_free_noise(GrowthStep& step, GrowthParameters const& p, double l
     step.memory_kept = 0;
 }
 
-// The pair (d, x) as a linear process dd = -a d + s x, dx = -b x + white noise, with x of
-// variance 1. Over a length h it is multiplied by F = exp(A h) and gets new noise of covariance Q =
-// P - F P F^T, where P is its steady covariance; s is chosen for the steady variance of d.
+// Sets the noise of a step with feedback. The pair (d, x) of GrowthStep is a linear process with
+// the matrix A: dd = -a d + s x, dx = -b x + white noise, where x has variance 1. Over a length h
+// the pair is multiplied by F = exp(A h) and gets new noise of covariance Q = P - F P F^T. P is the
+// steady covariance; s follows from the steady variance of d.
 static void set_noise(GrowthStep& step, GrowthParameters const& p, double length)
 {
     double const variance = steady_variance(p);
     double const a = -std::log1p(-p.gain);
     double const kept = step.deviation_kept;
-    if (p.noise_memory == 0) { // White noise: b is infinite.
+    if (p.noise_memory == 0) { // The noise is white: b is infinite.
         step.noise_1 = std::sqrt(variance * (1 - kept * kept));
         step.memory_kept = 0;
         return;
@@ -127,7 +129,7 @@ static void set_noise(GrowthStep& step, GrowthParameters const& p, double length
     double const s = std::sqrt(variance * a * (a + b));
     double const covariance = s / (a + b);
 
-    // The limit of the quotient for a = b.
+    // If a and b nearly agree, the limit of the quotient for a = b is used.
     double const push
         = std::abs(a - b) * length > 1e-5 ? s * (memory_kept - kept) / (a - b) : s * length * kept;
 

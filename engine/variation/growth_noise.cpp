@@ -11,12 +11,13 @@ namespace tractus::variation {
 
 namespace {
 
-// Values of RandomKey::stream in this file.
+// Values of RandomKey::stream for growth.
 constexpr std::uint32_t kPlantStream = 0x706c616e; // "plan": the seed of each plant.
 constexpr std::uint32_t kStepStream = 0x73746570;  // "step": the noise of each step.
 
-// Natural logarithm of a number in (0, 1]: exponent and mantissa separately, then the series of 2
-// artanh((m - 1) / (m + 1)), for m within a factor of sqrt 2 of 1. Error below 3e-7.
+// Natural logarithm of a number in (0, 1], with an error below 3e-7: the logarithm of the power of
+// two, plus that of the mantissa m by the series of 2 artanh((m - 1) / (m + 1)). m is within a
+// factor of sqrt 2 of 1.
 inline float log_of(float x)
 {
     // The offset puts the mantissa in [0.7, 1.4) instead of [1, 2).
@@ -30,9 +31,9 @@ inline float log_of(float x)
     return exponent * 0.693147181f + series;
 }
 
-// Two normal numbers from two random words by the Box-Muller method. The angle consists of a random
-// eighth of a turn to either side, from 30 bits, and a random quarter of the circle, from the other
-// two.
+// Returns two normal numbers from two random words by the Box-Muller method. Two bits of
+// `angle_word` choose one of four directions, a quarter turn apart; the other 30 bits add an angle
+// of up to an eighth of a turn to either side.
 inline std::array<float, 2> normal_pair(std::uint32_t radius_word, std::uint32_t angle_word)
 {
     float const uniform

@@ -9,21 +9,21 @@
 
 namespace tractus::variation {
 
-// Identifies a plant of a collection. The same key always gives the same plant; different keys give
-// independent variations.
+// Identifies a plant of a collection. The same key always gives the same plant; plants of different
+// keys vary independently.
 struct PlantKey {
     std::uint64_t seed = 0;
     std::uint32_t plant_index = 0;
 };
 
-// The random numbers of one step of growth: two for each of the two components.
+// The random numbers of one step of growth of an axis: two for each component of the deviation.
 struct StepNoise {
     std::array<float, 2> first {};
     std::array<float, 2> second {};
 };
 
-// Number of axes whose noise is generated at once (StepNoiseLanes: noise for one step of each axis,
-// by component, then by axis).
+// Number of axes whose noise is generated at once. StepNoiseLanes holds the noise of one step of
+// each axis, by component, then by axis.
 constexpr std::size_t kGrowthLanes = RandomBlocks::kCount;
 struct StepNoiseLanes {
     using Component = std::array<float, kGrowthLanes>;
@@ -31,9 +31,9 @@ struct StepNoiseLanes {
     std::array<Component, 2> second {};
 };
 
-// Independent standard normal numbers for the steps of an axis: a pure function of plant, axis and
-// step, independent of order, threads and other branches. Single precision, absolute value at most
-// 5.9; the same bits on any machine with IEEE 754 arithmetic.
+// Independent standard normal numbers for the steps of an axis. They depend only on the plant's
+// key, the axis and the step, not on threads, other branches or the order of calls. Single
+// precision, absolute value at most 5.9; the same bits on any machine with IEEE 754 arithmetic.
 class GrowthNoise {
 public:
     explicit GrowthNoise(PlantKey const& key);

@@ -14,7 +14,7 @@ namespace {
 
 using Steps = GrowthParameters::Steps;
 
-// Numbers the segments that have attachments, in the order in which these are found.
+// Numbers the segments that have attachments, in the order in which the attachments are found.
 class Parents {
 public:
     Parents(GrowthPlan& plan, RestShape const& rest)
@@ -36,14 +36,15 @@ public:
         return { parent, owner.first_node + (segment - owner.first_segment) + 1 };
     }
 
-    // Returns the rotation from the base plant's coordinates to those of the parent segment.
+    // Returns the rotation from the base plant's frame to that of the parent segment; the identity
+    // for the ground.
     Quat to_frame(SegmentId segment) const
     {
         return segment == kNone ? Quat::Identity() : rest_.frame[segment].conjugate();
     }
 
-    // Returns the offset from the seat to `position_mm`, in the parent segment's frame, or from the
-    // origin on the ground.
+    // Returns the offset from the seat's node to `position_mm`, in the parent segment's frame; for
+    // the ground, `position_mm` itself.
     Vec3 offset_mm(SegmentId segment, GrowthPlan::Seat const& seat, Vec3 const& position_mm) const
     {
         if (segment == kNone)
@@ -51,7 +52,7 @@ public:
         return to_frame(segment) * (position_mm - plan_.base.node_position_mm[seat.node]);
     }
 
-    // The plant's age when a segment is complete; 0 for the ground.
+    // Returns the plant's age at which a segment is complete; 0 for the ground.
     double birth_of_end(SegmentId segment, AxisId axis) const
     {
         return segment == kNone ? 0 : plan_.axes[axis].age.birth_at(rest_.end_mm[segment]);
@@ -76,7 +77,8 @@ void seat_axes(GrowthPlan& plan, RestShape const& rest, Parents& parents)
     }
 }
 
-// Makes the seats of organs and polygons. Each appears when its segment is complete.
+// Finds the attachments of organs and polygons. Each appears when the segment that carries it is
+// complete.
 void seat_riders(GrowthPlan& plan, Parents& parents)
 {
     auto const& base = plan.base;
@@ -100,7 +102,7 @@ void seat_riders(GrowthPlan& plan, Parents& parents)
     }
 }
 
-// Computes the normals of sections that are not round, relative to their segments.
+// Computes the normals of the cross-sections, in the frames of their segments.
 void seat_sections(GrowthPlan& plan, RestShape const& rest, Parents& parents)
 {
     auto const& base = plan.base;
@@ -119,14 +121,14 @@ void seat_sections(GrowthPlan& plan, RestShape const& rest, Parents& parents)
     }
 }
 
-// Table of steps. Neighbouring segments of equal length share one.
+// Fills GrowthPlan::steps. Successive steps of equal length share one entry.
 class StepTable {
 public:
     StepTable(GrowthParameters const& parameters, std::vector<GrowthStep>& steps)
         : parameters_(parameters)
         , steps_(steps)
     {
-        steps_.push_back({}); // Index 0: a step without effect.
+        steps_.push_back({}); // Entry kRest: a step without effect.
         steps_.push_back(unit_step(parameters));
     }
 
@@ -148,8 +150,8 @@ private:
     double last_length_ = -1;
 };
 
-// Circumnutation over a step of `length` that begins `start` steps from the base: the exact
-// integral, scaled so that a step of length 1 matches the law.
+// Returns the deviation by circumnutation over a step of `length` that begins `start` steps from
+// the base: the exact integral, scaled so that a step of length 1 matches the law.
 Vec2 circumnutation(GrowthParameters const& p, double start, double length)
 {
     std::complex<double> const i(0, 1);
@@ -171,7 +173,8 @@ void find_steps_per_segment(GrowthPlan& plan, Axis const& axis)
                 = circumnutation(plan.parameters, i - 1.0, 1);
 }
 
-// Finds the steps from the middle of each segment to the middle of the next, beginning at the base.
+// Finds the steps of an axis: the first from its base to the middle of its first segment, the
+// others from the middle of a segment to the middle of the next.
 void find_steps_per_length(GrowthPlan& plan, Axis const& axis, double length_mm, StepTable& table)
 {
     double const unit_mm = length_mm / plan.parameters.steps_per_axis;

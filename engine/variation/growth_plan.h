@@ -14,29 +14,29 @@
 
 namespace tractus::variation {
 
-// Everything about a plant's growth that is common to all plants of a collection, in a layout that
-// is efficient for Grower. Made once and immutable; may be used by any number of threads.
+// The inputs of growth that are common to all plants of a collection, in a layout that is efficient
+// for Grower. Immutable after plan_growth(), so that any number of threads may use it.
 struct GrowthPlan {
     struct Segment {
-        // Predefined frame, in the coordinates of the predefined plant.
+        // Frame of the segment in the predefined shape, plant frame.
         Quat frame = Quat::Identity();
         double length_mm = 0;
         // Index into `steps`: the step from the previous segment to this one.
         std::uint32_t step = 0;
-        // Number among the segments with attachments (parent_frame), or kNone if nothing is
-        // attached.
+        // Index into `parent_frame`, which lists the segments with attachments; kNone if nothing is
+        // attached to the segment.
         std::uint32_t parent = kNone;
     };
 
     // Attachment of an axis, organ or polygon to the end of a segment.
     struct Seat {
-        // Number of the parent segment, as in Segment::parent; kNone: on the ground.
+        // Segment::parent of the parent segment; kNone: on the ground.
         std::uint32_t parent = kNone;
         NodeId node = 0; // Node at the end of the parent segment.
     };
 
-    // Offsets and orientations are in the frame of the parent segment, or in the plant frame on the
-    // ground.
+    // Offsets and orientations of attachments are in the frame of the parent segment; for
+    // attachments on the ground, in the plant frame.
     struct AxisAttachment {
         Seat seat;
         // Offset from the seat's node to the axis' base; usually zero.
@@ -61,26 +61,28 @@ struct GrowthPlan {
     Influence influence;
 
     AxisLevels levels;
-    std::vector<Segment> segments; // In the plant's order, like the following lists.
+    // One for each segment of `base`, in its order; the following lists also follow `base`.
+    std::vector<Segment> segments;
     std::vector<AxisAttachment> axes;
     std::vector<OrganAttachment> organs;
     std::vector<PolygonAttachment> polygons;
-    std::vector<Vec3> vertex_offset_mm; // Polygon vertices relative to the seat of their polygon.
-    // Normals of nodes with a section that is not round (Plant::node_section), in the frame of the
-    // segment that begins there, or of the axis' last. Empty if all sections are round; otherwise
-    // every segment counts as one with attachments.
+    // Vertices of the polygons, relative to the node of their polygon's seat.
+    std::vector<Vec3> vertex_offset_mm;
+    // Normals of the sections at all nodes (Plant::node_section), each in the frame of the segment
+    // that begins at the node, or of the axis' last segment at its tip. Empty if all sections are
+    // round; otherwise every segment counts as one with attachments.
     std::vector<Vec3f> section_normal;
     std::vector<GrowthStep> steps;
-    // Circumnutation: deviation added at each segment's step; empty if there is none.
+    // Deviation that circumnutation adds at each segment's step; empty without circumnutation.
     std::vector<Vec2> circumnutation_rad;
     std::vector<double> axis_length_mm;
-    // Predefined frame of each segment with attachments, by Segment::parent.
+    // Frame, in the predefined shape, of each segment with attachments, by Segment::parent.
     std::vector<Quat> parent_frame;
 };
 
 // Makes the plan of a plant. `rest` and `shape` must belong to `base`. Fails, in one sentence, if a
-// parameter is out of range or an influence is not finite. Returns early, without segments, if
-// `stop` is requested.
+// parameter is out of range or an influence is not finite. If `stop` is requested, returns an empty
+// plan early.
 Result<GrowthPlan> plan_growth(Plant base, RestShape const& rest, PredefinedShape const& shape,
                                GrowthParameters const& parameters, Influence influence,
                                std::stop_token const& stop = {});

@@ -11,7 +11,7 @@ namespace tractus::variation {
 // A named set of growth parameters.
 struct GrowthPreset {
     std::string_view name;
-    std::string_view description; // A few words, in lower case.
+    std::string_view description; // A phrase in lower case, for lists of presets.
     GrowthParameters parameters;
 };
 
@@ -19,11 +19,11 @@ struct GrowthPreset {
 // "weeping", "winding" and "wild", in order of increasing variation.
 std::span<GrowthPreset const> growth_presets();
 
-// Finds a preset by name, ignoring case; a hyphen may replace a space. Fails with a list of names
-// if there is none.
+// Returns the parameters of a preset. Case is ignored in `name`; hyphens and underscores count as
+// spaces. If there is no such preset, fails with a list of all names.
 Result<GrowthParameters> growth_preset(std::string_view name);
 
-// Returns the name of the preset with these parameters, or an empty string if there is none.
+// Returns the name of the preset with exactly these parameters; an empty string if there is none.
 std::string_view growth_preset_of(GrowthParameters const& parameters);
 
 } // namespace tractus::variation

@@ -11,15 +11,16 @@ namespace {
 
 constexpr double kDensity = 1000e-9;    // Density of green wood, kg / mm³.
 constexpr double kYoungsModulus = 6000; // Young's modulus of green wood, N / mm².
-constexpr double kGravity = 9.81;       // Weight per mass, N / kg.
+constexpr double kGravity = 9.81;       // Gravitational acceleration, N / kg.
 constexpr int kRounds = 4;
 
-// Bending angle of a joint. `softness` is the angle in radians under its load held horizontally;
-// `sine` and `cosine` are those of the angle a (0 to pi) between the load's position and straight
-// down. The result is the root of angle = softness sin(a - angle), so it never exceeds a.
+// Returns the bending angle of a joint. `softness`: the angle in radians by which the load would
+// bend the joint if held out horizontally. `sine` and `cosine`: of the angle a (0 to pi) between
+// straight down and the direction from the joint to the load. The result is the root of angle =
+// softness sin(a - angle), so it never exceeds a.
 double sag_angle(double softness, double sine, double cosine)
 {
-    if (softness < 1e-3) // One step of Newton's method is then accurate to 1e-9.
+    if (softness < 1e-3) // For such small angles one step of Newton's method is accurate to 1e-9.
         return softness * sine / (1 + softness * cosine);
     double const from_down = std::atan2(sine, cosine);
     double low = 0;
@@ -40,11 +41,12 @@ double sag_angle(double softness, double sine, double cosine)
 
 } // namespace
 
-// Computes the mass and moment of each segment with its descendants, at present positions.
+// Computes the mass and moment of each segment together with its descendants, for the plant's
+// present node positions.
 void SagSimulator::find_loads(Plant const& plant)
 {
     load_.assign(plant.segment_count(), {});
-    // Laterals come after their parents, so this goes from the tips to the ground.
+    // A plant lists parents before laterals, so the reverse order goes from the tips to the ground.
     for (std::size_t id = plant.axes.size(); id-- > 0;) {
         auto const& axis = plant.axes[id];
         Load sum;
@@ -56,7 +58,7 @@ void SagSimulator::find_loads(Plant const& plant)
             double const r1 = plant.node_radius_mm[node + 1];
             double const mass
                 = kDensity * kPi / 3 * (r0 * r0 + r0 * r1 + r1 * r1) * (tip - base).norm();
-            // This load already includes the laterals attached to the segment.
+            // load_ already contains the loads of the laterals attached to this segment.
             auto& load = load_[axis.first_segment + i];
             sum.mass_kg += load.mass_kg + mass;
             sum.moment += load.moment + mass / 2 * (base + tip);
@@ -74,7 +76,8 @@ void SagSimulator::bend_axis(AxisId id, Plant& plant)
     auto const& axis = plant.axes[id];
     auto& position = plant.node_position_mm;
     Quat turn = Quat::Identity();
-    Vec3 before = position[axis.first_node]; // Position of the base in the previous round.
+    // Position, in the previous round, of the base of the current segment.
+    Vec3 before = position[axis.first_node];
     if (axis.parent_segment != kNone) {
         auto const& parent = plant.axes[axis.parent_axis];
         auto const node = parent.first_node + (axis.parent_segment - parent.first_segment) + 1;
@@ -82,15 +85,16 @@ void SagSimulator::bend_axis(AxisId id, Plant& plant)
         position[axis.first_node]
             = position[node] + turn * (grown_mm_[axis.first_node] - grown_mm_[node]);
     }
-    double below_mm = 0; // Length of the segment below.
+    double below_mm = 0; // Length of the preceding segment of the axis.
     for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
         auto const node = axis.first_node + i;
         auto const segment = axis.first_segment + i;
         Vec3 const step = grown_mm_[node + 1] - grown_mm_[node];
         double const length_mm = step.norm();
         auto const& load = load_[segment];
-        // `hung` is the centre of mass of the load, relative to the segment's base. It is rotated
-        // back to the grown plant and then with the parent.
+        // `hung` is the load's centre of mass relative to the segment's base, in the previous
+        // round. `lever` is the same vector without the segment's sagging in that round, rotated
+        // with the parent in this one.
         if (load.mass_kg > 0) {
             Vec3 const hung = load.moment / load.mass_kg - before;
             Vec3 const lever = turn * (turn_[segment].conjugate() * hung);

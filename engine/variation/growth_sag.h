@@ -13,7 +13,7 @@ namespace tractus::variation {
 // axis by bending moment times length over flexural stiffness, like a slender round rod of green
 // wood (density 1000 kg/m³, Young's modulus 6 GPa, about the values of Niklas, "Plant
 // Biomechanics", 1992), multiplied by GrowthParameters::sag. A branch never sags beyond hanging
-// straight down. Loads are evaluated in the deformed position, in a few iterations; for bends up to
+// straight down. Loads are evaluated in the deformed position, in four iterations; for bends up to
 // about 30 degrees the result is within about one per cent of the rod's equilibrium. Organs have no
 // weight, and there is no torsion.
 class SagSimulator {
@@ -24,8 +24,9 @@ public:
     {
     }
 
-    // Moves the nodes of a plant grown from the plan, and rotates the frames of its parent segments
-    // (GrowthPlan::parent_frame). Returns early, with an unusable plant, if `stop` is requested.
+    // Moves the nodes of a plant grown from the plan, and rotates the frames of its segments with
+    // attachments (GrowthPlan::parent_frame). Returns early, with an unusable plant, if `stop` is
+    // requested.
     void sag(Plant& plant, std::span<Quat> parent_frame, std::stop_token const& stop = {});
 
 private:
@@ -41,7 +42,8 @@ private:
     GrowthPlan const& plan_;
     std::vector<Vec3> grown_mm_; // Node positions before sagging.
     std::vector<Quat> turn_;     // Rotation of each segment by sagging.
-    std::vector<Load> load_;     // Load of each segment: the segment itself and its descendants.
+    // Load of each segment: that of the segment itself and of its descendants.
+    std::vector<Load> load_;
 };
 
 } // namespace tractus::variation

@@ -16,7 +16,7 @@ SteppedTip::SteppedTip(GrowthPlan const& plan, GrowthNoise const& noise, AxisId 
     , unit_mm_(plan.axis_length_mm[axis] / plan.parameters.steps_per_axis)
     , per_length_(plan.parameters.steps == GrowthParameters::Steps::PerLength)
 {
-    // Number of steps along the axis: its whole length with PerLength, or up to the base of the
+    // Number of steps along the axis: over its whole length with PerLength, up to the base of its
     // last segment with PerSegment.
     double const last
         = per_length_ ? plan.parameters.steps_per_axis : static_cast<double>(segment_count_ - 1);
@@ -33,7 +33,7 @@ SteppedTip::SteppedTip(GrowthPlan const& plan, GrowthNoise const& noise, AxisId 
         = static_cast<std::size_t>(std::lround(static_cast<double>(zone) * progress.ripe));
     for (std::size_t i = 1; steps == all && i <= rest; ++i)
         mature(steps + i > zone ? steps + i - zone : 0, steps);
-    // Parts that have not grown yet have the direction of the tip.
+    // Segments that have not grown yet get the deviation of the tip.
     deviation_.resize(all + 1, deviation_.back());
 }
 
@@ -47,7 +47,8 @@ double SteppedTip::length_of(std::uint32_t segment) const
 void SteppedTip::find_influence(AxisInfluence const& influence, std::size_t steps)
 {
     influence_.reserve(steps + 1);
-    std::uint32_t under = 0; // The segment under the tip; it ends `under_end` steps from the base.
+    // Number of the segment that contains the tip. It ends `under_end` steps from the axis' base.
+    std::uint32_t under = 0;
     double under_end = length_of(0);
     Vec3 felt = influence.at(first_segment_);
     for (std::size_t step = 0; step <= steps; ++step) {
@@ -97,20 +98,23 @@ void SteppedTip::grow(GrowthNoise const& noise, AxisId axis, std::size_t steps)
     }
 }
 
-// Applies one step of maturation to the differences between deviations from step `begin` to `end`.
+// Applies one step of maturation to the bends between successive deviations, from step `begin` to
+// step `end`.
 void SteppedTip::mature(std::size_t begin, std::size_t end)
 {
     double const bending = plan_.parameters.maturation_bending;
     double const kept = 1 - plan_.parameters.maturation_straightening;
     if (begin >= end)
         return;
-    // Deviation below the current piece, before and (`now`) after this step.
+    // Deviation at the lower end of the current piece: `below` before this step of maturation,
+    // `now` after it.
     Vec2 below = deviation_[begin];
     Vec2 now = below;
     for (std::size_t n = begin + 1; n <= end; ++n) {
         Vec2 change = kept * (deviation_[n] - below);
         if (!influence_.empty()) {
-            // An influence bends a piece across its own direction, taken half-way between its ends.
+            // An influence bends a piece across the piece's direction, taken half-way between its
+            // two ends.
             Vec2 const middle = (below + deviation_[n]) / 2;
             Quat const turn = turn_by(middle, half_angle(middle.squaredNorm()));
             change += bending * (turn.conjugate() * influence_[n - 1]).tail<2>();

@@ -11,7 +11,7 @@
 
 namespace tractus::variation {
 
-// The influence that acts on an axis, in the axis' coordinates.
+// The influence that acts on an axis, in coordinates that are rotated with the axis' parent.
 class AxisInfluence {
 public:
     // `turn`: rotation from the axis' coordinates to the plant's.
@@ -37,24 +37,25 @@ private:
     Vec3 everywhere_;
 };
 
-// How far an axis has grown.
+// How far an axis has grown at an age of the plant.
 struct AxisProgress {
     double along_mm = 0; // Position of the apex, from the axis' base.
-    // Share of the maturation time that has passed since the apex reached the end: 0 to 1.
+    // Share of the maturation time that has passed since the apex reached the axis' end: 0 to 1.
     double ripe = 1;
 };
 
 // The tip of one axis with delay or maturation: its deviation segment by segment, in the
 // coordinates of the axis (those of the predefined plant, rotated with the axis' parent). With
 // delay or maturation the law cannot be integrated over a segment in closed form, so this class
-// takes whole steps and interpolates each segment's deviation between two of them.
+// takes whole steps and interpolates each segment's deviation between two steps.
 class SteppedTip {
 public:
-    // Grows the axis up to `progress`. `plan` must outlive the object, the others need not.
+    // Grows the axis up to `progress`. `plan` must outlive the object; the other arguments need
+    // not.
     SteppedTip(GrowthPlan const& plan, GrowthNoise const& noise, AxisId axis,
                AxisInfluence const& influence, AxisProgress const& progress);
 
-    // Returns the deviations of the next segments, as many as `deviations` has elements.
+    // Fills `deviations` with the deviations of the next segments of the axis.
     void advance(std::span<Vec2> deviations);
 
 private:
@@ -69,13 +70,15 @@ private:
     double unit_mm_ = 0;
     bool per_length_ = true;
 
-    // Deviation of the tip after each number of steps from the base.
+    // Element n: deviation of the tip n steps from the base.
     std::vector<Vec2> deviation_;
-    // Influence at each step, in the frame of the segment there; empty if there is no influence.
+    // Element n: influence on the tip n steps from the base, in the frame of the segment there.
+    // Empty if there is no influence.
     std::vector<Vec3> influence_;
 
-    std::uint32_t next_ = 0; // Number of the next segment, within the axis.
-    double next_start_ = 0;  // Beginning of segment next_, in steps from the base.
+    // Number of the segment that advance() handles next, from 0 at the axis' base.
+    std::uint32_t next_ = 0;
+    double next_start_ = 0; // Beginning of segment next_, in steps from the base.
 };
 
 } // namespace tractus::variation

@@ -14,24 +14,26 @@ namespace tractus::variation {
 
 namespace {
 
-constexpr std::uint32_t kWhole = 0x696E6400; // Random stream of sizes and rotations.
-// Random stream of branches, used with the axis number.
+constexpr std::uint32_t kWhole = 0x696E6400; // Random stream of the plants' sizes and rotations.
+// Random stream of missing and duplicated branches; fate_of() adds the axis number to the seed.
 constexpr std::uint32_t kBranches = 0x696E6401;
-constexpr std::uint32_t kAges = 0x696E6402;   // Random stream of ages.
+constexpr std::uint32_t kAges = 0x696E6402;   // Random stream of the plants' ages.
 constexpr std::uint32_t kOrgans = 0x696E6403; // Random stream of the sizes of organs.
 constexpr std::uint32_t kSeeds = 0x696E6404;  // Random stream that decides has_own_seed().
 
-// What happens to a lateral branch.
+// What happens to a lateral branch in one plant of a collection.
 struct Fate {
     bool is_lost = false;
     bool is_doubled = false;
-    int away = 0;          // Distance of the duplicate along the parent axis, in segments.
-    double turned_rad = 0; // Rotation of the duplicate about the parent axis.
+    int away = 0; // Distance from the original, in segments of the parent axis.
+    // Rotation of the duplicate about the parent axis, from the original's position.
+    double turned_rad = 0;
 };
 
 Fate fate_of(AxisId id, PlantKey const& key, double share)
 {
-    // Combines the seed with the axis, since a key has only one substream, which is the plant.
+    // The axis number goes into the seed: a RandomKey has only one substream, which the plant's
+    // index takes.
     Random random(
         { key.seed ^ (static_cast<std::uint64_t>(id) << 32), kBranches, key.plant_index });
     double const chance = random.uniform();
@@ -56,7 +58,7 @@ NodeId tip_of(Axis const& axis, SegmentId segment)
     return axis.first_node + (segment - axis.first_segment) + 1;
 }
 
-// Indices of axes, organs or polygons, grouped by the axis or segment that each is attached to.
+// Indices of axes, organs or polygons, grouped by the axis or segment to which each is attached.
 class Groups {
 public:
     template<typename Things, typename GroupOf>
@@ -80,12 +82,13 @@ public:
     }
 
 private:
-    std::vector<std::size_t> begins_; // Index of each group's first element in `indices_`.
+    // Index in indices_ of each group's first element, followed by the number of all elements.
+    std::vector<std::size_t> begins_;
     std::vector<std::size_t> indices_;
 };
 
-// Duplicates branches of a plant. No copy contains other copies: add() must be called for axes in
-// ascending order, and laterals are those of the original plant.
+// Duplicates branches of a plant. add() must be called for axes in ascending order. No copy
+// contains other copies, since only axes of the original plant are copied.
 class Doubler {
 public:
     explicit Doubler(Plant& plant)
@@ -123,7 +126,8 @@ public:
 private:
     Vec3 moved(Vec3 const& place_mm) const { return to_mm_ + turn_ * (place_mm - from_mm_); }
 
-    // Lists the axes of a branch in ascending order, so that parents come before their laterals.
+    // Lists in branch_ the axes of a branch, in ascending order, so that parents come before their
+    // laterals.
     void find_branch(AxisId id)
     {
         branch_.assign(1, id);
@@ -133,7 +137,7 @@ private:
         std::sort(branch_.begin(), branch_.end());
     }
 
-    // Lists the organs or polygons on the present branch's segments, in ascending order.
+    // Lists the organs or polygons on the segments of the branch in branch_, in ascending order.
     std::vector<std::size_t> const& on_branch(Groups const& by_segment)
     {
         found_.clear();
@@ -200,12 +204,12 @@ private:
     Groups laterals_; // Axes, grouped by parent axis.
     Groups organs_;   // Organs, grouped by segment.
     Groups polygons_; // Polygons, grouped by segment.
-    // The latest copy of each segment; kNone: it was not copied.
+    // For each segment, its latest copy; kNone if it has not been copied.
     std::vector<SegmentId> copy_of_segment_;
     Vec3 from_mm_ = Vec3::Zero();
     Vec3 to_mm_ = Vec3::Zero();
     Quat turn_ = Quat::Identity();
-    std::vector<AxisId> branch_ {};     // Axes of the present branch.
+    std::vector<AxisId> branch_ {};     // Axes of the branch that add() is copying.
     std::vector<std::size_t> found_ {}; // Result of on_branch().
 };
 
@@ -224,7 +228,8 @@ void resize(Plant& plant, double scale)
         vertex_mm *= scale;
 }
 
-// Scales organs about their places, and polygons, which are leaves, about their first vertices.
+// Scales organs about their points of attachment, and polygons, which are leaves, about their first
+// vertices.
 void resize_organs(Plant& plant, double scale)
 {
     for (auto& organ : plant.organs)
@@ -268,7 +273,7 @@ std::vector<bool> axes_below_paths(Plant const& plant,
     for (auto const& path : paths)
         for (auto const segment : path)
             is_below[axis_of(plant, segment)] = true;
-    // Laterals come after their parents, so this goes from the tips to the ground.
+    // A plant lists parents before laterals, so the reverse order goes from the tips to the ground.
     for (AxisId id = static_cast<AxisId>(plant.axes.size()); id-- > 0;)
         if (is_below[id] && plant.axes[id].parent_axis != kNone)
             is_below[plant.axes[id].parent_axis] = true;
@@ -285,8 +290,8 @@ bool has_own_seed(PlantKey const& key, Individuality const& how)
     return Random({ key.seed, kSeeds, key.plant_index }).uniform() < how.seeds;
 }
 
-// Maximum relative change in size of a plant: `size`, up to kNarrowSize times as much if it is
-// narrow, but at most kMaxSize.
+// Returns the maximum relative change in size of a plant: `size` times a factor, which is 1 for
+// wide plants and up to kNarrowSize for narrow ones; at most kMaxSize.
 static double size_range(Plant const& plant, double size)
 {
     auto const box = bounds(plant);
@@ -298,8 +303,8 @@ static double size_range(Plant const& plant, double size)
     return std::min(kMaxSize, size * (1 + (kNarrowSize - 1) * narrow));
 }
 
-// Returns the plant with its individual size and heading. `size` is size_range() of the whole
-// plant.
+// Returns the plant with its individual size and rotation. `size`: size_range() of the plant before
+// branches were removed.
 static Plant sized_and_turned(Plant const& grown, double size, PlantKey const& key,
                               Individuality const& how)
 {

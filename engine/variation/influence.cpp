@@ -9,7 +9,7 @@ namespace tractus::variation {
 
 namespace {
 
-// One indicator in the plant's frame and units.
+// One motion indicator, in millimetres of the plant instead of the displayed plant.
 class LocalInfluence {
 public:
     LocalInfluence(MotionIndicator indicator, ShownPlant const& shown)
@@ -53,7 +53,7 @@ void add_local(Plant const& plant, std::span<Vec3 const> nodes_mm, LocalInfluenc
     });
 }
 
-// Returns the segments on which an indicator acts, without duplicates.
+// Returns the parts of axes on which an indicator acts, each axis at most once.
 std::vector<AxisRemainder> places_of(Plant const& plant, MotionIndicator const& indicator)
 {
     std::vector<AxisRemainder> places;

@@ -14,7 +14,8 @@ namespace tractus::variation {
 // long as the plant is high has length 1, at any display scale.
 struct Influence {
     Vec3 everywhere = Vec3::Zero();
-    std::vector<Vec3> local {}; // For each segment, what is added to `everywhere`; empty: nothing.
+    // For each segment, the influence to add to `everywhere`; empty: nothing is added.
+    std::vector<Vec3> local {};
 
     bool is_none() const { return everywhere.isZero(0) && local.empty(); }
 };
@@ -29,7 +30,8 @@ struct ShownPlant {
 // or by segment for indicators with a local effect. Positions of segments are those before growth:
 // `nodes_mm` are the nodes of `plant` from place_nodes(), plant frame.
 //
-// Fails, in one sentence, like check_indicator(), or if height or scale is not above 0.
+// Fails, in one sentence, if check_indicator() fails for an indicator, or if there are indicators
+// and a number in `shown` is not above 0.
 Result<Influence> influence_of(Plant const& plant, std::span<Vec3 const> nodes_mm,
                                std::span<MotionIndicator const> indicators,
                                ShownPlant const& shown);

@@ -15,12 +15,13 @@ namespace tractus::variation {
 
 namespace {
 
-// Share of the limb's length over which its direction is measured: single samples are noisy.
+// Distance before and after a point over which the limb's direction is measured, as a share of the
+// limb's length. Single samples are too noisy.
 constexpr double kDirectionReach = 1 / kMinLimbSegments;
 
 constexpr double kThinnerThanBearer = 0.85;
 
-// Share of the limb over which a pen is still being pressed down.
+// Share of a limb's length, from its base, over which the pen is still being pressed down.
 constexpr double kPressedDown = 0.1;
 
 class LimbMaker {
@@ -64,8 +65,8 @@ private:
                                     : width_mm;
     }
 
-    // The pattern's segment at a share of the pattern's length, and the position on that segment,
-    // from 0 at its base to 1 at its tip.
+    // Returns the pattern's segment at a share of the pattern's length, and the position on that
+    // segment, from 0 at its base to 1 at its tip.
     std::pair<SegmentId, double> pattern_at(double share) const
     {
         auto const* const ends_mm = rest_.end_mm.data() + pattern_.first_segment;
@@ -82,7 +83,8 @@ private:
         return pattern_.first_node + (segment - pattern_.first_segment);
     }
 
-    // The pattern's radius at a share of its length, relative to the radius at its base.
+    // Returns the pattern's radius at a share of its length, divided by the radius at its base; at
+    // most 1.
     double taper_at(double share) const
     {
         auto const radius = [&](NodeId node) { return double(plant_.node_radius_mm[node]); };
@@ -100,8 +102,8 @@ private:
         limb_.node_radius_mm.push_back(static_cast<float>(radius_mm));
     }
 
-    // Computes rotation-minimising frames along the limb; the normal of the first leans towards the
-    // direction of the parent axis.
+    // Computes rotation-minimising frames along the limb. The normal of the first frame leans
+    // towards the direction of the parent axis.
     void find_frames()
     {
         Vec3 before = curve_.direction(0, kDirectionReach);
@@ -115,7 +117,8 @@ private:
         roll_as_pattern();
     }
 
-    // Rolls the limb so that at its middle the same sides point up and down as on the pattern.
+    // Rolls the limb's frames so that at its middle the same side faces up as on the pattern. Does
+    // nothing if one of the two is upright there.
     void roll_as_pattern()
     {
         auto const& pattern = rest_.frame[pattern_at(0.5).first];

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kJoinPieces = 12;
 
-// Share of the joining curve's length over which the direction of the stroke's start is measured.
+// Distance over which the direction of the stroke's start is measured, as a share of the distance
+// between that start and the seat.
 constexpr double kStartReach = 0.5;
 
 Vec3 direction_or(Vec3 const& vector, Vec3 const& otherwise)
@@ -20,7 +21,8 @@ Vec3 direction_or(Vec3 const& vector, Vec3 const& otherwise)
     return length > 0 ? Vec3(vector / length) : otherwise;
 }
 
-// Direction of the stroke where it begins, measured over at least `reach_mm`.
+// Returns the direction of the stroke's start, measured to the first point at least `reach_mm`
+// away.
 Vec3 start_direction(std::span<LimbPoint const> points, double reach_mm)
 {
     Vec3 const from_mm = points.front().place_mm;
@@ -53,9 +55,9 @@ void LimbCurve::add(LimbPoint const& point)
     points_.push_back(point);
 }
 
-// Adds the curve that joins the stroke to the parent axis: a cubic Hermite curve that leaves the
-// parent at an acute angle and turns into the stroke. A stroke that begins inside the parent's wood
-// is joined by a straight line.
+// Adds the curve that joins the stroke to the parent axis. It is a cubic Hermite curve that leaves
+// the parent at an acute angle and turns into the stroke's direction. A stroke that begins inside
+// the parent's wood is joined by a straight line.
 void LimbCurve::join(std::span<LimbPoint const> points, LimbAttachment const& seat)
 {
     Vec3 const to_mm = points.front().place_mm;
@@ -94,7 +96,8 @@ LimbPoint LimbCurve::at(double share) const
 
 Vec3 LimbCurve::direction(double share, double reach) const
 {
-    for (; reach < 1; reach *= 2) { // A longer chord where the stroke turns back on itself.
+    // The chord is lengthened if the stroke turns back on itself there.
+    for (; reach < 1; reach *= 2) {
         Vec3 const chord_mm = at(share + reach).place_mm - at(share - reach).place_mm;
         if (chord_mm.norm() > 0.01 * reach * length_mm())
             return chord_mm.normalized();

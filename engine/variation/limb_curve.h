@@ -7,11 +7,11 @@
 
 namespace tractus::variation {
 
-// The curve of a limb by arc length: the drawn points, and before them, if they begin off the
-// parent axis, a short curve that joins them to the seat at the origin.
+// The curve of a limb by arc length. It consists of the drawn points and, if these begin off the
+// parent axis, of a short curve before them that begins at the seat (the origin).
 class LimbCurve {
 public:
-    // `points`: at least two distinct ones.
+    // `points` must contain at least two distinct points.
     LimbCurve(std::span<LimbPoint const> points, LimbAttachment const& seat);
 
     double length_mm() const { return length_to_mm_.back(); }
@@ -19,11 +19,11 @@ public:
     // Share of the limb's length at which the drawn points begin.
     double drawn_from() const { return drawn_from_; }
 
-    // Place and width at a share of the length, from 0 to 1.
+    // Place and width at a share of the limb's length, from 0 to 1.
     LimbPoint at(double share) const;
 
-    // Direction of the chord from `reach` before a share of the length to `reach` after it, both
-    // shares of the length; unit vector.
+    // Unit vector along the chord from `reach` before `share` to `reach` after it. Both are shares
+    // of the limb's length.
     Vec3 direction(double share, double reach) const;
 
 private:

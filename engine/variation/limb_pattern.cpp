@@ -11,20 +11,22 @@ namespace tractus::variation {
 
 namespace {
 
-// Cost of each order of difference between pattern and limb, in the same unit as the natural
-// logarithm of the ratio of their lengths.
+// Cost of a pattern for each branching order by which it differs from the limb, in units of the
+// natural logarithm of the ratio of their lengths.
 constexpr double kOrderCost = 0.25;
 
-// Sine of the angle between a twig or organ and the axis, below which it has no direction around
-// the axis.
+// Sine of the angle between a twig or organ and its axis below which it points along the axis and
+// so gives the node no direction around it.
 constexpr double kAlongAxis = 0.1;
 
-constexpr double kMaxNodes = 2000; // Maximum internodes of a limb, however short its pattern's are.
+// Maximum number of a limb's internodes, however short its pattern's internodes are.
+constexpr double kMaxNodes = 2000;
 
 // A node of the pattern that carries twigs or organs.
 struct BearingNode {
     SegmentId segment = 0;
-    double angle_rad = 0; // Direction of its twigs around the axis, from the frame's normal.
+    // Direction of the node's twigs around the axis, measured from the frame's normal.
+    double angle_rad = 0;
 };
 
 class BearingNodes {
@@ -70,8 +72,8 @@ private:
             && segment - axis_.first_segment < axis_.segment_count;
     }
 
-    // Adds a twig, organ or polygon to a node. The first that points away from the axis gives the
-    // node's direction.
+    // Notes a twig, organ or polygon at the end of `segment`. The first one that points away from
+    // the axis gives the node's direction.
     void add(SegmentId segment, Vec3 const& direction)
     {
         auto const i = segment - axis_.first_segment;
@@ -83,12 +85,13 @@ private:
 
     RestShape const& rest_;
     Axis const& axis_;
-    std::vector<Vec3> side_; // Direction of each node's twigs, in its frame; zero: none.
+    // Direction of each node's twigs, in the frame of its segment; zero if there is none.
+    std::vector<Vec3> side_;
     std::vector<bool> bears_;
 };
 
-// Direction of a node around the axis. Beyond the pattern's last node it continues by the
-// divergence angle in the middle of the pattern.
+// Returns the direction of node `number` around the axis. Nodes beyond the pattern's last one
+// follow at the divergence angle found in the middle of the pattern.
 double continued_angle_rad(std::vector<BearingNode> const& nodes, std::size_t number)
 {
     if (number < nodes.size())
@@ -144,7 +147,7 @@ std::vector<LimbNode> limb_nodes(Plant const& plant, RestShape const& rest, Axis
     if (nodes.empty())
         return {};
     auto const last = static_cast<double>(nodes.size() - 1);
-    // Number of the limb's internodes between its first and its last node with twigs or organs.
+    // Number of intervals between the limb's nodes with twigs or organs.
     double const wanted = std::round(std::min(last * length_ratio, kMaxNodes));
     auto const count = static_cast<std::size_t>(std::max(wanted, last > 0 ? 1.0 : 0.0));
     std::vector<LimbNode> result;
@@ -188,7 +191,7 @@ std::vector<LimbStation> limb_stations(std::vector<LimbNode> const& nodes, doubl
     if (!is_joined)
         add(drawn_from);
     add(1);
-    // What the limb's base would carry moves to the end of its first segment.
+    // Twigs and organs at the limb's base move to the end of its first segment.
     if (wanted.size() > 1 && !wanted.front().bears.empty()) {
         auto& second = wanted[1].bears;
         second.insert(second.begin(), wanted[0].bears.begin(), wanted[0].bears.end());

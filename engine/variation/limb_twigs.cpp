@@ -10,7 +10,7 @@
 
 namespace tractus::variation {
 
-// Share of a twig's length, from its base, whose direction gives the twig's heading.
+// Share of a twig's length, from its base, over which the twig's direction is measured.
 static constexpr double kTwigStart = 1.0 / 3;
 
 Vec3 LimbTwigs::Move::place(Vec3 const& point_mm) const
@@ -24,7 +24,7 @@ LimbTwigs::LimbTwigs(Plant const& plant, RestShape const& rest, AxisId pattern, 
     , pattern_(pattern)
     , scale_(scale)
 {
-    // For each axis, the segment of the pattern that carries it; kNone if there is none.
+    // For each axis, the segment of the pattern from which it descends; kNone if there is none.
     std::vector<SegmentId> root(plant.axes.size(), kNone);
     auto const root_of = [&](SegmentId segment) {
         if (segment == kNone)
@@ -73,8 +73,8 @@ void LimbTwigs::add(Plant& limb, Place const& place, LimbNode const& node)
     }
 }
 
-// Returns a move like `rigid` that rotates only about the vertical: to the heading that `rigid`
-// would give to a twig or organ with the direction `direction`.
+// Returns a move like `rigid`, except that it rotates only about the vertical. It turns a twig or
+// organ with the direction `direction` to the heading that `rigid` would give it.
 LimbTwigs::Move LimbTwigs::upright_move(Move const& rigid, Vec3 const& direction,
                                         SegmentId node) const
 {
@@ -105,8 +105,8 @@ LimbTwigs::Move const& LimbTwigs::move_of(SegmentId segment, Move const& at_node
     return axis == pattern_ ? at_node : axes_.at(axis).move;
 }
 
-// Copies a twig to the limb. Parents come before their children, so the copy of the twig's parent
-// segment already exists.
+// Copies a twig to the limb. The twig's parent must have been copied before; parents come first in
+// NodeAttachments::axes.
 void LimbTwigs::add_twig(Plant& limb, AxisId id, Move const& move)
 {
     auto const& twig = plant_.axes[id];

@@ -9,8 +9,8 @@
 
 namespace tractus::variation {
 
-// Copies the twigs and organs at the nodes of a limb's pattern to the limb. They keep their pitch,
-// so that they hang, rise or lie level as on the pattern; their heading follows the limb.
+// Copies the twigs and organs at the nodes of a limb's pattern to the limb. The copies keep their
+// pitch, so that they hang, rise or lie level as on the pattern; their heading follows the limb.
 class LimbTwigs {
 public:
     // `scale`: factor on the size of twigs and organs. `plant` and `rest` must outlive the object.
@@ -36,15 +36,15 @@ private:
         Vec3 place(Vec3 const& point_mm) const;
     };
 
-    // Attachments at a node of the pattern: twigs with all their descendants, and the numbers of
-    // organs and polygons at the node or on the twigs.
+    // Attachments at a node of the pattern: its twigs with all their descendant axes, and the
+    // numbers of the organs and polygons at the node or on these axes.
     struct NodeAttachments {
         std::vector<AxisId> axes;
         std::vector<std::size_t> organs;
         std::vector<std::size_t> polygons;
     };
 
-    // The latest copy of an axis.
+    // Copy of an axis at the node of the limb that was handled last.
     struct Copy {
         AxisId axis = 0;
         Move move {};
@@ -63,12 +63,13 @@ private:
     double scale_;
     // Attachments at the end of each segment of the pattern.
     std::unordered_map<SegmentId, NodeAttachments> borne_;
-    // Copies of segments and axes at the latest node, by their numbers in the plant.
+    // Copies of segments and axes at the node that was handled last, by their numbers in the plant.
     std::unordered_map<SegmentId, SegmentId> segments_;
     std::unordered_map<AxisId, Copy> axes_;
 };
 
-// Appends the section of a node of `plant`, rotated by `turn`, if the plant has sections.
+// Appends the cross-section of a node of `plant`, rotated by `turn`, to `limb`; does nothing if
+// `plant` has only round sections.
 void add_turned_section(Plant& limb, Plant const& plant, NodeId node, Quat const& turn);
 
 } // namespace tractus::variation

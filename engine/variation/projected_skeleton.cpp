@@ -13,20 +13,22 @@ namespace tractus::variation {
 
 namespace {
 
-// Points with a smaller w are too near to the eye to be projected.
+// Points with a homogeneous coordinate w below this are too near to the eye to be projected.
 constexpr double kMinW = 1e-6;
 
-// Grid cells per line: enough that most cells hold few lines, few enough that the counts stay in a
-// core's cache while the grid is built.
+// Number of grid cells per line. With this value most cells have few lines, and the counts stay in
+// a core's cache while the grid is built.
 constexpr double kCellsPerLine = 0.25;
 constexpr double kFewestCells = 1024;
 constexpr double kMaxCells = 1 << 18;
 
-// Minimum lines worth several threads: with fewer the grid is built before others have woken up.
+// Minimum number of lines for which several threads build the grid. With fewer, one thread has
+// built it before others have woken up.
 constexpr std::size_t kLinesWorthThreads = 16'384;
 
-// Clip planes as products with homogeneous coordinates that must not be negative: in front of the
-// eye, and at most one view width outside the view, so that single precision suffices for the rest.
+// Clip planes: rows whose product with a point's homogeneous coordinates is negative where the
+// point is behind the eye, or more than one view width outside the view. For the remaining points
+// single precision suffices.
 using ClipPlanes = Eigen::Matrix<double, 5, 4>;
 
 ClipPlanes clip_planes(SkeletonProjection const& view)
@@ -39,14 +41,15 @@ ClipPlanes clip_planes(SkeletonProjection const& view)
     return planes;
 }
 
-// A projected node.
+// A node of the plant, projected onto the plane.
 struct Projected {
     Eigen::Vector4d homogeneous;
     Vec3 place;
     bool is_inside = false; // True if the node is within the clip planes.
 };
 
-// Projects and clips lines, most of which are entirely within the clip planes.
+// Projects and clips lines. It is fast for lines that are entirely within the clip planes, as most
+// are.
 class LineProjector {
 public:
     explicit LineProjector(SkeletonProjection const& view)
@@ -71,7 +74,7 @@ public:
         return result;
     }
 
-    // Clips a line to the planes; returns false if nothing remains.
+    // Clips a line to the clip planes; returns false if nothing of it remains.
     bool line(Projected const& from, Projected const& to, ProjectedSkeleton::Line& result) const
     {
         if (from.is_inside && to.is_inside) [[likely]]
@@ -90,7 +93,7 @@ private:
         result.depth_to = static_cast<float>(to.z());
     }
 
-    // Clips a line that is not entirely inside, by the Liang-Barsky method.
+    // Clips a line that is not entirely within the clip planes, by the Liang-Barsky method.
     bool clip(Eigen::Vector4d const& from, Eigen::Vector4d const& to,
               ProjectedSkeleton::Line& result) const
     {
@@ -124,7 +127,7 @@ private:
     ClipPlanes planes_;
 };
 
-// The point of a line nearest to the pen: its distance from the pen, and its depth.
+// The point of a line that is nearest to the pen: its distance from the pen and its depth.
 struct Nearest {
     float distance = 0;
     float depth = 0;
@@ -163,8 +166,8 @@ void ProjectedSkeleton::project(Plant const& plant, SkeletonProjection const& vi
 
 void ProjectedSkeleton::find_lines(Plant const& plant, SkeletonProjection const& view)
 {
-    // Each axis has a reserved range of lines, so that several threads can write; invisible lines
-    // are removed afterwards.
+    // Each axis has a range of lines of its own, so that several threads can write at once.
+    // Invisible lines are removed afterwards.
     std::vector<std::uint32_t> first_line(plant.axes.size() + 1);
     for (AxisId id = 0; id < plant.axes.size(); ++id) {
         auto const& axis = plant.axes[id];
@@ -212,8 +215,8 @@ std::size_t ProjectedSkeleton::index_of(Cell const& cell) const
         + static_cast<std::size_t>(cell.column);
 }
 
-// Calls visit(cell index) for each cell that the line may pass: row by row, for the columns between
-// entering and leaving the row.
+// Calls visit(cell index) for each cell that the line may pass: row by row, for all columns between
+// the points where the line enters and leaves the row.
 template<typename Visit>
 void ProjectedSkeleton::for_each_cell(Line const& line, Visit const& visit) const
 {
@@ -229,7 +232,7 @@ void ProjectedSkeleton::for_each_cell(Line const& line, Visit const& visit) cons
     auto const low_cell = cell_at(low);
     auto const high_cell = cell_at(high);
     if (low_cell.row == high_cell.row
-        && low_cell.column == high_cell.column) // Most lines are short.
+        && low_cell.column == high_cell.column) // Most lines are short enough to lie in one cell.
         return visit(index_of(low_cell));
     int const last_row = high_cell.row;
     for (int row = low_cell.row; row <= last_row; ++row) {
@@ -257,8 +260,8 @@ void ProjectedSkeleton::lay_grid()
     rows_ = static_cast<int>(size.y() / cell_size_) + 1;
 }
 
-// Counting sort of the lines into cells. Each thread counts its own share of the lines, so within a
-// cell they stay in order, for any number of threads.
+// Sorts the lines into cells by counting. Each thread handles a contiguous share of the lines, and
+// the lines of a cell keep their order, so the number of threads makes no difference.
 void ProjectedSkeleton::build_grid()
 {
     auto const cells = index_of({ 0, rows_ });
@@ -295,8 +298,8 @@ void ProjectedSkeleton::build_grid()
     });
 }
 
-// Calls visit(line, distance and depth of its point nearest to the pen) for the lines within
-// `reach`.
+// Calls visit(line, nearest point of the line) for the lines within `reach` of the pen, if the pen
+// is within the view. A line may be visited several times.
 template<typename Visit>
 void ProjectedSkeleton::for_each_near(Vec2f const& pen, float reach, Visit const& visit) const
 {

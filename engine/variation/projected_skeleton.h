@@ -19,12 +19,12 @@ struct SkeletonProjection {
     // with w <= 0 are behind the eye and invisible.
     Eigen::Matrix4d to_plane = Eigen::Matrix4d::Identity();
 
-    // The visible part of the plane. Nothing outside it can be picked.
+    // Corners of the visible part of the plane. Nothing outside it can be picked.
     Vec2 min = Vec2::Zero();
     Vec2 max = Vec2::Zero();
 
-    // Axes of a higher order are hidden: in a dense crown they would cover the branches to be
-    // picked.
+    // Axes of a higher branching order than this are hidden: in a dense crown they would cover the
+    // branches to be picked.
     std::uint32_t max_order = std::numeric_limits<std::uint32_t>::max();
 };
 
@@ -34,8 +34,8 @@ SkeletonProjection view_in_pixels(Eigen::Matrix4d const& clip_from_plant, Vec2 c
 
 // Tolerances for picking, in units of the plane.
 struct PickOptions {
-    double line_half_width = 1.5; // Half the width of the drawn lines.
-    double finger = 6; // Maximum distance of the pen from the edge of a line that still picks it.
+    double line_half_width = 1.5; // Half the width of the lines as drawn.
+    double finger = 6; // Maximum distance of the pen from a line's centre that still picks it.
 };
 
 // A plant's segments as lines on a plane, with a grid for finding the line under the pen quickly.
@@ -51,16 +51,16 @@ public:
 
     ProjectedSkeleton(Plant const& plant, SkeletonProjection const& view) { project(plant, view); }
 
-    // Projects another plant or view, reusing the memory. Uses all threads.
+    // Replaces the contents by another plant or view, reusing the memory. Uses all threads.
     void project(Plant const& plant, SkeletonProjection const& view);
 
-    // The visible lines, in the order of the segments, clipped behind the eye and far outside the
-    // view.
+    // The visible lines, in the order of the segments. Parts behind the eye, or further than a
+    // view's width outside the view, are cut off.
     std::span<Line const> lines() const { return lines_; }
 
-    // Returns the segment under `point`: of all lines that cover it the nearest to the viewer; if
-    // none does, the line at the least distance on the plane, up to `finger`. Returns no value if
-    // there is none, or outside the view.
+    // Returns the segment under `point`. Of all lines that cover the point, this is the nearest to
+    // the viewer; if no line covers it, the line at the least distance on the plane, up to
+    // `finger`. Returns no value if there is no such line, or if the point is outside the view.
     std::optional<SegmentId> pick(Vec2 const& point, PickOptions const& options = {}) const;
 
     // Finds all segments whose lines cover `point`, at any depth, in no particular order and
@@ -89,10 +89,11 @@ private:
     float cell_size_ = 1;
     int columns_ = 1;
     int rows_ = 1;
-    // Index in in_cell_ of each cell's first entry; last, the number of entries.
+    // Index in in_cell_ of each cell's first entry, followed by the number of all entries.
     std::vector<std::uint32_t> first_in_cell_;
-    std::vector<std::uint32_t> in_cell_; // Indices of lines, cell by cell.
-    // For each thread's share of the lines: the index in in_cell_ of its next entry, by cell.
+    std::vector<std::uint32_t> in_cell_; // Indices into lines_, cell by cell.
+    // For each thread, and for each cell, the index in in_cell_ where the thread writes the cell's
+    // next entry.
     std::vector<std::vector<std::uint32_t>> next_in_cell_;
 };
 

@@ -11,8 +11,8 @@ namespace tractus::variation {
 
 namespace {
 
-// Sine of the angle between branch and parent below which the branch is considered to continue
-// straight on; the parent's direction is then useless for the normal.
+// Sine of the angle between a branch and its parent below which the branch continues the parent
+// straight on. The parent's direction then cannot define a normal.
 constexpr double kStraightOn = 0.05;
 
 Vec3 first_normal(Vec3 const& direction, Quat const* parent)
@@ -24,7 +24,7 @@ Vec3 first_normal(Vec3 const& direction, Quat const* parent)
     return normal_towards(direction, straight_on ? normal_of(*parent) : tangent);
 }
 
-// Direction of the first segment that has a length.
+// Returns the direction of the first segment that has a length; +z if there is none.
 Vec3 first_direction(std::span<Vec3 const> nodes)
 {
     for (std::size_t i = 1; i < nodes.size(); ++i) {
@@ -64,7 +64,8 @@ void find_axis_shape(Plant const& plant, AxisId id, RestShape& shape)
 
 struct SharedRestShape::Found {
     std::shared_ptr<Plant const> plant;
-    // Addresses of the plant. No value: they are made from the plant and `keys`.
+    // Addresses of the plant, if they were given; otherwise they are made from the plant and
+    // `keys`.
     std::optional<PlantAddresses> addresses;
     AxisKeys keys {};
     std::once_flag is_found {};

@@ -15,17 +15,17 @@ using Selection = std::vector<std::vector<SegmentId>>;
 // is a descendant of the other.
 Result<std::vector<SegmentId>> path_by_ends(BranchTree const& tree, SegmentId one, SegmentId other);
 
-// Returns every axis of an order (0 for the trunk), complete.
+// Returns all axes of a branching order (0 for trunks), each complete.
 Selection axes_of_order(Plant const& plant, std::uint32_t order);
 
-// Returns the axis of a segment and its similar siblings: axes with the same parent axis and half
-// to twice its length. All complete, in the plant's order.
+// Returns the axis of a segment and its similar siblings, which have the same parent axis and half
+// to twice its length. Each is complete; they are in the plant's order.
 Selection similar_siblings(Plant const& plant, SegmentId segment);
 
-// Returns all segments that are not selected, as paths along one axis each.
+// Returns all segments that are not selected, as paths each of which lies on one axis.
 Selection inverted(Plant const& plant, Selection const& selection);
 
-// Returns the union of two selections, without duplicates.
+// Returns the paths of both selections; a path that is in both is listed once.
 Selection added(Selection selection, Selection const& more);
 
 // Returns `selection` without the segments of `less`. A path that loses segments in its middle is

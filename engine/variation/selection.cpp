@@ -8,7 +8,7 @@
 
 namespace tractus::variation {
 
-// Maximum number of steps in which a move of the pen is walked; larger moves take longer steps.
+// Maximum number of steps for one movement of the pen. Longer movements are walked in longer steps.
 constexpr double kLongestMove = 1e5;
 
 PathSelection::PathSelection(BranchTree const& tree)
@@ -37,8 +37,8 @@ bool PathSelection::touch(SegmentId segment)
     return true;
 }
 
-// Selects from the end of the path to its descendant `segment`, and unselects the undetermined
-// segments that are not on this path.
+// Extends the selected path to `segment`, a descendant of its last segment. Undetermined segments
+// that are not on the extended path become unselected.
 void PathSelection::select_down_to(SegmentId segment)
 {
     for (auto const other : undetermined_)
@@ -98,8 +98,8 @@ bool SelectionPen::move_to(Vec2 const& point)
     return changed;
 }
 
-// Returns the last common ancestor of the segments in covering_, which must exist. No value if
-// covering_ is empty.
+// Returns the last common ancestor of the segments in covering_; no value if covering_ is empty.
+// The segments must have a common ancestor.
 std::optional<SegmentId> SelectionPen::common() const
 {
     if (covering_.empty())
@@ -111,8 +111,8 @@ std::optional<SegmentId> SelectionPen::common() const
     return common;
 }
 
-// Returns the segment at which a path through `segment` begins: of the segments under the pen where
-// it came down, the nearest ancestor of `segment`; `segment` itself if there is none.
+// Returns the segment at which a path through `segment` begins: its nearest ancestor among the
+// segments under the pen where it came down (beginnings_), or `segment` itself if there is none.
 SegmentId SelectionPen::beginning_of(SegmentId segment) const
 {
     SegmentId nearest = kNone;

@@ -20,10 +20,11 @@ enum class SegmentState : unsigned char {
 // each a child of the one before (Streit 2006, section 4.1, figure 5).
 //
 // The first segment touched is selected. Touched children of the last selected segment remain
-// undetermined until a descendant of one of them is touched, which shows which one was meant: it is
-// selected, including any segments skipped, the others are unselected, and the newly touched
-// segment is undetermined. Segments that are not descendants of the last selected one are ignored,
-// so touching them does no harm. When the pen is lifted, all undetermined segments are selected.
+// undetermined until a descendant of one of them is touched, which shows that this child was meant.
+// Then the child and the segments between it and the touched one are selected, the other children
+// are unselected, and the touched segment becomes undetermined. Touched segments that are not
+// descendants of the last selected one are ignored. When the pen is lifted, all undetermined
+// segments are selected.
 class PathSelection {
 public:
     // `tree` must outlive the selection.
@@ -32,17 +33,17 @@ public:
     // Handles a touch of `segment`. Returns true if any state changed.
     bool touch(SegmentId segment);
 
-    // Handles lifting the pen. Returns the selected segments from root to tip: one path, or, if
-    // several segments were undetermined at the end, one for each of them in the order of touching;
-    // none if nothing was touched. The states remain visible until clear().
+    // Handles lifting the pen. Returns the selected segments, from root to tip, as one path. If
+    // several segments were undetermined at the end, returns one path for each of them, in the
+    // order of touching; if nothing was touched, no path. state() keeps its answers until clear().
     std::vector<std::vector<SegmentId>> finish();
 
-    // Unselects everything.
+    // Unselects all segments.
     void clear();
 
     SegmentState state(SegmentId segment) const { return states_[segment]; }
 
-    // The selected path from root to tip; `undetermined()`: the undetermined segments.
+    // selected(): the selected path from root to tip. undetermined(): the undetermined segments.
     std::vector<SegmentId> const& selected() const { return path_; }
     std::vector<SegmentId> const& undetermined() const { return undetermined_; }
 
@@ -58,10 +59,10 @@ private:
 // A pen that draws over a projected skeleton; make one per stroke. The line between two samples is
 // walked in steps of at most one unit of the plane, so that a fast movement misses no thin branch.
 //
-// Normally the frontmost segment is touched. Exception: once a path has begun, a point where
-// several branches overlap is ambiguous and determines only their last common ancestor, which is
-// touched; the rest of the stroke shows which branch was meant. So the trunk can be followed behind
-// branches that grow towards the viewer.
+// Normally the pen touches the frontmost segment. Once a path has begun, though, a point where
+// several branches overlap is ambiguous: the pen touches their last common ancestor, and the rest
+// of the stroke shows which branch was meant. So the trunk can be followed behind branches that
+// grow towards the viewer.
 class SelectionPen {
 public:
     // Skeleton, tree and selection must outlive the pen; `tree` must be that of the selection.
@@ -87,10 +88,11 @@ private:
     PickOptions options_;
     std::optional<Vec2> last_point_;
     std::optional<SegmentId> last_touched_;
-    // The frontmost segment at the last position, if that was ambiguous.
+    // The frontmost segment at the pen's last position, if that position was ambiguous.
     std::optional<SegmentId> ambiguous_;
     std::vector<SegmentId> beginnings_; // Segments under the pen where it came down.
-    std::vector<SegmentId> covering_;   // Candidate segments under the pen's present position.
+    // Segments under the pen that may continue the path; a buffer of touch_at().
+    std::vector<SegmentId> covering_;
 };
 
 } // namespace tractus::variation

@@ -17,7 +17,7 @@ Vec3 chord_of(Plant const& plant, Axis const& axis)
     return nodes.back() - nodes.front();
 }
 
-// Position of the segment along its axis, 0 to 1.
+// Position of the segment's end along its axis, as a share of the axis' number of segments.
 double share_of(Axis const& axis, SegmentId segment)
 {
     return static_cast<double>(segment - axis.first_segment + 1) / axis.segment_count;
@@ -29,9 +29,10 @@ double height_of(Plant const& plant)
     return box.empty() ? 1 : std::max(1e-9, box.max_mm.z() - box.min_mm.z());
 }
 
-// How much two axes differ, 0 for equal ones: the weighted difference of their positions on their
-// parents as shares, plus the angle between their chords in radians, plus the natural logarithm of
-// the ratio of their lengths.
+// Returns how much two axes differ; 0 for equal ones. It is the sum of the weighted difference of
+// their positions on their parent axes (share_of()), the angle between their chords in radians, and
+// the natural logarithm of the ratio of the chords' lengths. Axes on the ground are compared by the
+// distance of their bases, as a share of the plant's height.
 double difference(Plant const& one, Axis const& a, Plant const& other, Axis const& b)
 {
     constexpr double kPlaceWeight = 3;
@@ -97,7 +98,7 @@ std::optional<SegmentId> SimilarBranches::similar_segment(SegmentId segment)
     auto const& like = to_.axes[*found];
     double const at = share_of(wanted, segment) * like.segment_count;
     auto const number = std::clamp(std::lround(at), 1L, static_cast<long>(like.segment_count));
-    // The first segment of an axis is matched to the first segment of the similar axis.
+    // The first segment of an axis always corresponds to the first segment of the similar axis.
     bool const is_first = segment == wanted.first_segment;
     return like.first_segment + (is_first ? 0 : static_cast<SegmentId>(number - 1));
 }
@@ -110,7 +111,8 @@ std::optional<std::vector<SegmentId>> SimilarBranches::like(std::vector<SegmentI
         return std::nullopt;
     if (auto between = path_between(to_, *first, *last))
         return between;
-    // In the other plant the branch leaves its parent below the place where the path begins.
+    // In the other plant the similar branch leaves its parent below the segment at which the path
+    // would begin, so the path begins at the base of that segment's axis.
     auto const& axis = to_.axes[axis_of(to_, *first)];
     return path_between(to_, axis.first_segment, *last);
 }

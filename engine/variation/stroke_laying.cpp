@@ -16,7 +16,8 @@ double const kUpright = std::sin(radians(15));
 constexpr double kMinStartShare = 0.05;
 constexpr double kMaxStartShare = 1.0 / 3;
 
-// A chord shorter than this share of its line gives no reliable direction.
+// A chord that is shorter than this share of the curve between its ends gives no reliable
+// direction.
 constexpr double kMinChordShare = 0.01;
 
 double horizontal_share(Vec3 const& direction)
@@ -35,7 +36,7 @@ Quat turn_about_vertical(Vec2 const& to)
     return Quat(Eigen::AngleAxisd(std::atan2(to.y(), to.x()), Vec3::UnitZ()));
 }
 
-// Pitch of a direction in the vertical plane of its heading, -pi to pi.
+// Returns the pitch of a direction in the vertical plane of its heading, -pi to pi.
 double pitch_rad(Aim const& aim)
 {
     return std::atan2(aim.direction.z(), aim.direction.head<2>().dot(aim.heading));
@@ -47,7 +48,8 @@ Vec3 unit_or(Vec3 const& vector, Vec3 const& otherwise)
     return length > 0 ? Vec3(vector / length) : otherwise;
 }
 
-// Chord of the curve's first `share`, or of a longer part if the stroke turns back at once.
+// Returns the unit vector along the chord of the curve's first `share`, or of a longer part if the
+// stroke turns back on itself at its start.
 Vec3 start_of(ArcLength const& curve, double share)
 {
     for (; share < 1; share *= 2) {
@@ -74,7 +76,7 @@ std::vector<Vec3> even_directions(ArcLength const& curve, int count)
     return directions;
 }
 
-// Angle from `a` to `b` about the unit vector `about`, -pi to pi.
+// Returns the angle of the rotation from `a` to `b` about the unit vector `about`, -pi to pi.
 double angle_about(Vec3 const& about, Vec3 const& a, Vec3 const& b)
 {
     double const cosine = a.dot(b) - a.dot(about) * b.dot(about);
@@ -142,7 +144,7 @@ std::optional<double> first_turn_share(ArcLength const& curve)
         if (!first && turned_rad >= 2 * kPi)
             first = static_cast<double>(i) / kParts;
     }
-    // A flat loop returns to its beginning, so its chord gives no direction.
+    // A flat loop ends where it began, so the chord of its first turn gives no direction.
     bool const advances
         = first && (curve.at(*first) - curve.at(0)).norm() > 0.1 * *first * curve.length_mm();
     return advances && turned_rad >= kMinTurning_rad ? first : std::nullopt;

@@ -10,10 +10,10 @@ namespace tractus::variation {
 
 namespace {
 
-// Share of a stroke whose chord is the tangent at its start.
+// The chord of this share of a stroke, from its start, is taken as the tangent there.
 constexpr double kStartShare = 0.05;
 
-// A chord shorter than this share of the line gives no direction.
+// A chord shorter than this share of the stroke's length gives no direction.
 constexpr double kNoChord = 1e-6;
 
 Result<void> check_path(Plant const& plant, std::span<SegmentId const> path)
@@ -39,7 +39,7 @@ Vec3 start_tangent(ArcLength const& curve)
 {
     for (double share = kStartShare; share < 1; share *= 2) {
         Vec3 const chord = curve.at(share) - curve.at(0);
-        // A shorter chord means that the stroke turns back at once.
+        // If the chord is shorter, the stroke turns back on itself, and a longer share is tried.
         if (chord.norm() > 0.01 * share * curve.length_mm())
             return chord.normalized();
     }
@@ -62,7 +62,7 @@ Vec3 chord_direction(Plant const& plant, SegmentId first, SegmentId last, Vec3 c
     return length > 0 ? Vec3(chord / length) : otherwise;
 }
 
-// The direction by which the curve is aligned.
+// Returns the direction of the curve that is aligned with a branch.
 Vec3 direction_of(ArcLength const& curve, StrokeFit fit)
 {
     return fit == StrokeFit::Chord ? Vec3(chord_of(curve).normalized()) : start_tangent(curve);
@@ -84,7 +84,8 @@ Result<ArcLength> curve_of(Stroke const& stroke, StrokeFit fit, double detail_we
     return curve;
 }
 
-// Returns the directions of the curve for the segments of the path, rotated by `to_base`.
+// Returns, for each segment of the path, the direction of its piece of the curve, rotated by
+// `to_base`. Empty if the path has no length.
 std::vector<Vec3> directions_along(std::span<SegmentId const> path, RestShape const& rest,
                                    ArcLength const& curve, Quat const& to_base)
 {
@@ -100,7 +101,8 @@ std::vector<Vec3> directions_along(std::span<SegmentId const> path, RestShape co
     for (auto const segment : path) {
         sum_mm += rest.length_mm[segment];
         Vec3 const to = curve.at(sum_mm / total_mm);
-        // If the stroke turns back on itself the chord has no direction: keep the previous one.
+        // A chord without length, where the stroke turns back on itself, keeps the previous
+        // direction.
         Vec3 const chord = to_base * (to - from);
         if (double const length = chord.norm(); length > 0)
             before = chord / length;
@@ -117,14 +119,15 @@ std::vector<Joint> joints_along(std::span<SegmentId const> path, RestShape const
     std::vector<Joint> joints(path.size());
     Vec3 base_before = tangent_of(rest.frame[path.front()]);
     Vec3 bent_before = base_before;
-    // Rotation of the segment below, from the base plant to the bent one.
+    // Rotation of the preceding segment of the path, from the base plant to the bent one.
     Quat turn_before = Quat::Identity();
     for (std::size_t i = 0; i < directions.size(); ++i) {
         if (stroke.fit == StrokeFit::World) {
             joints[i] = { .kind = Joint::Kind::World, .direction = directions[i] };
             continue;
         }
-        // The curves are followed without twist; the difference is the segment's own rotation.
+        // Both the base plant and the stroke are followed without twist. The difference is the
+        // rotation of the segment.
         Vec3 const base = tangent_of(rest.frame[path[i]]);
         Quat const turn = (least_rotation(bent_before, directions[i]) * turn_before
                            * least_rotation(base_before, base).conjugate())
@@ -137,7 +140,7 @@ std::vector<Joint> joints_along(std::span<SegmentId const> path, RestShape const
     return joints;
 }
 
-// Fills in the joints of a path aligned by heading and pitch.
+// Fills in the joints of the path, for a stroke that is aligned by heading and pitch.
 void show_along_path(std::span<SegmentId const> path, RestShape const& rest, ArcLength const& curve,
                      StrokeShape& stroke)
 {
@@ -157,13 +160,14 @@ void show_along_path(std::span<SegmentId const> path, RestShape const& rest, Arc
                                   .in_path = static_cast<std::uint32_t>(i) });
 }
 
-// Rotation that aligns a curve of direction `from` with the direction `to` in the base plant.
+// Returns the least rotation of the direction `from` of a curve to the direction `to` in the base
+// plant; the identity for StrokeFit::World.
 Quat laid(StrokeFit fit, Vec3 const& from, Vec3 const& to)
 {
     return fit == StrokeFit::World ? Quat::Identity() : least_rotation(from, to);
 }
 
-// Fills in the joints for the least rotation, or for StrokeFit::World.
+// Fills in the rotations and joints of a stroke with StrokeLaying::LeastTwist or StrokeFit::World.
 void follow_path(Plant const& plant, RestShape const& rest, Association const& association,
                  ArcLength const& curve, StrokeShape& stroke)
 {
@@ -230,7 +234,8 @@ Quat curve_to_axis(Plant const& plant, RestShape const& rest, StrokeShape const&
     Quat const along_start = rest.frame[axis.first_segment] * stroke.from_path;
     if (stroke.fit == StrokeFit::Start)
         return along_start;
-    // Aligned by its start like the path, then corrected so that the chords agree.
+    // StrokeFit::Chord: the curve is aligned by its start, as on the path, then rotated so that its
+    // chord agrees with that of the axis.
     auto const nodes = plant.positions(axis);
     Vec3 const chord = nodes.back() - nodes.front();
     double const length = chord.norm();

@@ -24,7 +24,8 @@ static bool same(Association const& a, Association const& b)
         return true;
     auto const tips = a.stroke.tips.in_memory();
     auto const others = b.stroke.tips.in_memory();
-    // Tips that cannot be read are processed again, which reports the error.
+    // Associations whose tips cannot be read count as different, so that they are processed again
+    // and the error is reported.
     return tips && others
         && std::equal(tips->begin(), tips->end(), others->begin(), others->end(), same_place);
 }
@@ -62,8 +63,8 @@ Result<void> StrokeShaper::set(std::span<Association const> associations)
     return {};
 }
 
-// Computes the shapes of the associations from number `first` on. Associations that have only
-// changed their number keep their shape, so that their tips need not be read again.
+// Prepares the strokes of the associations from number `first` on. For associations whose number
+// alone has changed, the StrokeShape is kept, so that their tips need not be read again.
 Result<std::vector<StrokeShape>> StrokeShaper::shapes_of(std::span<Association const> associations,
                                                          std::size_t first) const
 {
@@ -116,8 +117,8 @@ void StrokeShaper::assign_path(std::uint32_t number)
     }
 }
 
-// Assigns an association to the descendant axes of its path, except axes that contain a part of the
-// path, and spared ones (Association::spared).
+// Assigns an association to the axes that descend from its path, except those that contain a part
+// of the path and those in Association::spared.
 void StrokeShaper::assign_descendants(std::uint32_t number)
 {
     auto const& path = associations_[number].path;
@@ -127,14 +128,14 @@ void StrokeShaper::assign_descendants(std::uint32_t number)
         if (auto const id = axis_of(plant_, segment); along.empty() || along.back() != id)
             along.push_back(id);
     for (auto const& [id, first] : subtree_of(plant_, path.front()))
-        // `along` is sorted, since parents come before their children.
+        // `along` is in ascending order, since a plant lists parents before children.
         if (!std::binary_search(along.begin(), along.end(), id)
             && !std::binary_search(spared.begin(), spared.end(), id))
             sources_[id] = { .propagated = number, .joints = kNone, .changed = number + 1 };
 }
 
-// Returns the axes affected by the associations from number `unchanged` on, old or new, and all
-// their descendants.
+// Marks the axes that the associations from number `unchanged` on shape now or shaped before the
+// change, and all descendants of these axes.
 std::vector<bool> StrokeShaper::find_dirty(std::span<Source const> before,
                                            std::size_t unchanged) const
 {
@@ -147,14 +148,15 @@ std::vector<bool> StrokeShaper::find_dirty(std::span<Source const> before,
     return dirty;
 }
 
-// Rotation of a segment from the base plant to the bent one; the identity for kNone.
+// Returns the rotation of a segment from the base plant to the bent one; the identity for kNone.
 Quat StrokeShaper::turn_of_segment(SegmentId segment) const
 {
     if (segment == kNone)
         return Quat::Identity();
     auto const& bent = shape_.frame[segment];
     auto const& rest = rest_.frame[segment];
-    // Exactly the identity if nothing is bent, so that earlier strokes leave no rounding errors.
+    // The identity is exact if the segment is not bent, so that earlier strokes leave no rounding
+    // errors.
     return bent.coeffs() == rest.coeffs() ? Quat::Identity() : bent * rest.conjugate();
 }
 
@@ -174,8 +176,8 @@ void StrokeShaper::lay(AxisId id)
         frames[i] = is_turned ? renormalised(turn * rest[i]) : rest[i];
 }
 
-// Returns the heading of a segment in the bent plant. If it is upright, the heading of its axis'
-// parent is used, and so on down; `otherwise` if there is none.
+// Returns the heading of a segment in the bent plant. The heading of an upright segment is that of
+// its axis' parent segment, and so on downwards; on the ground it is `otherwise`.
 Vec2 StrokeShaper::heading_from(SegmentId segment, Vec2 const& otherwise) const
 {
     if (segment == kNone)
@@ -196,8 +198,9 @@ bool StrokeShaper::is_laid(std::uint32_t stroke, std::size_t in_path) const
     return joint.kind == Joint::Kind::Laid && joint.stroke == stroke && joint.in_path == in_path;
 }
 
-// Returns the rotation of a stroke along its path from segment `in_path` on, with the path's base
-// rotated by its parent. If a later stroke shapes the part below, the rest is relative to that.
+// Returns the rotation of a stroke along its path from segment `in_path` on. It takes into account
+// that the parent rotates the path's base. If a later stroke shapes the segments below `in_path`,
+// the remaining ones keep their direction relative to those.
 Quat StrokeShaper::laid_along_path(std::uint32_t number, std::size_t in_path) const
 {
     auto const& path = associations_[number].path;
@@ -219,8 +222,8 @@ Quat StrokeShaper::laid_along_path(std::uint32_t number, std::size_t in_path) co
     return least_rotation(as_drawn, tangent_of(shape_.frame[path[in_path - 1]])) * laid;
 }
 
-// Bends a whole axis along a stroke aligned by heading and pitch. `turn`: rotation of the parent at
-// the axis' base.
+// Bends a whole axis along a stroke that is aligned by heading and pitch. `turn`: rotation of the
+// axis' base by the bending of its parent.
 void StrokeShaper::lay_by_heading_along(AxisId id, StrokeShape const& stroke, Quat const& turn,
                                         std::span<Quat> frames) const
 {
@@ -232,7 +235,7 @@ void StrokeShaper::lay_by_heading_along(AxisId id, StrokeShape const& stroke, Qu
     auto const shown = sample_stroke(*stroke.curve, lengths_mm, stroke.fit, share);
     Vec3 const direction
         = (turn * branch_direction(rest, lengths_mm, stroke.fit, share)).normalized();
-    Vec2 below = Vec2::UnitX(); // Heading of the parent; used only for axes near the vertical.
+    Vec2 below = Vec2::UnitX(); // Heading of the parent; needed only for axes near the vertical.
     if (is_upright(direction))
         below = heading_from(axis.parent_segment, reach_heading(rest, lengths_mm, turn));
     auto const laid = lay_by_heading(aim_of_stroke(shown.direction, stroke.reach),
@@ -247,7 +250,8 @@ void StrokeShaper::lay_by_heading_along(AxisId id, StrokeShape const& stroke, Qu
     }
 }
 
-// Bends a whole axis, whose base is rotated by `turn`, along a stroke.
+// Bends a whole axis along a stroke. `turn`: rotation of the axis' base by the bending of its
+// parent.
 void StrokeShaper::lay_propagated(AxisId id, StrokeShape const& stroke, Quat const& turn,
                                   std::span<Quat> frames) const
 {
@@ -270,7 +274,8 @@ void StrokeShaper::lay_propagated(AxisId id, StrokeShape const& stroke, Quat con
         sum_mm += length_mm[i];
         Vec3 const to = curve.at(sum_mm * per_mm);
         Vec3 const chord = rotation * (to - from);
-        // If the stroke turns back on itself the chord has no direction: keep the previous one.
+        // A chord without length, where the stroke turns back on itself, keeps the previous
+        // direction.
         if (double const length = chord.norm(); length > 0) {
             Vec3 const direction = chord / length;
             frame = parallel_transport(frame, before, direction);
@@ -281,9 +286,9 @@ void StrokeShaper::lay_propagated(AxisId id, StrokeShape const& stroke, Quat con
     }
 }
 
-// Returns the rotation from the base plant that gives a segment the direction `direction` without
-// twist relative to `below`, which was rotated by `turned`. The base of a path is not compared with
-// the segment below.
+// Returns the rotation, relative to the base plant, that gives `segment` the direction `direction`
+// without twist. `below`: the segment before it on the path, which was rotated by `turned`; kNone
+// for the first segment of a path.
 Quat StrokeShaper::follow_joint(SegmentId segment, SegmentId below, Vec3 const& direction,
                                 Quat const& turned) const
 {
@@ -293,14 +298,14 @@ Quat StrokeShaper::follow_joint(SegmentId segment, SegmentId below, Vec3 const& 
         * least_rotation(base_before, base).conjugate();
 }
 
-// Computes the frames segment by segment, for an axis that is partly shaped by paths.
+// Computes the frames of an axis segment by segment, if paths of associations run along the axis.
 void StrokeShaper::lay_joints(AxisId id, Quat const& turn)
 {
     auto const& axis = plant_.axes[id];
     auto const& source = sources_[id];
     auto const& joints = joints_[source.joints];
-    // Frames that a propagated stroke gives to the axis: for an unrotated parent, or, if the stroke
-    // is aligned by heading, for the parent as it is rotated.
+    // Frames of the axis as a propagated stroke shapes them; without one, those of the base plant.
+    // The parent counts as unrotated, unless the stroke is aligned by heading.
     std::vector<Quat> own(rest_.frame.begin() + axis.first_segment,
                           rest_.frame.begin() + axis.first_segment + axis.segment_count);
     bool const is_propagated = source.propagated != kNoStroke;
@@ -310,7 +315,7 @@ void StrokeShaper::lay_joints(AxisId id, Quat const& turn)
     if (is_propagated)
         lay_propagated(id, strokes_[source.propagated], own_before, own);
 
-    Quat turned = turn; // Rotation of the segment below, from the base plant.
+    Quat turned = turn; // Rotation of the preceding segment, from the base plant to the bent one.
     Quat laid = Quat::Identity();
     for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
         Quat const& rest = rest_.frame[axis.first_segment + i];

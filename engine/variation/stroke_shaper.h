@@ -10,9 +10,9 @@
 
 namespace tractus::variation {
 
-// Maintains a plant's predefined shape incrementally while associations are added, changed and
-// removed: only the affected axes and their descendants are recomputed, so that the plant can
-// follow a stroke while it is drawn.
+// Keeps a plant's predefined shape up to date while associations are added, changed and removed.
+// Only the affected axes and their descendants are recomputed, so that the plant can follow a
+// stroke while it is drawn.
 //
 // Uses all threads of the calling task arena. Not thread-safe.
 class StrokeShaper {
@@ -20,7 +20,8 @@ public:
     // `plant` and `rest` must outlive the shaper. The initial shape is the base plant's.
     StrokeShaper(Plant const& plant, RestShape const& rest);
 
-    // Replaces the associations. If one is invalid (check_association) nothing changes.
+    // Replaces the associations. Fails, and changes nothing, if one is invalid
+    // (check_association()).
     Result<void> set(std::span<Association const> associations);
 
     PredefinedShape const& shape() const { return shape_; }
@@ -31,11 +32,14 @@ public:
 private:
     static constexpr std::uint32_t kNoStroke = kNone;
 
-    // What determines an axis' shape: a stroke propagated to the whole axis, and paths along it.
+    // The associations that shape an axis: one that is propagated to the whole axis, and those
+    // whose paths run along it.
     struct Source {
         std::uint32_t propagated = kNoStroke; // Number of the association propagated to the axis.
-        std::uint32_t joints = kNone;         // Index into joints_ of the paths along the axis.
-        std::uint32_t changed = 0; // 1 + the highest number of an association that affects it.
+        // Index into joints_ of the axis' joints; kNone: no path runs along the axis.
+        std::uint32_t joints = kNone;
+        // 1 + the highest number of an association that affects the axis.
+        std::uint32_t changed = 0;
     };
 
     Result<std::vector<StrokeShape>> shapes_of(std::span<Association const> associations,
@@ -61,8 +65,9 @@ private:
     RestShape const& rest_;
     PredefinedShape shape_;
     std::vector<Association> associations_;
-    std::vector<StrokeShape> strokes_; // Shape of each association; empty for orphaned ones.
-    std::vector<Source> sources_;      // What determines the shape of each axis.
+    // Prepared stroke of each association; has no curve and no joints for orphaned associations.
+    std::vector<StrokeShape> strokes_;
+    std::vector<Source> sources_; // For each axis, the associations that shape it.
     std::vector<std::vector<Joint>> joints_;
 };
 

@@ -12,8 +12,8 @@ struct AxisRemainder {
     SegmentId first = 0;
 };
 
-// Returns the rest of the axis of `segment` from there on, and all descendant axes, in the plant's
-// order.
+// Returns the axis of `segment` from that segment to its tip, and all axes that descend from this
+// part, in the plant's order.
 std::vector<AxisRemainder> subtree_of(Plant const& plant, SegmentId segment);
 
 } // namespace tractus::variation

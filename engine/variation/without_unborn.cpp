@@ -4,7 +4,7 @@ namespace tractus::variation {
 
 namespace {
 
-// Number of an axis' segments that have grown.
+// Returns the number of an axis' segments that have grown, from its base.
 std::uint32_t grown_segments(Plant const& plant, Axis const& axis)
 {
     auto const nodes = plant.positions(axis);

@@ -12,12 +12,13 @@ namespace tractus::variation {
 
 namespace {
 
-// Random stream that decides which leaves come early and where they sit.
+// Random stream that decides which leaves sprout early, and how far behind an apex they sit.
 constexpr std::uint32_t kLeafStream = 0x796C;
 constexpr std::size_t kLeavesAtOnce = 2048;
-// Number of leaves on a growing shoot, as a multiple of that on a twig of the whole plant.
+// Number of leaves on a growing shoot, as a multiple of the mean number on a full-grown twig.
 constexpr double kShare = 1.5;
-constexpr double kReach = 0.6; // Greatest distance behind an apex, as a share of a twig's length.
+// Maximum distance of a leaf behind an apex, as a share of the twigs' mean length.
+constexpr double kReach = 0.6;
 
 bool is_leaf(Plant const& plant, Organ const& organ)
 {
@@ -25,7 +26,7 @@ bool is_leaf(Plant const& plant, Organ const& organ)
     return organ.segment != kNone && plant.materials[material].kind == Material::Kind::Leaf;
 }
 
-// Order in which leaves sprout, lower ranks earlier: a random number, then the organ's number.
+// Rank of a leaf: a random number, then the organ's number. Leaves of lower rank sprout earlier.
 using Rank = std::pair<std::uint32_t, std::uint32_t>;
 
 } // namespace
@@ -74,8 +75,8 @@ void YoungLeaves::find_leaves()
             * random_block({ .seed = 0, .stream = kLeafStream }, leaf.organ)[1];
 }
 
-// Finds the leaves that sprout when an axis begins to grow: the first per_shoot_ ones, by rank, of
-// the leaves that the axis and its descendants will have.
+// Finds the leaves that sprout when an axis begins to grow. They are the per_shoot_ leaves of
+// lowest rank among those that the axis and its descendants will have in the end.
 void YoungLeaves::find_sprouts()
 {
     auto const& axes = plan_.base.axes;
@@ -83,7 +84,7 @@ void YoungLeaves::find_sprouts()
     for (auto const& leaf : leaves_)
         first[leaf.axis].emplace_back(
             random_block({ .seed = 0, .stream = kLeafStream }, leaf.organ)[0], leaf.organ);
-    // Laterals come after their parents, so this goes from the tips to the ground.
+    // A plant lists parents before laterals, so the reverse order goes from the tips to the ground.
     for (AxisId id = static_cast<AxisId>(axes.size()); id-- > 0;) {
         auto ranks = std::exchange(first[id], {});
         auto const count = std::min(ranks.size(), per_shoot_);
@@ -111,7 +112,7 @@ void YoungLeaves::place(Plant& plant, double age) const
     });
 }
 
-// Position of a leaf behind the apex of the growing axis, which is the leaf's own axis or its
+// Returns the position of a leaf behind the apex of a growing axis: that of the leaf itself, or its
 // nearest ancestor that has begun to grow.
 Vec3 YoungLeaves::point_behind_apex(Plant const& plant, Leaf const& leaf, double age) const
 {
@@ -119,7 +120,7 @@ Vec3 YoungLeaves::point_behind_apex(Plant const& plant, Leaf const& leaf, double
     auto axis = leaf.axis;
     while (plan_.axes[axis].age.begin >= age && axes[axis].parent_axis != kNone)
         axis = axes[axis].parent_axis;
-    // Once the skeleton is complete, the leaves move on to the very tips.
+    // After the skeleton is complete, leaves approach the apex, from behind_mm to 0 at age 1.
     double const left = std::clamp((1 - age) / (1 - kSkeletonShare), 0.0, 1.0);
     double along_mm = plan_.axes[axis].age.along_at_mm(age) - left * leaf.behind_mm;
     if (axis == leaf.axis)
@@ -139,7 +140,8 @@ Vec3 YoungLeaves::point_on(Plant const& plant, AxisId id, double along_mm) const
     auto const i = std::min(static_cast<std::size_t>(found - ends.begin()),
                             axis.segment_count - std::size_t(1));
     auto const nodes = plant.positions(axis).subspan(i, 2);
-    double const length_mm = (nodes[1] - nodes[0]).norm(); // Length of the segment that has grown.
+    // Length of the segment's part that has grown.
+    double const length_mm = (nodes[1] - nodes[0]).norm();
     double const into_mm = along_mm - (ends[i] - plan_.segments[axis.first_segment + i].length_mm);
     if (into_mm >= length_mm)
         return nodes[1];

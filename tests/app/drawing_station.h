@@ -58,7 +58,7 @@ private:
                         std::move_iterator(drawn.end()));
     }
 
-    // On the heap, so that its address stays the same when this object is moved.
+    // Allocated on the heap, so that its address stays the same when the station is moved.
     std::unique_ptr<document::Document> document_;
     std::vector<document::DrawnStroke> strokes_;
 };

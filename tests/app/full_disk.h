@@ -7,12 +7,13 @@
 
 namespace tractus {
 
-// While a FullDisk exists, no file of this process may grow beyond a limit, as on a full disk.
+// While a FullDisk exists, no file of this process can grow beyond a given size, as on a full disk.
 class FullDisk {
 public:
     explicit FullDisk(std::size_t most_bytes)
     {
-        // Writing then fails with an error, as on a full disk, instead of a signal.
+        // A write beyond the limit then fails with an error, as on a full disk, instead of sending
+        // a signal.
         std::signal(SIGXFSZ, SIG_IGN);
         EXPECT_EQ(::getrlimit(RLIMIT_FSIZE, &before_), 0);
         rlimit limit = before_;

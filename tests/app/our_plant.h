@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// Returns a document with a plant of a model that comes with the program, such as "birch".
+// Returns a scene with one plant, grown from a model that comes with the program, such as "birch".
 inline scene::Scene our_plant(std::string_view name)
 {
     return scene::apply_edit({}, io::load_model_edit(files::find_model(name).value()).value())

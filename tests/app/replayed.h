@@ -9,7 +9,7 @@
 
 namespace tractus {
 
-// Result of replaying a log.
+// Result of replaying a log, with the strokes drawn.
 struct Replayed {
     station::StationCounts counts;
     scene::Scene scene;

@@ -27,7 +27,8 @@ inline void append_u16(std::vector<std::byte>& report, int value)
     report.push_back(static_cast<std::byte>(value >> 8));
 }
 
-// Returns the simple pen's report of a position, x from the left and y from the far edge.
+// Returns the simple pen's report of a position, given by the distances from the left and from the
+// far edge.
 inline std::vector<std::byte> pen_report(double x_mm, double y_mm, bool touching)
 {
     std::vector<std::byte> report { std::byte { 2 },
@@ -35,7 +36,7 @@ inline std::vector<std::byte> pen_report(double x_mm, double y_mm, bool touching
     append_u16(report, static_cast<int>(100 * x_mm));
     append_u16(report, static_cast<int>(100 * y_mm));
     append_u16(report, touching ? 1000 : 0);
-    append_u16(report, 0); // The pen is upright.
+    append_u16(report, 0); // Both tilts are 0.
     return report;
 }
 
@@ -46,7 +47,8 @@ inline std::vector<std::byte> height_report(int counts)
     return report;
 }
 
-// Returns a station with the simple pen and these tools, whose surface stays at 100 mm.
+// Returns a station with the simple pen and the given tools. Its surface stays at a height of 100
+// mm.
 inline station::Station flat_station(tools::ToolKinds tools, std::optional<tools::Tool> const& tool)
 {
     station::StationOptions options;
@@ -60,8 +62,8 @@ inline station::Station flat_station(tools::ToolKinds tools, std::optional<tools
     return station::Station::create(std::vector { drivers::simple_pen() }, options).value();
 }
 
-// Draws a stroke with the simple pen across the middle of the tablet: twenty samples, 5 ms apart,
-// from `start_ms`, and then one sample above the surface.
+// Draws a stroke across the middle of the tablet with the simple pen. From `start_ms` on, it sends
+// twenty samples 5 ms apart, and then one sample of the lifted pen.
 template<typename AnyStation> void draw_across(AnyStation& station, std::int64_t start_ms)
 {
     for (int i = 0; i < 20; ++i)

@@ -11,7 +11,7 @@
 
 namespace tractus {
 
-// Script in which the simulated hand shapes the small model's trunk and then leans the plant.
+// Script in which the simulated hand shapes the trunk of the small model and then leans the plant.
 constexpr std::string_view kTrunkAndWind = R"(
 version = 1
 seed = 3
@@ -32,7 +32,7 @@ from_mm = [0, 0, 100]
 to_mm = [30, 0, 110]
 )";
 
-// Returns the recording of a script on the small model, as text.
+// Returns the text of a log in which the simulated hand draws a script on the small model.
 inline Result<std::string> recorded(std::string_view script_text)
 {
     auto const script = TRY(sim::parse_gesture_script(script_text, "script"));

@@ -4,7 +4,7 @@
 
 namespace tractus {
 
-// Returns a model with a trunk of six internodes, a branch of four and a branch of two.
+// Returns a model with a trunk of six internodes, and two branches with four and two internodes.
 inline scene::LoadModel small_model()
 {
     return { .source = { .name = "small.l",
@@ -24,7 +24,8 @@ inline void select(scene::Scene& scene, variation::Selection const& paths)
     scene = scene::apply_edit(scene, scene::select_paths(scene, paths)).value();
 }
 
-// Returns a stroke through the given positions, with ten tips from each to the next, 5 ms apart.
+// Returns a stroke through the given positions, in mm. Between two positions it has ten tips, 5 ms
+// apart.
 inline Stroke stroke_through(std::vector<Vec3> const& places_mm)
 {
     Stroke stroke;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A minute of pen samples at 200 Hz and heights at 500 Hz, interleaved as they arrive.
+// Pen samples of a minute at 200 Hz and height samples of a minute at 500 Hz, in order of arrival.
 struct Samples {
     std::vector<drivers::PenSample> pens;
     std::vector<drivers::HeightSample> heights;

@@ -1,4 +1,4 @@
-// Time from pen-up after a construction line to the resulting plant.
+// Measures the time from pen-up after a construction line to the resulting plant.
 #include "engine/methods/construction_lines/composed_model.h"
 #include "engine/methods/construction_lines/line_edits.h"
 #include "engine/methods/construction_lines/organ_edits.h"
@@ -28,8 +28,8 @@ Stroke top_line()
     return stroke_along({ { -50, 90, 0 }, { 2, 60, 0 }, { 60, 90, 0 } });
 }
 
-// Returns a frond without its uppermost inclination line; with that line its layers have the given
-// number of nodes.
+// Returns a frond without its uppermost inclination line. Once that line is added, the frond's
+// layers have the given number of nodes.
 scene::Scene frond(int nodes, int layers = 1)
 {
     scene::Scene scene;
@@ -59,15 +59,16 @@ void follow(benchmark::State& state, scene::Scene const& scene)
     report(state, { .items = static_cast<double>(organs), .item = "organs" });
 }
 
-// Follows a line with a given number of organs. The goal is 16 ms for 500 organs.
+// Measures the plant following a line, with a given number of organs. The goal is 16 ms for 500
+// organs.
 void follow_line(benchmark::State& state)
 {
     follow(state, frond(static_cast<int>(state.range(0) / 2 - 1)));
 }
 BENCHMARK(follow_line)->ArgName("organs")->Arg(20)->Arg(100)->Arg(500)->Arg(1000);
 
-// Follows a line of a plant whose leaves are drawn in three views. The goal is 16 ms for 500
-// organs.
+// Measures the plant following a line, with leaves that are drawn in three views. The goal is 16 ms
+// for 500 organs.
 void follow_line_with_drawn_leaves(benchmark::State& state)
 {
     auto scene = frond(static_cast<int>(state.range(0) / 2 - 1));
@@ -87,7 +88,8 @@ void follow_line_with_drawn_leaves(benchmark::State& state)
 }
 BENCHMARK(follow_line_with_drawn_leaves)->ArgName("organs")->Arg(500);
 
-// Follows a line of a stem with ten layers. The goal is 100 ms for 10,000 organs.
+// Measures the plant following a line of a stem with ten layers. The goal is 100 ms for 10,000
+// organs.
 void follow_line_of_ten_layers(benchmark::State& state)
 {
     follow(state, frond(static_cast<int>(state.range(0) / 20 - 1), 10));
@@ -112,8 +114,9 @@ std::shared_ptr<Plant const> plant_of(LineModel const& model)
     return scene::apply_edit(scene::Scene {}, load).value().base;
 }
 
-// Composes sketches that are organs of a sketch: from the measured lines to the plant, including
-// the model's text and its derivation. The goal is 100 ms for 100 by 100.
+// Measures the composition of sketches that are organs of a sketch: from the measured lines to the
+// plant, including the model's text and its derivation. The goal is 100 ms for a sketch with 100
+// organs of 100 organs each.
 void compose_sketches(benchmark::State& state)
 {
     auto const nodes = static_cast<int>(state.range(0)) / 2;

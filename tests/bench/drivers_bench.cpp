@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t kReports = 1'000'000;
 constexpr std::size_t kReportBytes = 10;
 
-// Returns the reports of a pen that draws circles for an hour and a half, touching half of the
-// time.
+// Returns the reports of a pen that draws circles for an hour and a half, and touches during half
+// of this time.
 std::vector<std::byte> const& reports()
 {
     static auto const all = [] {
@@ -72,8 +72,8 @@ void decode_pen_reports(benchmark::State& state)
 }
 BENCHMARK(decode_pen_reports);
 
-// Decodes reports in a maker's format: a pen that touches, with its x coordinate at byte `x`, low
-// byte first.
+// Decodes reports in a maker's own format, of a pen that touches. Its x coordinate is at byte `x`,
+// low byte first.
 void decode_family_reports(benchmark::State& state, char const* family, char const* text,
                            std::size_t x)
 {

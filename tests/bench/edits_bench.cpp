@@ -1,5 +1,5 @@
-// Steps of all methods on plants of 50,000 segments and more: time from a finished stroke, or from
-// undo, to the document's next snapshot.
+// Measures steps of all methods on plants of 50,000 segments and more. The time is from a finished
+// stroke, or from an undo, to the document's next snapshot.
 #include "app/batch/malloc_tuning.h"
 #include "app/document/document.h"
 #include "app/methods/all_methods.h"
@@ -31,7 +31,7 @@ std::size_t segment_count(scene::Scene const& scene)
     return count;
 }
 
-// Durations of the steps of a random hand, in seconds.
+// Durations of the steps of a simulated hand that draws at random, in seconds.
 class RandomSteps {
 public:
     RandomSteps()
@@ -52,7 +52,7 @@ public:
         }
     }
 
-    // Returns the time that the given share of the steps did not exceed.
+    // Returns the time within which the given share of the steps was done.
     double within(double share) const
     {
         auto sorted = seconds_;
@@ -60,8 +60,8 @@ public:
         return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
     }
 
-    // Statistics of a tool, of undo or of redo: the number of steps, the longest time, and the
-    // number of segments at that time.
+    // Statistics of a tool, of undo or of redo: the number of steps, the longest time of a step,
+    // and the number of segments at that step.
     struct Kind {
         std::size_t count = 0;
         double longest_s = 0;
@@ -103,8 +103,8 @@ private:
         return std::chrono::duration<double>(Clock::now() - begin).count();
     }
 
-    // Adds a step; steps on far larger plants are skipped, since the methods' own benchmarks
-    // measure them.
+    // Adds a step. Steps on plants of more than kMaxSegments segments are left out, since the
+    // methods' own benchmarks measure them.
     void add(std::string const& what, double took)
     {
         auto const now = segment_count(document_.newest()->scene);
@@ -132,8 +132,8 @@ void print_kinds(RandomSteps const& steps)
                    kind.count, 1000 * kind.longest_s, kind.segments);
 }
 
-// Runs the steps; the longest step of each kind is printed if the environment variable
-// TRACTUS_BENCH_EACH_TOOL is set.
+// Runs the steps once. If the environment variable TRACTUS_BENCH_EACH_TOOL is set, prints the
+// longest step of each kind.
 RandomSteps const& random_steps()
 {
     static RandomSteps const steps;

@@ -1,7 +1,7 @@
-// Leaves of all species that come with the program, all different: a thousand of them painted and
-// packed as three maps of 512 pixels each, one by one, and ten thousand grown and triangulated.
-// Also reports the number of memory pages touched for the first time ("minor faults"), and the peak
-// memory use.
+// Measures leaves of all species that come with the program, all different: a thousand of them
+// painted and packed as three maps of 512 pixels each, one by one, and ten thousand grown and
+// triangulated. Also reports the number of memory pages touched for the first time ("minor
+// faults"), and the peak memory use.
 #include "app/methods/leaves/leaf_library.h"
 #include "app/methods/leaves/leaf_maps.h"
 #include "app/methods/leaves/leaf_study.h"
@@ -43,7 +43,7 @@ struct Used {
     rusage usage {};
 };
 
-// Prints the time and memory used since `before`; peak memory is that since the program's start.
+// Prints the time and memory used since `before`. Peak memory counts from the program's start.
 void say(char const* what, Used const& before, double items)
 {
     Used const now;
@@ -112,8 +112,8 @@ void leaf_with_maps(benchmark::State& state)
 }
 BENCHMARK(leaf_with_maps)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-// Measures the update of the window's page of leaves while the user drags a slider: a leaf with
-// four maps, and six others.
+// Measures the update of the window's page of leaves while the user drags a slider. The page has
+// one leaf with four maps, and six other leaves.
 void leaf_study(benchmark::State& state)
 {
     auto const grammar = leaf::load_leaf_grammar("maple").value();

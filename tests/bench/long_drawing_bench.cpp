@@ -1,6 +1,6 @@
 // Replays eight hours of drawing as fast as possible: strokes of one second, pauses of three
-// seconds, and an occasional undo. Reports after each hour the memory of the idle program, which
-// should stay constant; the drawing is kept in a session, which must be complete at the end.
+// seconds, and an occasional undo. After each hour, reports the memory of the idle program, which
+// should stay constant. The drawing is kept in a session, which must be complete at the end.
 #include "app/batch/malloc_tuning.h"
 #include "app/batch/session_plant.h"
 #include "app/controllers/station_controller.h"
@@ -44,7 +44,7 @@ public:
     {
     }
 
-    // Draws one stroke, with the pause after it.
+    // Draws one stroke and makes the pause after it.
     void cycle()
     {
         for (std::int64_t ms = 0; ms < kCycle_ms; ++ms, ++now_ms_) {
@@ -63,22 +63,21 @@ public:
             return;
         controller_.perform(view::Undo {}, station_);
         controller_.settle(station_,
-                           // Waits for growth, which keeps up with a hand, but not with this
-                           // replay.
-                           // replay.
+                           // Waits for the plant's growth, which is fast enough for a hand, but not
+                           // for this replay.
                            at_ms(now_ms_));
     }
 
     void settle()
     {
         controller_.settle(station_, at_ms(now_ms_));
-        // Waits for plants that are freed on another thread, which nothing else waits for.
+        // Plants are freed on another thread, and nothing else waits for it.
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
 
     std::size_t kept() const { return controller_.document().newest()->scene.associations.size(); }
 
-    // True if the session contains exactly the strokes that were not undone.
+    // True if the session contains exactly the strokes that were drawn and not undone.
     bool has_lost_nothing(fs::path const& path) const
     {
         auto const session = session::read_session(path, scene::core_edit_kinds());

@@ -10,7 +10,7 @@
 namespace tractus {
 namespace {
 
-// Workloads of published measurements of L-system engines.
+// Models with which other L-system engines have been measured in publications.
 
 // ABoP figure 1.24a: 2.5 * 5^n - 1.5 modules after n steps.
 constexpr char const* kBush
@@ -54,8 +54,8 @@ lsystem::Model compiled(std::string const& rules)
     return lsystem::compile_model(source).value();
 }
 
-// Derives a model. The bytes are those of the last string, read or written once, since the strings
-// of earlier steps are much shorter.
+// Measures the derivation of a model. The bytes are those of the last string, read or written once,
+// because the strings of earlier steps are much shorter.
 void derive_model(benchmark::State& state, std::string const& rules)
 {
     auto const threads = limited_threads(state);
@@ -135,7 +135,7 @@ void interpret_tree(benchmark::State& state)
              .limit = Limit::Fill });
 }
 
-// Registers runs with one thread and with two.
+// Registers each number of steps with one thread and with two threads.
 void for_steps(benchmark::internal::Benchmark* bench, std::vector<std::int64_t> const& steps)
 {
     bench->ArgNames({ "", "threads" })

@@ -1,7 +1,9 @@
-// Meshes the monopodial tree of ABoP figure 2.6 and writes it as .glb; writes a collection.
+// Measures meshing the monopodial tree of ABoP figure 2.6, writing it as .glb, and writing a
+// collection of plants.
 //
-// Files are written to the folder of temporary files, into the page cache, as cp does: neither this
-// program nor cp waits for the disk, and neither overwrites an existing file.
+// Files are written to the folder of temporary files, into the page cache. The program cp, whose
+// time is the limit, does the same: neither program waits for the disk, and neither overwrites an
+// existing file.
 #include "engine/export/glb_writer.h"
 #include "engine/lsystem/derivation/derive.h"
 #include "engine/lsystem/fast_drawing/interpret.h"
@@ -36,7 +38,8 @@ Plant const& plant()
     return made;
 }
 
-// Options for sixteen triangles per segment and nothing else, as in the figures of other programs.
+// Options for tubes of sixteen triangles per segment and nothing else, as published for other
+// programs.
 constexpr mesh::MeshOptions kBareTubes { .min_sides = 8,
                                          .max_sides = 8,
                                          .subdivision = 0,
@@ -60,8 +63,8 @@ constexpr std::size_t kCollectionPlants = 200;
 constexpr std::size_t kCollectionSegments = 10000;
 constexpr std::size_t kCollectionLeaves = 5000;
 
-// Returns the plant whose variations make the collection: axes of eight segments on the nodes of
-// earlier ones, with leaves on the last axes.
+// Returns the plant of which the collection has variations. Its axes have eight segments each and
+// start at nodes of earlier axes; the last axes have leaves.
 Plant collected_plant()
 {
     Random random({ .seed = 1 });
@@ -122,7 +125,7 @@ void make_mesh_bench(benchmark::State& state, mesh::MeshOptions const& options)
     Threads const threads(state);
     mesh::Mesh mesh;
     for (auto _ : state) {
-        mesh = {}; // Memory is freed, so that every run allocates it anew.
+        mesh = {}; // Frees the memory, so that every run allocates it anew.
         mesh = mesh::make_mesh(plant(), options);
     }
     report(state,
@@ -132,7 +135,7 @@ void make_mesh_bench(benchmark::State& state, mesh::MeshOptions const& options)
              .limit = Limit::Fill });
 }
 
-// Fills arrays of the same size by memset, also newly allocated in every run.
+// Fills arrays of the same size as those of bare tubes by memset. Every run allocates them anew.
 void fill_arrays_of_bare_tubes(benchmark::State& state)
 {
     mesh::Mesh const mesh = mesh::make_mesh(plant(), kBareTubes);
@@ -211,7 +214,7 @@ void write_glb_while_meshing(benchmark::State& state)
     write_glb_bench(state, std::span(&placed, 1));
 }
 
-// Writes 200 plants of 10,000 segments and 5,000 leaves, each grown when it is needed.
+// Writes 200 plants of 10,000 segments and 5,000 leaves. Each plant is grown when its turn comes.
 void write_glb_of_a_collection(benchmark::State& state)
 {
     auto const plan = variation::plan_of(collected_plant(), {});

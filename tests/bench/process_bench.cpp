@@ -12,7 +12,7 @@
 #include <unistd.h>
 #include <vector>
 
-// Measures whole processes, from start to end, with the models of lsystem_bench.
+// Measures whole processes, from start to end, with the models of lsystem_bench.cpp.
 
 namespace tractus {
 namespace {
@@ -85,7 +85,7 @@ double run_program(std::vector<std::string> arguments)
     return static_cast<double>(usage.ru_minflt);
 }
 
-// Measures a command; `work.bytes` is the size of its result.
+// Measures one run of the program. `work.bytes` is the size of the run's result.
 void measure(benchmark::State& state, std::vector<std::string> const& arguments, Work work)
 {
     for (auto _ : state)
@@ -119,7 +119,7 @@ void whole_tree(benchmark::State& state)
 }
 void whole_signals(benchmark::State& state)
 {
-    // The last argument is the number of modules after 60 steps.
+    // The third argument is the number of modules after 60 steps.
     derive_and_count(state, model("signals.l", kSignals), 9'239'061);
 }
 void whole_row(benchmark::State& state)
@@ -131,7 +131,7 @@ void whole_row(benchmark::State& state)
                      20'001.0 * static_cast<double>(state.range(0)));
 }
 
-// Measures starting, deriving, drawing, meshing and writing.
+// Measures a process that starts, derives, draws, meshes and writes a model.
 void grow_into_file(benchmark::State& state, std::vector<std::string> const& options)
 {
     auto const path = model("grown.l", kMonopodialTree);

@@ -53,7 +53,7 @@ double measure_bytes_per_second(Limit limit)
         case Limit::Disk:
             write_once(from);
             break;
-        case Limit::Cp: // This limit depends on the file: see copy_bytes_per_second().
+        case Limit::Cp: // See copy_bytes_per_second(): this limit depends on the file.
             break;
         }
         benchmark::DoNotOptimize(to.data());
@@ -166,8 +166,8 @@ std::string limit_of(Run const& run)
     return "";
 }
 
-// Returns why a benchmark was aborted; null if it was not. Google Benchmark 1.8 renamed these
-// members.
+// Returns why a benchmark was aborted; null if it was not. Google Benchmark 1.8 renamed the members
+// that say so.
 template<typename AnyRun> std::string const* failure_of(AnyRun const& run)
 {
     if constexpr (requires { run.skip_message; })
@@ -195,8 +195,8 @@ void print_run(Run const& run)
               share > 0 ? fmt::format("{:.4f}", share) : "");
 }
 
-// Prints one line for each benchmark, for its best repetition, since the machine may be busy with
-// other things.
+// Prints one line for each benchmark. It shows the best repetition, since the machine may be busy
+// with other things.
 class TableReporter : public benchmark::BenchmarkReporter {
 public:
     bool ReportContext(Context const&) override { return true; }

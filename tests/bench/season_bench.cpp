@@ -1,6 +1,6 @@
-// The season of two birches with 9,660 leaves: time from the movement of a slider to the triangles
-// of the next picture, and time after the slider is released, when the leaves are regrown at their
-// new age.
+// Measures the season of two birches with 9,660 leaves: the time from the movement of a slider to
+// the triangles of the next picture, and the time after the slider is released, when the leaves are
+// regrown at their new age.
 #include "app/batch/plant_season.h"
 #include "app/view/plant_grower.h"
 #include "tests/app/our_plant.h"
@@ -19,7 +19,7 @@ scene::Scene two_birches()
     return scene::apply_edit(std::move(scene), scene::CopyPlant { active, { 100, 0, 0 } }).value();
 }
 
-// Returns a month that advances by half a month each time.
+// Returns the month of a step; each step advances by half a month.
 double month_of(std::size_t step)
 {
     return 4.5 + 0.5 * static_cast<double>(step % 12);

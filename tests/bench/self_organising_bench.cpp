@@ -1,5 +1,5 @@
-// Measures self-organising trees: a year of a large tree, a brush step among many markers, and a
-// whole life.
+// Measures self-organising trees: the growth of a large tree in a year, a step of the brush among
+// many markers, and the growth of a whole life.
 #include "engine/base/random.h"
 #include "engine/methods/self_organising/life.h"
 #include "engine/methods/self_organising/tree_plant.h"

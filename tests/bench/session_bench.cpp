@@ -1,6 +1,6 @@
-// A session of a thousand edits on a very large tree: time to open it, and time until one undo is
-// visible. The tree is a published one with a million segments (ABoP figure 2.6), and its strokes
-// belong to branches of all orders.
+// Measures a session of a thousand edits on a very large tree: the time to open it, and the time
+// until one undo is visible. The tree is a published one with a million segments (ABoP figure 2.6),
+// and its strokes belong to branches of all orders.
 #include "app/batch/malloc_tuning.h"
 #include "app/batch/session_plant.h"
 #include "app/document/model_cost.h"
@@ -42,7 +42,7 @@ session::SessionOptions options()
                                          [] { return document::load_options(); });
 }
 
-// A session of which half of the edits select a branch, and the others draw it.
+// A session in which half of the edits select a branch, and the others draw along it.
 class BigSession {
 public:
     BigSession()

@@ -1,5 +1,5 @@
-// Measures inference from an outline to a skeleton of several thousand branches, arrangements
-// around a parent, and a tree of more than a million leaves.
+// Measures the inference of several thousand branches from an outline, the arrangement of branches
+// around their parent, and a tree with more than a million leaves.
 #include "engine/mesh/make_mesh.h"
 #include "engine/methods/silhouettes/arrangement.h"
 #include "engine/methods/silhouettes/chordal_axis.h"
@@ -43,8 +43,8 @@ void triangulate_outline(benchmark::State& state)
 }
 BENCHMARK(triangulate_outline)->ArgName("samples")->Arg(128)->Arg(256)->Arg(512);
 
-// Measures the inference at pen-up, here with 4,000 branches on three levels; the goal is 16 ms for
-// a thousand.
+// Measures the inference of branches at pen-up. Here it infers 4,000 branches on three levels; the
+// goal is 16 ms for a thousand.
 void infer_branches(benchmark::State& state)
 {
     auto const threads = limited_to(state.range(0));
@@ -66,8 +66,8 @@ Stroke stroke_of(std::vector<Vec2> const& points)
     return { std::move(tips) };
 }
 
-// Measures pen-up after redrawing the crown of an existing tree three per cent wider: branches keep
-// their names, and the inferred branches replace those of the tree. The goal is 16 ms for a
+// Measures pen-up after the crown of an existing tree was redrawn three per cent wider. Branches
+// keep their names, and the inferred branches replace those of the tree. The goal is 16 ms for a
 // thousand branches.
 void change_outline(benchmark::State& state)
 {
@@ -106,7 +106,7 @@ void arrange_branches(benchmark::State& state)
 }
 BENCHMARK(arrange_branches)->ArgName("branches")->Arg(12)->Arg(30)->Arg(60)->Arg(200);
 
-// Makes a tree of 1.3 million elements, and the mesh that a view draws of it.
+// Measures making a tree of 1.3 million elements, and the mesh that a view draws of it.
 void make_large_tree(benchmark::State& state)
 {
     auto const threads = limited_to(state.range(0));

@@ -1,5 +1,5 @@
-// A rule that grows along a stroke: the cost of a pen sample to the station's thread, the time
-// until an application of the rule is visible, and the time from pen-up to the finished plant.
+// Measures a rule that grows along a stroke: the cost of a pen sample to the station's thread, the
+// time until an application of the rule is visible, and the time from pen-up to the finished plant.
 #include "app/batch/malloc_tuning.h"
 #include "app/methods/all_methods.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
@@ -26,8 +26,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kSegments = 20; // Number of segments in a stroke.
 
-// Returns a rule with two laterals per node. Its plant of kSegments has about the given number of
-// internodes, because the depth of branching is limited accordingly.
+// Returns a rule with two laterals per node. The depth of branching is limited, so that a plant of
+// kSegments has about the given number of internodes.
 sketch::SketchTool rule_for(std::size_t internodes)
 {
     sketch::SketchTool tool { .first_length_mm = 6, .length_ratio = 1, .lateral_length = 0.9 };
@@ -59,8 +59,8 @@ double length_mm(sketch::SketchTool const& tool)
     return kSegments * tool.first_length_mm + 0.5;
 }
 
-// Measures the 99th percentile of the time of samples that do not apply the rule, while a stroke is
-// drawn at 200 samples a second, after its first half second.
+// Measures the time of pen samples that do not apply the rule, as the 99th percentile. A stroke is
+// drawn at 200 samples a second; samples of its first half second are ignored.
 void sketch_sample_p99(benchmark::State& state)
 {
     batch::return_large_blocks(); // The program's window calls this, too.
@@ -92,12 +92,13 @@ void sketch_sample_p99(benchmark::State& state)
 }
 BENCHMARK(sketch_sample_p99)->ArgName("internodes")->Arg(20'000)->UseManualTime()->Iterations(3);
 
-// Measures the time from a sample that applies the rule to the lines of pad and skeleton.
+// Measures the time from a sample that applies the rule to the lines of the drawing pad and of the
+// skeleton.
 void sketch_application(benchmark::State& state)
 {
     auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
-    // Alternates between strokes with and without the last internode, since an existing application
-    // is not repeated.
+    // Alternates between strokes with and without the last internode, because the previewer does
+    // not repeat an application that it has already shown.
     std::array const inks { tips_up(length_mm(tool)),
                             tips_up(length_mm(tool) - tool.first_length_mm) };
     std::size_t turn = 0;

@@ -1,5 +1,5 @@
-// Growth of plants of 131,071 segments, shaping larger ones along strokes, and the selection pen
-// over a skeleton of a million segments.
+// Measures the growth of plants of 131,071 segments, the shaping of larger plants along strokes,
+// and the selection pen over a skeleton of a million segments.
 #include "engine/plant/join_axes.h"
 #include "engine/variation/place_nodes.h"
 #include "engine/variation/selection.h"
@@ -17,8 +17,8 @@
 namespace tractus {
 namespace {
 
-// Returns a plant of 131,071 axes with one segment each: the hardest case, since all work per axis
-// is done per segment.
+// Returns a plant of 131,071 axes with one segment each. This is the hardest case, since the work
+// for each axis is then done for each segment.
 Plant const& twigs()
 {
     static Plant const plant = variation::forking_tree(17, 1);
@@ -32,7 +32,8 @@ Plant const& branches()
     return plant;
 }
 
-// Returns the bytes of memory that growing a plant must read and write even if it only copies it.
+// Returns the bytes of memory that the growth of a plant must at least read and write, as if it
+// only copied the plant.
 double bytes_of(Plant const& plant)
 {
     return static_cast<double>(plant.node_position_mm.size() * sizeof(Vec3)
@@ -90,8 +91,8 @@ void grow_twigs_in_wind(benchmark::State& state)
 }
 BENCHMARK(grow_twigs_in_wind)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-// Measures the time from a new association to the positions of all nodes, for which the user waits
-// after a stroke.
+// Measures the time from a new association to the positions of all nodes. The user waits for this
+// time after a stroke.
 void reshape(benchmark::State& state, Plant const& plant)
 {
     auto const threads = limited_to(state.range(0));
@@ -206,8 +207,8 @@ void turn_view_of_million(benchmark::State& state)
 }
 BENCHMARK(turn_view_of_million)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime();
 
-// Measures the selection pen of a fast hand that sweeps through the crown, with 12 pixels and more
-// between samples. The time is a percentile over the samples.
+// Measures the selection pen when a fast hand sweeps through the crown, with 12 pixels and more
+// between samples. The time is a percentile of the times of the samples.
 void selection_pen_over_million(benchmark::State& state)
 {
     auto& segments = million();
@@ -218,7 +219,7 @@ void selection_pen_over_million(benchmark::State& state)
         variation::PathSelection selection(segments.tree);
         std::optional<variation::SelectionPen> pen;
         for (int i = 0; i < kSamples; ++i) {
-            // Begins a new stroke, from the trunk into another part of the crown.
+            // Begins a new stroke, which runs from the trunk into another part of the crown.
             if (i % 50 == 0) {
                 selection.clear();
                 pen.emplace(segments.skeleton, segments.tree, selection);

@@ -1,11 +1,12 @@
-// Work of the station's window, without the graphics card, while plants grow in the background, 60
-// times a second: time from a frame's reports to the vertices of their ink in the draw list (ink,
-// elapsed time, so the machine must be idle), and a whole frame's processor time (cpu).
+// Measures the work of the station's window, without the graphics card, at 60 frames a second,
+// while plants grow in the background. "ink" is the elapsed time from a frame's reports to the
+// vertices of their ink in the draw list; the machine must be idle for it. "cpu" is the processor
+// time of a whole frame.
 //
-// The times are the 99th percentile of frames (p99) or the median. A minute of drawing also shows
-// rare delays: the 99.9th percentile of the time from the moment at which a frame's reports were
-// due to their ink, beside that of a thread that only sleeps until the same moments, since delays
-// by the system are not the station's.
+// The times are the 99th percentile of the frames (p99) or the median. A minute of drawing also
+// shows rare delays: the 99.9th percentile of the time from the moment at which a frame's reports
+// were due to their ink. Beside it stands the delay of a thread that only sleeps until the same
+// moments, because such delays are due to the system and not to the station.
 #include "app/batch/malloc_tuning.h"
 #include "app/view/station_view.h"
 #include "app/window/view_curves.h"
@@ -69,7 +70,7 @@ scene::Scene scene_of(std::size_t segments)
     return scene;
 }
 
-// A hand that draws circles, one stroke a second, each for the next branch.
+// A hand that draws circles, one stroke a second. Each stroke is for the next branch.
 class Drawing {
 public:
     explicit Drawing(scene::Scene scene)
@@ -187,7 +188,7 @@ struct Minute {
 };
 
 // Returns the measurements of a minute of drawing while a plant of 1.3 million segments grows on
-// all cores. Measured once.
+// all cores. The first call makes them.
 Minute const& minute_of_drawing()
 {
     static Minute const minute = [] {
@@ -237,8 +238,8 @@ BENCHMARK_CAPTURE(minute_of_ink, late_idle_p999, &Minute::late_idle_s, 0.999)
     ->Iterations(1)
     ->UseManualTime();
 
-// Measures closing the window while a plant grows and is prepared for display: the longest time
-// over many moments.
+// Measures closing the window while a plant grows and is prepared for display. The result is the
+// longest time over many moments of closing.
 void close_while_growing(benchmark::State& state)
 {
     auto scene = scene_of(static_cast<std::size_t>(state.range(0)));

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 // Compares calibration with the truth in a hundred cases for each promised accuracy. The
-// distributions of errors are reported as test properties and in failures.
+// distributions of errors are stored as test properties and shown in failure messages.
 
 namespace tractus::calib {
 namespace {
@@ -158,8 +158,8 @@ Samples decode(sim::SimulatedRun const& run)
     return samples;
 }
 
-// Returns a hand that moves up and down along a straight edge, `times` each, as fast as a hand
-// moves the carriage.
+// Returns a hand that moves along a straight edge, `times` times up and `times` times down, as fast
+// as a hand can move the carriage.
 sim::Hand follow_edge(Vec3 const& low_mm, Vec3 const& high_mm, int times, std::uint64_t seed)
 {
     std::vector<sim::HandStroke> strokes;

@@ -41,7 +41,8 @@ Delivery bursts(double every_s)
     return [=](double t) { return std::ceil(t / every_s) * every_s; };
 }
 
-// Returns how much later than the true times the estimated times are, from `from_s` on.
+// Returns by how much the estimated times are later than the true times, in milliseconds, for
+// samples from `from_s` on.
 std::vector<double> late_ms(std::vector<Sample> const& samples, double from_s)
 {
     EvenTimes times;
@@ -73,7 +74,7 @@ void expect_arrivals(std::vector<Sample> const& samples)
     }
 }
 
-// Each burst delivers whole samples only, so delays take only a few fractions of a period.
+// A burst can deliver only complete samples, so delays take only a few values within a period.
 TEST(EvenTimes, PutsWhatBurstsBringOneAfterTheOther)
 {
     for (double const every_s : { 0.016, 0.032 })
@@ -100,7 +101,7 @@ TEST(EvenTimes, EvensBurstsAtRandomInstants)
     EXPECT_GT(least(late), -0.5);
 }
 
-// Bursts of 8 ms at 133 Hz contain one sample or, occasionally, two.
+// Bursts every 8 ms at 133 Hz contain one sample or, occasionally, two.
 TEST(EvenTimes, SeesBurstsThatHardlyHoldMoreThanOne)
 {
     auto const late = late_ms(samples(133, 5, bursts(0.008)), 1.5);
@@ -115,7 +116,7 @@ TEST(EvenTimes, LeavesWhatComesOneByOneAsItIs)
     expect_arrivals(samples(133, 4, [&](double t) { return t + jitter(random); }));
 }
 
-// Some tablets report changes at the time of the change.
+// Some tablets report each change when it happens, and not at even intervals.
 TEST(EvenTimes, LeavesADeviceThatSamplesUnevenlyAsItIs)
 {
     std::mt19937 random(7);
@@ -126,7 +127,7 @@ TEST(EvenTimes, LeavesADeviceThatSamplesUnevenlyAsItIs)
     expect_arrivals(uneven);
 }
 
-// The bursts are the device's own, and its rate varies by a tenth within a second.
+// The device itself sends bursts, and its rate varies by a tenth within a second.
 TEST(EvenTimes, LeavesARateThatWandersAsItIs)
 {
     std::vector<Sample> wandering;
@@ -139,7 +140,7 @@ TEST(EvenTimes, LeavesARateThatWandersAsItIs)
     EXPECT_LT(moved, wandering.size() / 20);
 }
 
-// A loss must be found at the latest when three bursts have been late because of it.
+// A loss must be found at the latest after three bursts that it has made late.
 TEST(EvenTimes, CountsLostSamples)
 {
     auto all = samples(133, 6, bursts(0.016));
@@ -160,7 +161,7 @@ TEST(EvenTimes, CountsLostSamples)
     }
 }
 
-// A loss while the rate is learnt must delay learning, and not change the rate.
+// A loss while the period is learnt must delay the learning, and must not change the period.
 TEST(EvenTimes, LearnsTheRateFromTheFirstHalfSecondWithoutALoss)
 {
     auto all = samples(497, 4, bursts(0.016));
@@ -189,8 +190,8 @@ TEST(EvenTimes, CountsSamplesThatAreOneTooMany)
     }
 }
 
-// While a pen is away, the phase of its samples changes. Its first samples afterwards are not
-// corrected.
+// While a pen is away, the phase of the device's samples changes. The first samples after the pen's
+// return are not corrected.
 TEST(EvenTimes, FindsAgainWhereSamplesFallAfterASilence)
 {
     auto all = samples(133, 2, bursts(0.016));

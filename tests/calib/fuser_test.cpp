@@ -37,8 +37,8 @@ drivers::PenSample pen(Duration time, Vec2 position_mm = { 0, 0 })
     return sample;
 }
 
-// Pushes readings every 2 ms of a carriage that rises by 1,000 counts (100 mm) a second from time
-// 0.
+// Pushes readings every 2 ms of a carriage that rises by 1,000 counts (100 mm) a second. It starts
+// at count 0 at time 0.
 void push_rise(Fuser& fuser, Duration from, Duration to)
 {
     for (auto time = from; time < to; time += 2ms)
@@ -57,7 +57,7 @@ TEST(Fuser, TakesBothLatenciesOff)
 {
     Fuser fuser(kRig);
     push_rise(fuser, 0ms, 200ms);
-    // The pen was there at 100 ms, when the reading was 100 counts.
+    // The pen was at its position at 100 ms, when the reading was 100 counts.
     auto const tip = fuser.push(pen(108ms));
     ASSERT_TRUE(tip);
     EXPECT_EQ(tip->time, at(100ms));
@@ -118,7 +118,7 @@ TEST(Fuser, SettlesATipOnceReadingsSurroundIt)
     push_rise(fuser, 0ms, 100ms);
     auto const live = fuser.push(pen(108ms));
     EXPECT_TRUE(fuser.take_settled().empty());
-    for (int i = 0; i < 15; ++i) // The carriage stops at 100 ms, which could not be foreseen.
+    for (int i = 0; i < 15; ++i) // The carriage stops unexpectedly at 100 ms.
         fuser.push(height(103ms + i * 2ms, 100));
     auto const settled = fuser.take_settled();
     ASSERT_EQ(settled.size(), 1u);
@@ -288,7 +288,7 @@ TEST(Fuser, TakesASensorThatCountsDown)
     auto const tip = fuser.push(pen(8ms));
     EXPECT_NEAR(tip->position_mm.z(), 250, 1e-9);
     EXPECT_FALSE(tip->outside_calibration);
-    fuser.push(height(99ms, 500)); // The carriage has had enough time to reach this height.
+    fuser.push(height(99ms, 500)); // The carriage has had enough time to reach 350 mm.
     EXPECT_TRUE(fuser.push(pen(106ms))->outside_calibration);
 }
 
@@ -340,8 +340,8 @@ TEST(Fuser, TakesHeightsFromAScenarioWhereThereIsNoSensor)
     EXPECT_EQ(settled[0].position_mm, live->position_mm);
 }
 
-// Returns the errors for a carriage that rises at 100 mm a second and a pen that moves with it,
-// with samples that arrive in bursts every 30 ms.
+// Returns the tips' errors for a carriage that rises at 100 mm a second and a pen whose position
+// shows its time, with samples that arrive in bursts every 30 ms.
 std::vector<double> errors_in_bursts_mm(SampleTimes sample_times)
 {
     auto rig = kRig;

@@ -5,8 +5,9 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-// Accuracy of the whole chain from reports to tips, compared with the truth: with noise, rounding,
-// jitter and latencies of the sensors, and a hand at 300 mm/s in the plane and 200 mm/s in height.
+// Compares tips, made by the whole chain from reports on, with the true positions: with noise,
+// rounding, jitter and latencies of the sensors, and a hand at 300 mm/s in the plane and 200 mm/s
+// in height.
 
 namespace tractus::calib {
 namespace {
@@ -29,15 +30,15 @@ TEST(FusionAccuracy, SettledTipsLieWithinAMillimetreOfTheTruth)
         distribution += fmt::format("{:.3f}/{:.3f} ", errors.rms_mm, errors.max_mm);
     }
     RecordProperty("rms_and_max_mm_per_seed", distribution);
-    // The promised limits are 1.0 mm and 3 mm; these limits are from the fuser's header.
+    // The promised limits are 1.0 mm and 3 mm; the limits here are those stated in calib/fuser.h.
     EXPECT_LT(worst_rms_mm, 0.2) << distribution;
     EXPECT_LT(worst_max_mm, 0.5) << distribution;
 }
 
 TEST(FusionAccuracy, TheConvertersStepsDoNotShowInASlowStroke)
 {
-    // Near the bottom, where a count is 0.15 mm of height, and the hand moves by 0.05 mm per
-    // sample.
+    // The stroke is near the bottom, where a count is 0.15 mm of height. The hand moves by 0.05 mm
+    // per sample.
     sim::LineShape const slow { .from_mm = { 0, 0, 20 }, .to_mm = { 0, 0, 70 } };
     sim::Hand const hand({ { .path = sim::make_path(slow), .speed_mm_s = 10 } },
                          { .height_tremor_mm = 0 });

@@ -9,7 +9,7 @@
 namespace tractus::calib {
 namespace {
 
-// Returns a second of readings 2 ms apart; `counts` gives the i-th one, which is rounded.
+// Returns readings of one second, 2 ms apart; `counts` gives the i-th reading, which is rounded.
 template<typename Counts>
 std::vector<drivers::HeightSample> a_second_of(Counts const& counts, std::int32_t full_scale = 4095)
 {

@@ -5,7 +5,7 @@
 namespace tractus::calib {
 namespace {
 
-// Returns captures with a string at an angle, at exact heights, of which some are stated wrongly.
+// Returns captures with a string at an angle. The heights are exact, but some are stated wrongly.
 std::vector<HeightCapture> stated_captures(std::vector<double> const& heights_mm,
                                            std::vector<double> const& stated_mm)
 {
@@ -59,8 +59,8 @@ TEST(HeightFitDoubt, NamesThreeThatDisagree)
         << doubt->reason;
 }
 
-// Heights from a rig of tests/physics (seed 70003) with a string 77 mm to the side. If the highest
-// capture could be left out, a curve would fit the wrong captures below it.
+// The heights are from a rig of tests/physics (seed 70003) with a string 77 mm to the side. If a
+// fit could leave out the highest capture, a curve would fit the wrong captures below it.
 TEST(HeightFitDoubt, LetsNoCurveLeaveOutItsHighestCapture)
 {
     std::vector<double> const stated_mm { 0.1,   70.7, 200.3, 400.0, 294.0,

@@ -46,7 +46,7 @@ TEST(HeightFitRange, RefusesALawThatEndsLessThanATenthBeyondTheCaptures)
     auto const captures = exact_captures(kAslantString, kFiveHeights_mm);
     auto fit = fit_height(captures, { .kind = HeightModelKind::String }).value();
     auto& string = std::get<StringHeight>(fit.model);
-    string.base_mm = 39; // The law then ends at -39 mm.
+    string.base_mm = 39; // The string's law then ends at a height of -39 mm.
     EXPECT_NE(refused_range(fit, captures).find("law ends before -40 mm"), std::string::npos)
         << refused_range(fit, captures);
     string.base_mm = 41;
@@ -71,7 +71,7 @@ TEST(HeightFitRange, RefusesHeightsThatTheCapturesLeaveOpen)
         << refused_range(fit, captures);
 }
 
-// True if a rig has heights over its calibrated range, and over a tenth of the range beyond each
+// True if a rig has heights throughout its calibrated range and a tenth of its length beyond each
 // end.
 bool has_all_heights(Rig const& rig)
 {
@@ -103,8 +103,8 @@ HeightModel random_sensor(std::mt19937_64& dice)
                           = is_above ? StringHeight::Spool::Above : StringHeight::Spool::Below };
 }
 
-// Returns captures with a ruler's error of 0.3 mm and a track bent by one or two sines of a
-// millimetre.
+// Returns captures with a ruler's error of 0.3 mm, and with a track that one or two sine waves bend
+// by a millimetre.
 std::vector<HeightCapture> measured_captures(HeightModel const& sensor, std::mt19937_64& dice)
 {
     auto captures = exact_captures(sensor, kFiveHeights_mm);

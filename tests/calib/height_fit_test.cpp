@@ -67,7 +67,7 @@ TEST(HeightFit, FindsAString)
     EXPECT_NE(chosen.reason.find("string: it gains more than chance"), std::string::npos);
 }
 
-// Most of the evidence for the string is in one capture, which must not be taken for a slip.
+// Most of the evidence for a string comes from one capture, which must not be taken for a slip.
 TEST(HeightFit, TakesFiveCapturesOfAStringForAString)
 {
     auto captures = captures_of(kFittedString, { 0, 60, 160, 280, 400 });
@@ -273,7 +273,8 @@ TEST(HeightFit, RefusesCapturesOutOfOrder)
               "again");
 }
 
-// Returns exact captures of a potentiometer on a vertical string, loaded as in textbooks.
+// Returns exact captures of a potentiometer on a vertical string. The converter's input loads the
+// potentiometer as a resistor loads a voltage divider.
 std::vector<HeightCapture> captures_under_load(double load)
 {
     std::vector<HeightCapture> captures;
@@ -341,7 +342,7 @@ TEST(HeightFit, FollowsABendWithoutBeingTold)
     EXPECT_LT(bent.max_mm, straight.max_mm / 2);
 }
 
-// Slips must be detected as with a straight track.
+// Slips must be detected as reliably as with a straight track.
 TEST(HeightFit, DoesNotBendTheTrackToASlip)
 {
     auto captures = captures_of(kFittedLinear, kRulerHeights);
@@ -354,7 +355,7 @@ TEST(HeightFit, DoesNotBendTheTrackToASlip)
 
 TEST(HeightFit, TakesNoBendForASlip)
 {
-    // A divider with so much load that a straight track would leave out a capture.
+    // The load is so great that a fit with a straight track would leave out a capture.
     auto const bent = captures_under_load(0.15);
     HeightFitOptions options { .kind = HeightModelKind::Linear };
     EXPECT_TRUE(doubt_about(fit_height(bent, options).value(), bent, options));

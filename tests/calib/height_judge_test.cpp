@@ -26,7 +26,7 @@ struct Judged {
     }
 };
 
-// Returns the height of a surface swayed by 100 mm to either side, at up to 420 mm/s.
+// Returns the height of a surface that sways by 100 mm to either side of 250 mm, at up to 420 mm/s.
 double sway_mm(double seconds)
 {
     return 250 + 100 * std::sin(2 * 3.14159265 * seconds / 1.5);

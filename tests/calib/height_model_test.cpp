@@ -145,8 +145,7 @@ TEST(HeightModel, KnowsWhichNumbersMakeSense)
 
 TEST(HeightModel, ReadsABentTrackAsAStraightOneAndBack)
 {
-    // Loaded voltage divider, whose lower half the converter's input bridges: p / (1 + a p (1 -
-    // p)).
+    // A voltage divider, loaded by the converter's input at its lower half: p / (1 + a p (1 - p)).
     constexpr double kFull = 4096;
     constexpr double kLoad = 0.015;
     TrackBend bend;

@@ -22,7 +22,7 @@ Timestamp moment(Duration time)
     return Timestamp(time);
 }
 
-// Pushes readings every 2 ms from `begin` to before `end`.
+// Pushes a reading every 2 ms, from `begin` until just before `end`.
 template<typename Counts>
 void push(HeightMonitor& monitor, Duration begin, Duration end, Counts const& counts)
 {
@@ -88,7 +88,7 @@ TEST(HeightMonitor, TakesTheBeginningOfAMovementForNoSlip)
 {
     HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), seconds(1),
-         // Starts at 300 mm/s without acceleration.
+         // The movement begins abruptly, at 300 mm/s.
          [](int i) { return 1000 + std::max(0, i - 250) * 6; });
     expect_no_fault(monitor);
 }
@@ -181,7 +181,7 @@ TEST(HeightMonitor, DoesNotTakeABurstForAJump)
 {
     HeightMonitor monitor(kPlainRig);
     push(monitor, seconds(0), milliseconds(100), [](int i) { return 1000 + 10 * i; });
-    // Readings delayed by 50 ms arrive at once, 50 us apart, of a surface at 0.5 m/s.
+    // Readings that were delayed by 50 ms arrive 50 us apart. The surface moves at 0.5 m/s.
     auto time = milliseconds(150);
     for (int i = 0; i < 25; ++i)
         monitor.push({ .time = moment(time + i * std::chrono::microseconds(50)),

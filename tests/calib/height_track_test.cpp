@@ -42,7 +42,7 @@ TEST(HeightTrack, CarriesARiseOnForFiveMillisecondsAndHoldsItThen)
     EXPECT_NEAR(track.newest_at(kStart + 1004ms, 50ms)->height_mm, 200.8, 1e-9);
 }
 
-// If readings arrive together every 30 ms, the height is extrapolated until the next delivery.
+// If readings arrive together every 30 ms, the height must be extrapolated until the next delivery.
 TEST(HeightTrack, CarriesARiseOnUntilTheNextDelivery)
 {
     auto const track = track_of([](double t) { return 200 * t; });
@@ -76,7 +76,7 @@ TEST(HeightTrack, CarriesNothingOnThatHasStopped)
 
 TEST(HeightTrack, SlowsDownWithTheCarriage)
 {
-    // The hand decelerates from 300 mm/s to 0 within 100 ms, 20 of which are left.
+    // The carriage brakes steadily from 300 mm/s to rest, and will be at rest in 20 ms.
     auto const braking = [](double t) { return -1500 * std::pow(std::max(1.02 - t, 0.0), 2); };
     double const ahead = scarce_track(10, braking).newest_at(kStart + 1010ms, 50ms)->height_mm;
     EXPECT_NEAR(ahead, -0.15, 0.1) << "0.45 without braking: -0.6 + 10 ms of 45 mm/s";

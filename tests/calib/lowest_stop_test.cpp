@@ -12,8 +12,8 @@ using namespace std::chrono_literals;
 // A surface that a hand moves at 200 mm/s from one height to the next and leaves there.
 class Moved {
 public:
-    // Moves to a height and rests there for half a second. Returns true if a moved stop was
-    // reported meanwhile.
+    // Moves the surface to a height and rests there for half a second. Returns true if a moved stop
+    // was reported during this time.
     bool to(double height_mm)
     {
         constexpr double kStep_mm = 0.4;

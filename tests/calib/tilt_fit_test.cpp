@@ -13,8 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Along the diagonal of a cube, both tilts are 45 degrees, and a point 1 mm up the pen is displaced
-// by 1/sqrt(3) along each axis.
+// For a pen along the diagonal of a cube, both tilts are 45 degrees, and a point 1 mm up the pen is
+// displaced by 1/sqrt(3) mm along each axis.
 TEST(LeanOf, IsWhatAMillimetreUpThePenIsAside)
 {
     double const side = 1 / std::sqrt(3.0);
@@ -168,7 +168,7 @@ TEST(Fuser, LeavesATipWithoutATiltWhereItIs)
     EXPECT_NEAR(dull.last_tip().position_mm.x(), 50, 1e-9);
 }
 
-// The lean changes by half a degree every 5 ms, and tilts are rounded to three degrees.
+// The lean changes by half a degree every 5 ms, and the tablet rounds tilts to three degrees.
 TEST(LeanTrack, SmoothsWhatTheTabletRounds)
 {
     LeanTrack track(1s);

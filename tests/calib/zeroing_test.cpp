@@ -15,8 +15,8 @@ Rig aslant_rig()
     return rig;
 }
 
-// Returns a capture after the string has slipped by some counts and the table has been raised by
-// `move_mm` above the ruler's zero.
+// Returns a capture made after the string has slipped by `slip_counts` and the table has been
+// raised by `move_mm` relative to the ruler's zero.
 HeightCapture capture_after(double slip_counts, double move_mm, double ruler_mm)
 {
     return { .ruler_mm = ruler_mm,

@@ -30,7 +30,7 @@ std::vector<fs::path> files_below(fs::path const& folder)
     return files;
 }
 
-// Returns all recordings except those of the kernel's own events.
+// Returns all recordings of raw reports, without recordings of the kernel's input events.
 std::vector<fs::path> recordings()
 {
     auto files = files_below(corpus() / "recordings");
@@ -86,8 +86,8 @@ TEST(Corpus, FindsAPenInEveryPenDescriptor)
     EXPECT_GT(declared, pens * 9 / 10);
 }
 
-// Parses names such as "sysinfo.X8pBxWhnQo__0003_256C_006D.0008.hid.bin" with bus, vendor and
-// product; older names have only the last two.
+// Parses bus, vendor and product from a file name such as
+// "sysinfo.X8pBxWhnQo__0003_256C_006D.0008.hid.bin"; older names have only vendor and product.
 DeviceInfo device_of(fs::path const& path)
 {
     DeviceInfo info { .name = path.filename().string() };
@@ -138,8 +138,8 @@ TEST(Corpus, FindsNoPenInOtherDescriptors)
 {
     REQUIRE_CORPUS();
     for (auto const& path : files_below(corpus() / "descriptors" / "other")) {
-        // Three of these devices do have a pen: a mouse with tip pressure, a touch screen's stylus,
-        // and one on Wacom's own page.
+        // Three devices in this folder do have a pen: a mouse with tip pressure, a touch screen
+        // with a stylus, and a pen on Wacom's own page.
         auto const name = path.filename().string();
         if (name.find("2FEB_0001.0005") != std::string::npos
             || name.find("03EB_8ABB.0006") != std::string::npos
@@ -155,7 +155,8 @@ TEST(Corpus, FindsNoPenInOtherDescriptors)
 TEST(Corpus, ReadsThePenOnWacomsOwnPage)
 {
     REQUIRE_CORPUS();
-    // A CTL-4100: 152 x 95 mm, 4095 levels, and reports in its own format that it describes.
+    // A CTL-4100: 152 x 95 mm, 4095 levels of pressure. Its descriptor describes its reports on
+    // Wacom's own page.
     auto const descriptor = parse_file(corpus() / "descriptors" / "other"
                                        / "sysinfo.SnJcZT74MO__0003_056A_0374.000A.hid.bin");
     ASSERT_TRUE(descriptor);
@@ -212,8 +213,8 @@ TEST(Corpus, DecodesRecordingsWithinTheirDevicesMaxima)
             ASSERT_TRUE(pen.in_range || !pen.touching) << path;
             has_touched |= pen.touching;
         }
-        // Recordings of barrel buttons only hover, one is of a dial, and one of Wacom's is of a
-        // mouse.
+        // Recordings of barrel buttons contain no touches, one recording is of a dial, and one of
+        // Wacom's is of a mouse.
         auto const is_of = [&](char const* what) {
             return path.filename().string().find(what) != std::string::npos;
         };
@@ -226,8 +227,8 @@ TEST(Corpus, DecodesRecordingsWithinTheirDevicesMaxima)
 TEST(Corpus, ReadsTheWholeSurfaceOfAnHs610)
 {
     REQUIRE_CORPUS();
-    // The owner drew around the edges, so both axes reach both ends, and the pressure its maximum
-    // of 8191.
+    // The owner drew around the edges, so both axes reach both ends, and pressed as strongly as the
+    // tablet measures: 8191.
     auto const log = read_log(corpus() / "recordings" / "uclogic"
                               / "Huion_HS610__dumps__default__pen_coords__if1.hidrec");
     ASSERT_TRUE(log);

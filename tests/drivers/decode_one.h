@@ -9,7 +9,8 @@
 
 namespace tractus::drivers {
 
-// Returns the sample of a report that can contain only one; no value if it is not about a pen.
+// Returns the sample of a report that can contain only one; no value if the report is not about a
+// pen.
 inline Result<std::optional<PenSample>> decode_one(PenDecoder& decoder, Timestamp received,
                                                    std::span<std::byte const> report)
 {

@@ -5,7 +5,7 @@
 
 namespace tractus::drivers {
 
-// A pen tablet for tests: 200 x 100 mm, 100 counts per millimetre. Its report:
+// A pen tablet for tests: 200 x 100 mm, 100 counts per millimetre. The bytes of its pen report:
 //   02      id
 //   ..      bits: 0 tip, 1 and 2 barrel, 3 invert, 4 eraser, 5 in range
 //   .. ..   x, 0 to 20000
@@ -13,7 +13,7 @@ namespace tractus::drivers {
 //   .. ..   pressure, 0 to 2047
 //   ..      tilt to the right, degrees
 //   ..      tilt towards the user, degrees
-// Its report 3 is the state of its battery.
+// Its other report, 3, is the state of its battery.
 inline DeviceInfo simple_pen()
 {
     return { .name = "Simple Pen",

@@ -1,5 +1,5 @@
-// Compares the decoding of a hand's recording on an N-trig pen display with that of Linux 3.10,
-// whose events evemu recorded, as an independent reference.
+// Compares decoded reports of an N-trig pen display with an independent reference: the input events
+// that Linux 3.10 made from the same drawing, recorded by evemu.
 
 #include "drivers/logs/log.h"
 #include "drivers/tablets/pen_decoders.h"
@@ -18,11 +18,11 @@
 namespace tractus::drivers {
 namespace {
 
-// A pen state: x, y, tip.
+// A pen state: x and y in counts, and whether the tip touches.
 using State = std::tuple<std::int32_t, std::int32_t, bool>;
 
-// Returns the states after each EV_SYN in an evemu file: "E: <time> <type> <code> <value>", type
-// and code hexadecimal, value decimal.
+// Returns the states after each EV_SYN in an evemu file. Its lines are "E: <time> <type> <code>
+// <value>", with type and code hexadecimal and value decimal.
 std::set<State> kernel_states(std::string const& text)
 {
     constexpr int kSync = 0, kKey = 1, kAbsolute = 3;
@@ -61,7 +61,7 @@ std::set<State> our_states(Log const& log)
         EXPECT_TRUE(sample) << sample.error().message;
         if (!sample || !*sample)
             continue;
-        // The kernel's BTN_TOUCH is only the tip in this recording, so the eraser's contact is
+        // In this recording the kernel's BTN_TOUCH means only the tip, so touches of the eraser are
         // excluded.
         auto const& pen = **sample;
         states.insert({ pen.raw_x, pen.raw_y, pen.touching && !pen.eraser });
@@ -93,7 +93,7 @@ TEST(KernelAgreement, SeesTheSameStatesOfAnNtrigPen)
     ASSERT_TRUE(recorded) << recorded.error().message;
     auto const replayed = our_states(*recorded);
     auto const is_there = [](auto const& states, State const& state) {
-        // States before the first position are ignored.
+        // States before the pen's first position are ignored.
         return states.contains(state) || std::get<1>(state) == 0;
     };
     for (auto const& state : replayed)

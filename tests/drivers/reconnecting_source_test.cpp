@@ -21,7 +21,8 @@ struct Bus {
     Duration slept {};
 };
 
-// Sends one report per read while it is plugged in at the location where it was opened.
+// A device that gives one report per read while it is plugged in at the location where it was
+// opened.
 class FakeDevice final : public ReportSource {
 public:
     FakeDevice(Bus& bus, DeviceInfo info)
@@ -253,7 +254,7 @@ TEST(ReconnectingSource, LooksForItNowAndThenThoughNobodyTells)
     bus.may_open = false;
     bus.now += means.retry_beside_events;
     EXPECT_EQ(reads(*source, 1), "-");
-    // No event announces a changed permission, so the device is tried again soon.
+    // No event announces a changed permission, so the source soon tries the device again by itself.
     bus.may_open = true;
     EXPECT_EQ(reads(*source, 2), "-r");
 }

@@ -1,4 +1,4 @@
-// Decodes every recording of a real pen as its device would be decoded. The result must agree with
+// Decodes every recording of a real pen with the decoder of its device. The result must agree with
 // what the tablet's maker publishes, and with what a hand can do.
 
 #include "calib/fuser.h"
@@ -17,7 +17,7 @@
 namespace tractus::drivers {
 namespace {
 
-// Known facts about a recording, by the beginning of its file name.
+// Known facts about the recordings whose file names begin with `file`.
 struct Published {
     std::string_view file;
     Vec2 size_mm = Vec2::Zero();
@@ -86,7 +86,7 @@ Published published(std::string_view file)
     return {};
 }
 
-// A pen in a recording, decoded to its end, including silences.
+// A pen in a recording, with the samples from decoding the whole recording, including silences.
 struct DecodedPen {
     std::string file {};
     PenTraits traits {};
@@ -165,7 +165,7 @@ TEST(Recordings, DecodeAll)
     EXPECT_GE(recorded_pens().size(), 41u);
     for (auto const& pen : recorded_pens()) {
         EXPECT_EQ(pen.refused, 0u) << pen.file;
-        // One of the files is of a mouse on the tablet, one of the tablet's dials.
+        // One of the recordings is of a mouse on the tablet, and one is of the tablet's dials.
         bool const has_pen = !pen.file.starts_with("Wacom_Intuos3")
             && pen.file.find("frame_dials") == std::string::npos;
         EXPECT_EQ(pen.samples.empty(), !has_pen) << pen.file;
@@ -302,7 +302,7 @@ TEST(Recordings, HaveBothButtonsWhereSomebodyPressedThem)
         std::uint32_t pressed = 0;
         for (auto const& sample : pen.samples)
             pressed |= sample.buttons;
-        // The New 1060 Plus, switched as Linux does it, sends only two buttons.
+        // The New 1060 Plus sends only two buttons in the mode to which Linux switches it.
         EXPECT_EQ(pressed, pen.file.starts_with("Huion_New_1060_Plus") ? 2u : 3u) << pen.file;
     }
 }
@@ -328,7 +328,7 @@ std::vector<std::vector<TipSample>> strokes_of(DecodedPen const& pen, calib::Rig
 
 TEST(Recordings, HaveNoBlobAtAStrokesStartOrEnd)
 {
-    // The end of a stroke is a blob if it has a higher pressure than all of the next five tips, by
+    // The end of a stroke is a blob if its pressure exceeds that of each of the next five tips by
     // more than a tenth of the maximum.
     constexpr double kBlob = 0.1;
     constexpr std::size_t kNext = 5;

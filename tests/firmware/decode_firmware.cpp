@@ -1,4 +1,4 @@
-// Decodes the reports that the firmware sent in simavr: see usb_host.c.
+// Tests the decoding of the reports that the firmware has sent in simavr: see usb_host.c.
 #include "drivers/height_decoders.h"
 #include "drivers/logs/log.h"
 #include "tests/drivers/bytes.h"
@@ -12,7 +12,7 @@
 namespace tractus {
 namespace {
 
-constexpr std::size_t kHalf = 32; // Number of conversions between readings.
+constexpr std::size_t kHalf = 32; // Number of conversions from one reading to the next.
 
 drivers::Log firmware_log()
 {
@@ -34,8 +34,8 @@ std::vector<std::int32_t> decoded(drivers::Log const& log)
     return counts;
 }
 
-// Returns the expected readings, computed from the converter's input: the sum of 64 conversions
-// divided by 8.
+// Returns the expected readings, computed from the input of the converter. Each reading is the sum
+// of 64 conversions divided by 8.
 std::vector<std::int32_t> expected()
 {
     std::ifstream in(TRACTUS_FIRMWARE "/conversions.txt");
@@ -65,7 +65,8 @@ TEST(Firmware, SendsEachReadingToTheBit)
     ASSERT_EQ(counts.size(), 400u);
     EXPECT_EQ(counts.front(), 0);
     EXPECT_EQ(*std::max_element(counts.begin(), counts.end()), 8184);
-    // The first readings, before the host was ready, are missing; later ones must be complete.
+    // The first readings may be missing, since the host was not ready yet. All later readings must
+    // be there.
     constexpr std::size_t kMaxBefore = 10;
     std::size_t before = 0;
     while (before < kMaxBefore

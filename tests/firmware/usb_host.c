@@ -1,9 +1,9 @@
 // A USB host for the firmware in firmware-notes/atmega32u4, which runs in simavr. It enumerates the
-// device as a kernel does, feeds its converter, fetches its reports, and writes the reports as a
-// .tractus-log and the converter's input as a list. It shares no code with the program and is not
-// part of it, because simavr is under the GPL.
+// device like a kernel, feeds the input of the device's converter, and fetches the device's
+// reports. It writes the reports as a .tractus-log, and the converter's input as a list. It shares
+// no code with the program and is not part of it, because simavr is under the GPL.
 //
-// Run: usb_host FIRMWARE.elf LOG CONVERSIONS
+// Usage: usb_host FIRMWARE.elf LOG CONVERSIONS
 #include <simavr/avr_adc.h>
 #include <simavr/avr_usb.h>
 #include <simavr/sim_avr.h>
@@ -16,12 +16,12 @@
 
 enum { kClock_Hz = 16000000, kSupply_mV = 5000, kReports = 400 };
 
-static avr_t *avr;
-static avr_irq_t *converter;
-static FILE *conversions;
+static avr_t* avr;
+static avr_irq_t* converter;
+static FILE* conversions;
 static uint32_t conversion_count;
 
-static void fail(char const *what)
+static void fail(char const* what)
 {
     fprintf(stderr, "usb_host: %s\n", what);
     exit(1);
@@ -37,9 +37,9 @@ static void run_us(uint32_t us)
     }
 }
 
-// Returns the wiper's voltage: it rests at one end, then at the other, and then moves with
-// pseudo-random noise that is independent of the firmware's arithmetic. In millivolts, so that each
-// of the 1024 steps occurs.
+// Returns the voltage of the wiper in millivolts, so that each of the converter's 1024 steps
+// occurs. The wiper rests at one end, then at the other end, and then moves with pseudo-random
+// noise. The noise does not depend on the arithmetic of the firmware.
 static uint32_t wiper_mV(uint32_t conversion)
 {
     static uint32_t noise = 1;
@@ -51,13 +51,13 @@ static uint32_t wiper_mV(uint32_t conversion)
     return (conversion - 3200) * 2 % kSupply_mV + noise % 40000 / 1000;
 }
 
-static void convert(avr_irq_t *irq, uint32_t value, void *parameter)
+static void convert(avr_irq_t* irq, uint32_t value, void* parameter)
 {
     (void)irq;
     (void)value;
     (void)parameter;
     static bool is_asked = false;
-    // The callback is called when the converter is started, and again when each conversion ends.
+    // This callback is called when the converter is started, and again when each conversion ends.
     if (!is_asked) {
         is_asked = true;
         return;
@@ -71,7 +71,7 @@ static void convert(avr_irq_t *irq, uint32_t value, void *parameter)
 
 // ---- USB transfers
 
-static int usb(uint32_t what, uint8_t pipe, void *bytes, uint32_t *size)
+static int usb(uint32_t what, uint8_t pipe, void* bytes, uint32_t* size)
 {
     struct avr_io_usb packet = { pipe, *size, bytes };
     int const result = avr_ioctl(avr, what, &packet);
@@ -79,8 +79,8 @@ static int usb(uint32_t what, uint8_t pipe, void *bytes, uint32_t *size)
     return result;
 }
 
-// Repeats a transfer until the device answers with something other than NAK.
-static int usb_until(uint32_t what, uint8_t pipe, void *bytes, uint32_t *size)
+// Repeats a transfer until the device answers with anything but NAK.
+static int usb_until(uint32_t what, uint8_t pipe, void* bytes, uint32_t* size)
 {
     for (int tries = 0; tries < 1000; ++tries) {
         uint32_t count = *size;
@@ -108,9 +108,9 @@ static void send_setup(struct setup setup)
     run_us(100);
 }
 
-// Sends a request with a reply, which may be shorter than requested. Returns its size; -1 if the
-// request is refused.
-static int get(struct setup setup, uint8_t *bytes)
+// Sends a request with a reply, and returns the size of the reply; -1 if the request is refused.
+// The reply may be shorter than requested.
+static int get(struct setup setup, uint8_t* bytes)
 {
     send_setup(setup);
     uint32_t got = 0;
@@ -126,7 +126,7 @@ static int get(struct setup setup, uint8_t *bytes)
     return (int)got;
 }
 
-// Sends a request without data. Returns false if it is refused.
+// Sends a request without data. Returns false if the device refuses it.
 static bool set(struct setup setup)
 {
     send_setup(setup);
@@ -135,7 +135,7 @@ static bool set(struct setup setup)
     return usb_until(AVR_IOCTL_USB_READ, 0, bytes, &size) != AVR_IOCTL_USB_STALL;
 }
 
-// ---- Actions of a host's kernel
+// ---- What a host's kernel does
 
 static uint8_t report_descriptor[256];
 static int report_descriptor_size;
@@ -143,7 +143,7 @@ static int report_descriptor_size;
 static void enumerate(void)
 {
     uint8_t bytes[256];
-    avr_ioctl(avr, AVR_IOCTL_USB_VBUS, (void *)1);
+    avr_ioctl(avr, AVR_IOCTL_USB_VBUS, (void*)1);
     run_us(10000);
     avr_ioctl(avr, AVR_IOCTL_USB_RESET, NULL);
     run_us(2500);
@@ -174,7 +174,7 @@ static void enumerate(void)
         fail("there is no report descriptor");
 }
 
-static void write_header(FILE *log)
+static void write_header(FILE* log)
 {
     fprintf(log, "D: 0\nR: %d", report_descriptor_size);
     for (int i = 0; i < report_descriptor_size; ++i)
@@ -182,7 +182,7 @@ static void write_header(FILE *log)
     fprintf(log, "\nN: tractus Height slider\nP: simavr/input0\nI: 3 1209 0001\n");
 }
 
-static void write_report(FILE *log, uint8_t const *bytes, uint32_t size)
+static void write_report(FILE* log, uint8_t const* bytes, uint32_t size)
 {
     uint64_t const us = avr->cycle / (kClock_Hz / 1000000);
     fprintf(log, "E: %06u.%06u %u", (unsigned)(us / 1000000), (unsigned)(us % 1000000),
@@ -192,7 +192,7 @@ static void write_report(FILE *log, uint8_t const *bytes, uint32_t size)
     fprintf(log, "\n");
 }
 
-static void start(char const *firmware_file)
+static void start(char const* firmware_file)
 {
     elf_firmware_t firmware = { 0 };
     if (elf_read_firmware(firmware_file, &firmware) != 0)
@@ -209,13 +209,13 @@ static void start(char const *firmware_file)
                             NULL);
 }
 
-int main(int argument_count, char **arguments)
+int main(int argument_count, char** arguments)
 {
     if (argument_count != 4) {
         fprintf(stderr, "usage: usb_host FIRMWARE.elf LOG CONVERSIONS\n");
         return 2;
     }
-    FILE *const log = fopen(arguments[2], "w");
+    FILE* const log = fopen(arguments[2], "w");
     conversions = fopen(arguments[3], "w");
     if (!log || !conversions)
         fail("cannot write");
@@ -234,6 +234,6 @@ int main(int argument_count, char **arguments)
         if (conversion_count > 100 * kReports)
             fail("no reports come");
     }
-    run_us(10000); // Completes readings whose conversions have already been fed.
+    run_us(10000); // Runs until readings are complete whose conversions have already been fed.
     return fclose(log) == 0 && fclose(conversions) == 0 ? 0 : 1;
 }

@@ -1,5 +1,5 @@
-// Fuzzes an edit's record in a session: kind, fields and numbers, separated by zero bytes. An edit
-// that is read must be written as a record that reads as an equal edit.
+// Fuzzes an edit's record in a session. The input is its kind, fields and numbers, separated by
+// zero bytes. An edit that can be read must be written as a record that reads as an equal edit.
 
 #include "app/methods/all_methods.h"
 #include "app/session/edit_record.h"

@@ -22,8 +22,8 @@ public:
     std::string_view text() const { return text_; }
     std::span<std::byte const> bytes() const { return std::as_bytes(std::span(text_)); }
 
-    // Removes a byte and returns it, or returns 0 if none is left. A fuzzer of several parsers uses
-    // the byte to choose a parser.
+    // Removes a byte and returns it, or returns 0 if none is left. Fuzzers of several parsers
+    // choose the parser by this byte.
     unsigned take_byte()
     {
         if (text_.empty())
@@ -33,8 +33,8 @@ public:
         return byte;
     }
 
-    // Removes the part before the first zero byte, and that byte, and returns the part; without a
-    // zero byte, everything.
+    // Removes the text up to and including the first zero byte, and returns it without the zero
+    // byte. If there is no zero byte, removes and returns the whole text.
     std::string_view take_part()
     {
         auto const end = text_.find('\0');

@@ -1,4 +1,4 @@
-// Fuzzes the readers of binary glTF files, as a mesh and as a skeleton of lines.
+// Fuzzes the two readers of binary glTF files, which read a mesh and a skeleton of lines.
 
 #include "engine/export/glb_lines.h"
 #include "engine/export/glb_reader.h"

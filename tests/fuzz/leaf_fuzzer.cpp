@@ -1,4 +1,4 @@
-// Fuzzes leaf grammars, and the leaf that they grow in a few steps.
+// Fuzzes leaf grammars, and the leaf that a grammar grows in a few steps.
 
 #include "engine/methods/leaves/leaf.h"
 #include "engine/methods/leaves/leaf_triangles.h"

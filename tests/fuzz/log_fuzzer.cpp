@@ -1,4 +1,4 @@
-// Fuzzes device logs; a log that can be read must be equal after writing and reading it again.
+// Fuzzes device logs. A log that can be read must be equal after it was written and read again.
 
 #include "drivers/logs/log.h"
 #include "drivers/logs/log_writer.h"

@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-// Fuzzes rules and view, separated by a zero byte, from text to plant.
+// Fuzzes the whole way from text to plant. The input is a model's rules and its view, separated by
+// a zero byte.
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     tractus::lsystem::run_whole_pipeline({ reinterpret_cast<char const*>(data), size });

@@ -8,7 +8,8 @@
 
 using namespace tractus; // NOLINT(google-build-using-namespace): one function.
 
-// Checks that every register, jump and kind in a program is within its frame, program and alphabet.
+// Checks every instruction of a program: its registers must be within the frame, its jumps within
+// the program, and its kinds within the alphabet.
 static void check_program(lsystem::Program const& program, lsystem::RegisterFile const& frame)
 {
     for (auto const& instruction : program) {
@@ -56,7 +57,7 @@ static void check_system(lsystem::Model const& model, lsystem::LSystem const& sy
         CHECK(external.index < (external.is_array ? system.arrays.size() : system.globals.size()));
 }
 
-// Fuzzes rules without a view, from text to compiled model.
+// Fuzzes the way from text to compiled model. The input is a model's rules without a view.
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     lsystem::ModelSource source;

@@ -1,6 +1,7 @@
 // Fuzzes the decoders of makers' own formats. The first byte chooses a format; the rest are
-// reports, each after a byte with its length in the lower seven bits, and whether the pen was
-// silent before it. For any input, the samples must describe one consistent pen.
+// reports. Each report follows a byte, whose lower seven bits are the report's length and whose
+// highest bit says whether the pen was silent before. For any input, the samples must describe one
+// consistent pen.
 
 #include "drivers/pens/family_decoder.h"
 #include "engine/base/check.h"
@@ -47,7 +48,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     auto rest = std::as_bytes(std::span(data, size)).subspan(1);
     Watch watch;
     drivers::PenSilence silence;
-    // The first samples of a report get times before that of the report.
+    // The first time is above 0, because the first samples of a report get earlier times than the
+    // report.
     Timestamp time { std::chrono::seconds(1) };
     while (!rest.empty()) {
         auto const header = std::to_integer<unsigned>(rest[0]);

@@ -6,8 +6,9 @@
 #include <cstdint>
 #include <string_view>
 
-// Fuzzes the preprocessor. The input before a zero byte is a model's text, the rest the text of
-// every file that it includes. Every output character must have a position in the input.
+// Fuzzes the preprocessor. The input up to the first zero byte is a model's text; the rest is the
+// text of every file that the model includes. Every output character must have a position in the
+// input.
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     std::string_view const input(reinterpret_cast<char const*>(data), size);

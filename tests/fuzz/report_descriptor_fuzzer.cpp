@@ -1,5 +1,5 @@
-// Fuzzes report descriptors. The first byte is the size of a report at the end of the input; the
-// bytes between are the report descriptor with which it is decoded.
+// Fuzzes report descriptors and the decoding of reports. The first byte is the size of a report,
+// which is at the end of the input. The bytes between them are the report's descriptor.
 
 #include "drivers/height_decoders.h"
 #include "drivers/reports/height_decoder.h"

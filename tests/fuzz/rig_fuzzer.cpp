@@ -1,4 +1,4 @@
-// Fuzzes rig files, which must read back as they were written, and scripts for the simulated hand.
+// Fuzzes rig files, which must read back as they were written, and gesture scripts.
 
 #include "calib/rig_file.h"
 #include "sim/gesture_script.h"

@@ -1,6 +1,6 @@
-// Fuzzes the height sensors' decoders. The first byte chooses the sensor; if its highest bit is
-// set, every report ends with the CRC of a frame, which a fuzzer cannot find by itself. The rest
-// are reports, each after a byte with its length.
+// Fuzzes the height sensors' decoders. The first byte chooses the sensor. If the byte's highest
+// bit is set, every report gets a valid frame CRC at its end, which a fuzzer cannot find by itself.
+// The rest are reports, each after a byte with its length.
 
 #include "drivers/height_decoders.h"
 #include "drivers/sensors/height_sensor_protocol.h"
@@ -69,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         if (is_mended)
             end_with_crc(report);
         (void)decoder->decode(received, report, samples);
-        // After one of the longest reports, an hour passes.
+        // An hour passes after a report of at least 200 bytes, otherwise a millisecond.
         received += std::chrono::milliseconds(1) * (length < 200 ? 1 : 3'600'000);
         input = input.subspan(1 + length);
     }

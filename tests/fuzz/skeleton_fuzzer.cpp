@@ -1,5 +1,6 @@
-// Fuzzes the readers of plants of other programs: the first byte chooses the kind of file, the rest
-// is its content. The result must be a valid plant, which can be written as an MTG and read again.
+// Fuzzes the readers of plants from other programs. The first byte chooses the kind of file; the
+// rest is its content. The result must be a valid plant, which can be written as an MTG and read
+// again.
 
 #include "engine/plant/mtg.h"
 #include "engine/plant/ply_skeleton.h"

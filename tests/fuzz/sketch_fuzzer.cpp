@@ -1,4 +1,4 @@
-// Fuzzes the files that the methods' commands read: the first byte chooses the kind of file, the
+// Fuzzes the files that the methods' commands read. The first byte chooses the kind of file; the
 // rest is the file.
 
 #include "app/methods/construction_lines/line_sketch_file.h"

@@ -1,4 +1,4 @@
-// Fuzzes strokes of other programs: a text of points, or an Open Brush sketch.
+// Fuzzes the readers of strokes from other programs: a text of points, or an Open Brush sketch.
 
 #include "engine/stroke/read_tilt.h"
 #include "engine/stroke/stroke_text.h"

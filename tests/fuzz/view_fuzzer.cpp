@@ -1,6 +1,6 @@
-// Fuzzes files that a model refers to or that are beside it: the first byte chooses the kind of
-// file, the rest is the file. For a view, the text after a zero byte is that of every included
-// file.
+// Fuzzes files that belong to a model, such as views, surfaces and colours. The first byte chooses
+// the kind of file; the rest is the file. For a view, the text after a zero byte is that of every
+// included file.
 
 #include "engine/lsystem/view/color_files.h"
 #include "engine/lsystem/view/contour_file.h"

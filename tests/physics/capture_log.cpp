@@ -18,8 +18,8 @@ template<typename... Values> void append(std::string& text, char const* format, 
     text += line;
 }
 
-// Appends the sensor's descriptor: a multi-axis controller (a joystick would be for games) with one
-// slider of 16 bits, from 0 to the converter's full scale.
+// Appends the sensor's descriptor: a multi-axis controller with one slider of 16 bits, from 0 to
+// the converter's full scale. (A joystick would be taken for a game controller.)
 void append_sensor(std::string& text, int full_scale)
 {
     auto const low = static_cast<unsigned>(full_scale & 0xff);

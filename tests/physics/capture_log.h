@@ -7,7 +7,7 @@
 
 namespace tractus::physics {
 
-// A person who sets the table to heights by a ruler, one capture after another.
+// A person who sets the table to heights with a ruler, one capture after another.
 struct Person {
     std::vector<double> heights_mm {}; // Heights to which the table is set.
     std::vector<double> stated_mm {};  // Heights that the person types, without the ruler's error.

@@ -12,7 +12,7 @@ namespace tractus::physics {
 
 namespace {
 
-// Tips before this time are not compared, because there are too few readings before it.
+// Tips before this time are ignored, because the first tips have too few readings before them.
 constexpr double kBegins_s = 0.2;
 
 double rms_mm(std::vector<Tip> const& tips, double from_s = kBegins_s)
@@ -41,7 +41,7 @@ struct Row {
     std::string missed {};
 };
 
-// Runs a trial for each of a run's rigs; results greater than `most` are misses.
+// Runs a trial for each rig of a run; a rig whose result is greater than `most` is a miss.
 template<typename Trial> Row measure(Run const& run, double most, Trial const& trial)
 {
     Row row;
@@ -134,7 +134,7 @@ bool check_gaps(Run const& run)
         return most_mm(fuse(sway(200), { .spike_part = 0.01 }, dice).settled, kBegins_s, 3.9);
     });
     all_good &= print("spikes of 30 mm, one in a hundred, mm", spikes, 0.5, 0.75, run);
-    // Limit: the distance covered in 5 ms at 300 mm/s, and a tenth of a millimetre.
+    // The limit is the distance covered in 5 ms at 300 mm/s, plus a tenth of a millimetre.
     auto const lost = measure(run, 1.6, [&](Dice& dice) {
         auto const tips = fuse(stop(300, 0), { .gap_from_s = 0.998, .gap_to_s = 9 }, dice);
         return most_mm(tips.settled, 0.9, 1.1);
@@ -159,7 +159,7 @@ double median(std::vector<double> values)
     return values[values.size() / 2];
 }
 
-// Tips made by a fuser, live or settled, that a check evaluates.
+// The kind of a fuser's tips, live or settled, that a check evaluates.
 struct Looked {
     char const* name = "";
     std::vector<Tip> Tips::*tips = nullptr;
@@ -200,7 +200,7 @@ bool check_bursts(Looked const& looked, Bursts const& bursts, double speed_mm_pe
     return is_good && times <= bursts.most_times;
 }
 
-// Checks tips of devices whose rates are unrelated to that of the bursts, as with separate clocks.
+// Checks tips of devices whose rates are unrelated to the rate of bursts, as with separate clocks.
 bool check_bursts(Run const& run)
 {
     bool all_good = true;

@@ -22,14 +22,14 @@ using Heights = std::vector<double>;
 enum class Mistake { None, TwoSwapped, OneFalse, ThreeFalse, Centimetres };
 
 enum class Desk {
-    Usual, // The spool is below, with 600 mm of string, of which height zero takes up 8 %.
+    Usual, // The spool is below; the string uses 8 % of a 600 mm track at height zero.
     Plumb, // The string is vertical, from above or below; its length and share are random.
     // Everything is random: string, share, offset, rest height, side of the spool, wiring,
     // converter.
     Any,
 };
 
-// One row of the table: a kind of rig.
+// A row of the table: a kind of rig and how it is calibrated.
 struct Scenario {
     char const* name = "";
     Heights heights_mm {};
@@ -39,8 +39,8 @@ struct Scenario {
     Faults faults {};
     Mistake mistake = Mistake::None;
     double linearity_percent = 0; // Linearity from the data sheet.
-    // Required share of the rigs that are within kGoal_mm or refused; 0: the share is only
-    // measured.
+    // Required share of the rigs that are within kGoal_mm or are refused. 0: no share is required,
+    // and the share is only printed.
     double min_part = 0;
     bool is_covered = false; // True: the standard errors must cover the errors, see is_covered().
     double ruler_error_mm = 0.3;
@@ -53,7 +53,7 @@ Heights const kFive { 0, 60, 160, 280, 400 };
 Heights const kSeven { 0, 60, 200, 400, 300, 120, 20 };
 Heights const kTen { 0, 60, 200, 400, 300, 120, 20, 250, 350, 160 };
 
-// Returns rigs that deviate from the models, measured without a mistake.
+// Returns rows with rigs that deviate from the models, measured without a mistake.
 std::vector<Scenario> honest_scenarios()
 {
     return {
@@ -89,7 +89,7 @@ std::vector<Scenario> honest_scenarios()
     };
 }
 
-// Returns rigs for which the track's linearity, or the ruler's error, is given.
+// Returns rows in which the linearity of the track, or the ruler's error, is given.
 std::vector<Scenario> stated_scenarios()
 {
     return {
@@ -128,8 +128,8 @@ std::vector<Scenario> stated_scenarios()
     };
 }
 
-// Returns typical desks with the potentiometer recommended in the parts list: 0.5 %, with 10
-// kiloohms loaded by 100 kiloohms of the converter.
+// Returns rows with typical desks and the potentiometer recommended in the parts list: a linearity
+// of 0.5 %, and 10 kiloohms loaded by 100 kiloohms of the converter.
 std::vector<Scenario> drawn_scenarios()
 {
     Faults const recommended { .nonlinearity = 0.005, .loading = 0.1 };
@@ -239,7 +239,7 @@ struct Trial {
 
 constexpr double kTravel_mm = 400;
 
-// Chooses a string for which the track is long enough, with some to spare at either end.
+// Chooses a string for which the track is long enough, with a margin at either end.
 void draw_string(Geometry& geometry, Dice& dice)
 {
     auto const string_mm = [&](double height_mm) {
@@ -273,7 +273,7 @@ Geometry draw_desk(Scenario const& scenario, Dice& dice)
     return geometry;
 }
 
-// Returns the linearity that a refusal advises.
+// Returns the linearity that a refusal suggests with --linearity; no value if it suggests none.
 std::optional<double> advised_linearity_percent(std::string const& refusal)
 {
     static constexpr std::string_view kOption = "--linearity ";
@@ -298,7 +298,7 @@ Result<calibration::CalibrationOutcome> calibrate(Scenario const& scenario, driv
     return calibration::calibrate_from_log(log, options, "2026-11-24");
 }
 
-// Compares the calibrated rig, as read from its file, with the sensor.
+// Compares the heights of the calibrated rig, as read from its file, with the sensor's.
 void compare(calibration::CalibrationOutcome const& outcome, Potentiometer const& sensor,
              Trial& trial)
 {
@@ -361,8 +361,8 @@ double quantile(std::vector<double>& sorted, double part)
     return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
 }
 
-// True if the curve lies within 1, 2 and 3 standard errors as often as required. Errors at points
-// of one curve are correlated, so a rig counts as two values.
+// True if the calibrated curve lies within 1, 2 and 3 standard errors of the true one as often as
+// required. Errors at points of one curve are correlated, so a rig counts as two values.
 bool is_covered(std::vector<double> const& deviations, Run const& run)
 {
     struct Goal {
@@ -381,7 +381,7 @@ bool is_covered(std::vector<double> const& deviations, Run const& run)
     return true;
 }
 
-// Runs a row of the table. Returns false if it misses its goal.
+// Runs a row of the table. Returns false if the row has a goal and misses it.
 bool run_row(Scenario const& scenario, Run const& run)
 {
     std::vector<double> errors;

@@ -32,7 +32,7 @@ std::vector<Scenario> scenarios()
     };
 }
 
-// Follows a position as if with play of the given width.
+// Follows a position like a part with play of the given width.
 class Follower {
 public:
     explicit Follower(double width)

@@ -6,8 +6,8 @@ namespace tractus::physics {
 
 namespace {
 
-// Returns the direction of a pen's shaft: upright, leaned towards +x, and then rotated about the
-// vertical axis.
+// Returns the direction of a pen's shaft. The pen starts upright, is leaned towards +x, and then
+// rotated about the vertical axis.
 Vec3 shaft_of(Hold const& hold)
 {
     double const aside = std::sin(hold.lean_rad);
@@ -15,8 +15,8 @@ Vec3 shaft_of(Hold const& hold)
              std::cos(hold.lean_rad) };
 }
 
-// Returns the tilt angle between the vertical plane along the other axis and the plane through the
-// shaft and that axis.
+// Returns the tilt along one axis, with noise. It is the angle between two planes through the other
+// horizontal axis: the vertical one, and the one that contains the shaft.
 double tilt_deg(double along, double up, double noise_deg, Dice& dice)
 {
     double const angle = std::atan2(along, up) * 180 / kPi;

@@ -17,7 +17,7 @@ Timestamp at(double seconds)
     return Timestamp(std::chrono::nanoseconds(std::llround(seconds * 1e9)));
 }
 
-// Returns the times of bursts; none if samples arrive one by one.
+// Returns the times at which bursts arrive; no times if samples arrive one by one.
 std::vector<double> delivery_times_s(Sampling const& sampling, Dice& dice)
 {
     std::vector<double> times_s;

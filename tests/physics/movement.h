@@ -8,8 +8,8 @@
 
 namespace tractus::physics {
 
-// A table that moves under a pen, and the samples of both devices of a rig with a vertical string:
-// a millimetre is ten counts of 4096.
+// A table that moves under a pen, and the samples of the pen and of the height sensor. The sensor's
+// string is vertical: a millimetre is ten counts of 4096.
 
 // Returns the table's height in millimetres at a time in seconds.
 using Movement = std::function<double(double seconds)>;
@@ -22,7 +22,8 @@ struct Sampling {
     double gap_from_s = 0; // Beginning of a gap without readings.
     double gap_to_s = 0;   // End of the gap without readings.
     double spike_part = 0; // Share of isolated readings that are off by 30 mm.
-    // Interval of bursts in which readings and pen samples arrive together; 0: one by one.
+    // Interval of bursts in which readings and pen samples arrive together. 0: they arrive one by
+    // one.
     double burst_s = 0;
     // If greater than burst_s, the interval of each burst is random between the two.
     double most_burst_s = 0;
@@ -31,7 +32,7 @@ struct Sampling {
     calib::SampleTimes sample_times = calib::SampleTimes::AsArrived;
 };
 
-// The program's result for a pen sample.
+// The tip that the program makes from a pen sample.
 struct Tip {
     double seconds = 0; // Time at which the pen was there.
     double error_mm = 0;
@@ -49,7 +50,8 @@ Tips fuse(Movement const& movement, Sampling const& sampling, Dice& dice);
 // Returns the movement of a hand that sways the table about 200 mm with a maximum speed.
 Movement sway(double speed_mm_per_s);
 
-// Returns a movement that rises at a speed for a second and stops within `stopping_s`.
+// Returns a movement that rises at a constant speed for a second, and then stops within
+// `stopping_s`.
 Movement stop(double speed_mm_per_s, double stopping_s);
 
 } // namespace tractus::physics

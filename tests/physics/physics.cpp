@@ -2,9 +2,9 @@
 //
 //   tractus_physics [RIGS [FIRST_SEED [CHECK...]]]
 //
-// CHECK is one of the names below; by default all are run. The rigs of a row have the seeds from
-// FIRST_SEED on; the seeds of those that miss their goal are printed. Exit code 1 if a row with a
-// goal misses it.
+// CHECK is heights, zeroing, fusing, latency, slips or tilt; by default all checks are run. The
+// rigs of a row have the seeds from FIRST_SEED on; the seeds of those that miss the row's goal are
+// printed. Exit code 1 if a row with a goal misses it.
 
 #include "tests/physics/checks.h"
 

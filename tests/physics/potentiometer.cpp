@@ -44,8 +44,8 @@ void Potentiometer::befall(double slip_mm, double move_mm)
     geometry_.base_mm += move_mm;
 }
 
-// Returns the length from the pulley's tangent point to the table, plus the length wound around the
-// pulley up to there.
+// Returns the length of the string from the table to the pulley, plus the length that is wound
+// around the pulley. The wound length has an arbitrary zero.
 double Potentiometer::length(double height_mm) const
 {
     double const rise_mm

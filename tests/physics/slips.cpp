@@ -16,9 +16,9 @@ namespace {
 constexpr double kSeconds = 60;
 constexpr double kLowest_mm = 50;
 
-// A hand that draws: rests and minimum-jerk movements, one after the other. It may let the surface
-// down occasionally: then the surface comes to a stop, where it stays for a second or two, within a
-// tenth of a millimetre.
+// A hand that draws: rests and minimum-jerk movements, one after the other. Occasionally it may let
+// the surface down to its stop. There the surface stays for one or two seconds, within a tenth of a
+// millimetre.
 class Hand {
 public:
     explicit Hand(Dice& dice, double sets_down_part = 0)
@@ -126,9 +126,9 @@ bool run_row(double mm, double lasts_s, double goal, Run const& run)
     return is_good;
 }
 
-// Checks slips that only a change of the surface's lowest stop reveals: ten minutes, in which the
-// surface is let down about twenty times before the slip and after it. Then checks runs without a
-// slip, and runs in which the surface is not let down.
+// Checks slips that only a change of the surface's lowest stop reveals. A run takes ten minutes, in
+// which the surface is let down about twenty times before the slip and twenty times after it. Then
+// checks runs without a slip, and runs in which the surface is not let down.
 bool check_stops(Run const& run)
 {
     constexpr double kLong_s = 600;

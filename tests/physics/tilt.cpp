@@ -14,7 +14,7 @@ namespace tractus::physics {
 
 namespace {
 
-// Returns how a pen is held that is leaned in all directions by varying amounts.
+// Returns how a pen is held while it is leaned in all directions by varying angles.
 Holding leaned_around(double farthest_deg, Dice& dice)
 {
     double const farthest = farthest_deg * kPi / 180;
@@ -39,14 +39,14 @@ Holding drawing_hand(Dice& dice)
     };
 }
 
-// Returns the nib's position on loops at up to 300 mm/s.
+// Returns the nib's position at time `t` on loops drawn at up to 300 mm/s.
 Vec2 loops(double t)
 {
     return { 120 + 40 * std::sin(2 * kPi * 0.8 * t), 80 + 30 * std::sin(2 * kPi * 1.1 * t) };
 }
 
-// Returns the movement of a nib in a dent: it trembles, and slides up the side towards which the
-// pen leans, or the opposite one.
+// Returns the movement of a nib in a dent. It trembles, and it slides up the dent's side in the
+// direction in which the pen leans, or in the opposite direction.
 NibPath dent(double moved_mm, Holding const& holding, Dice& dice)
 {
     double const play_mm = uniform(dice, -0.1, 0.1);
@@ -72,7 +72,7 @@ double rms(std::vector<Vec2> const& tips, std::vector<Vec2> const& truth)
     return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(tips.size(), 1)));
 }
 
-// Returns the errors of tips of a recording over a table at rest.
+// Returns the errors of the tips that a fuser makes from a recording over a table at rest.
 TipErrors fuse(PenRecording const& recording, Vec2 const& coil_height_mm)
 {
     calib::Rig rig;
@@ -112,7 +112,7 @@ struct Scenario {
     double goal = 0.95; // Required share of the fits within two standard errors, or within 0.1 mm.
 };
 
-// Fits the height of the pen's coil, and draws with it.
+// Fits the height of the pen's coil, and then draws with a rig that has this coil height.
 bool run_row(Scenario const& scenario, Run const& run)
 {
     std::vector<double> off, before, live, settled;

@@ -28,10 +28,10 @@ std::vector<int> begin_of(std::vector<std::byte> const& report, std::size_t size
     return begin;
 }
 
-// A bus with an MCP3421, driven by reports as the kernel's hid-cp2112 and mcp3422 send them.
+// A bus with an MCP3421, driven by the reports that the kernel's hid-cp2112 and mcp3422 send.
 class Cp2112BusTest : public testing::Test {
 protected:
-    // Reads `size` bytes from an address; returns none if no chip acknowledges it.
+    // Reads `size` bytes from an address. Returns no bytes if no chip acknowledges the address.
     std::vector<int> read(int address, int size)
     {
         EXPECT_TRUE(bus.output(report_of({ 0x10, address << 1, 0, size })).empty());

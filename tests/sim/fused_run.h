@@ -11,7 +11,7 @@
 
 namespace tractus::sim {
 
-// Result of feeding a simulated run to a station's decoders and fuser.
+// Result of a simulated run that was processed by a station's decoders and fuser.
 struct FusedRun {
     std::vector<TipSample> live;
     std::vector<TipSample> settled;
@@ -51,13 +51,15 @@ inline FusedRun fuse(SimulatedRun const& run, calib::Rig const& rig)
     return fused;
 }
 
-// Returns a hand at 300 mm/s in the plane and 200 mm/s in height at once, in strokes of every kind.
+// Returns a hand that moves at 300 mm/s in the plane and 200 mm/s in height at once, in strokes of
+// every kind.
 inline Hand fast_hand(std::uint64_t seed)
 {
     auto const fast = [](PathShape const& shape) {
         return HandStroke { .path = make_path(shape), .speed_mm_s = 1000 };
     };
-    // The path is 2.5 turns of 188.5 mm with 314 mm of rise: the ratio of the speeds, 300 to 200.
+    // The path has 2.5 turns of 188.5 mm and rises by 314 mm, so that the speeds have the ratio 300
+    // to 200.
     HelixShape const up {
         .foot_mm = { 0, 0, 20 }, .radius_mm = 30, .end_radius_mm = 30, .turns = 2.5, .rise_mm = 314
     };

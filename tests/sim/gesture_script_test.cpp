@@ -51,7 +51,7 @@ std::string error_of(std::string const& text)
     return script.error().message;
 }
 
-// Returns a script of one gesture with these lines, which start at line 4.
+// Returns a script with one gesture. `lines` are the script's lines from line 4 on.
 GestureScript one_path(std::string const& lines)
 {
     auto const script = parse_gesture_script(

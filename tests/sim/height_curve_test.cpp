@@ -7,7 +7,7 @@ namespace tractus::sim {
 
 namespace {
 
-// The sensor of firmware-notes/height-sensor.md: 0, then half, then full scale, 10 ms apart.
+// Log of the sensor of firmware-notes/height-sensor.md: 0, then half, then full scale, 10 ms apart.
 constexpr auto kLog = "R: 22 05 01 09 08 a1 01 85 01 09 36 15 00 26 ff 0f 75 10 95 01 81 02 c0\n"
                       "N: Height\n"
                       "I: 3 1209 0001\n"

@@ -24,7 +24,7 @@ bool set(HeightSensorModel& model, drivers::HeightSensorRequest request, std::ui
                         data);
 }
 
-// Compares with the listings in firmware-notes/height-sensor-protocol.md.
+// The expected bytes are those listed in firmware-notes/height-sensor-protocol.md.
 TEST(HeightSensorModel, HasTheDescriptorsOfTheProtocol)
 {
     HeightSensorModel const model;

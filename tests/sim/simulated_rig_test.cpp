@@ -180,7 +180,7 @@ TEST(SimulatedRig, AnotherSeedIsAnotherRun)
     EXPECT_FALSE(same_reports(a.tablet, c.tablet));
 }
 
-// Returns a run after writing it as a log and replaying that.
+// Returns a run after it was written as a log, and the log was read again.
 SimulatedRun replayed_from_log(SimulatedRun const& run)
 {
     std::ostringstream file;
@@ -213,8 +213,8 @@ void expect_same_tips_from_log(SimulatedRun const& run)
         ASSERT_LT((read[i].position_mm - live[i].position_mm).norm(), 1e-3) << i;
 }
 
-// Returns options for the station's own kind of sensor at a busy host, with a clock slow by 200
-// ppm.
+// Returns options for the station's own kind of sensor on a busy computer. The sensor's clock is
+// slow by 200 ppm.
 SimulatedRigOptions with_frames()
 {
     SimulatedRigOptions options;
@@ -240,13 +240,14 @@ TEST(SimulatedRig, FramesAreNoWorseThanASlider)
     auto const frames = simulate_rig(hand, with_frames());
     auto const slider_errors = errors_of(fuse(slider, slider.rig).settled, hand);
     auto const frames_errors = errors_of(fuse(frames, frames.rig).settled, hand);
-    // Nearly all of both errors comes from the converter's noise, which is the same.
+    // Nearly all of either error comes from the converter's noise, which is the same for both
+    // sensors.
     EXPECT_LT(frames_errors.rms_mm, 1.01 * slider_errors.rms_mm);
     EXPECT_LT(frames_errors.max_mm, 1.02 * slider_errors.max_mm);
 }
 
-// Delays reports that arrive while the host is stalled, for 60 ms of each half second, to the end
-// of the stall.
+// Simulates a host that stalls for 60 ms of each half second: reports that arrive during a stall
+// are delayed to its end.
 void look_away(SimulatedDevice& device)
 {
     for (auto& report : device.reports)
@@ -269,7 +270,7 @@ TEST(SimulatedRig, AWrongHeightModelMissesTheTruth)
 {
     auto const hand = fast_hand(1);
     auto const run = simulate_rig(hand, {});
-    // Reference: the straight line through both ends of the travel.
+    // The readings are compared with the straight line through both ends of the travel.
     RigGeometry const geometry;
     double const low = ideal_counts(geometry, 0);
     double const high = ideal_counts(geometry, geometry.travel_mm);

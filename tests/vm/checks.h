@@ -9,27 +9,28 @@
 #include <string>
 #include <vector>
 
-// Checks called by the scenarios. Each check prints its results, figures as "figure: NAME = VALUE
-// UNIT", and fails if they are wrong.
+// Checks called by the scenarios. Each check prints its results and fails if they are wrong.
+// Figures are printed as "figure: NAME = VALUE UNIT".
 
 namespace tractus {
 
 void print_figure(std::string const& name, double value, std::string const& unit);
 
-// A gadget learns that it is read only when its first report is taken, and repeats that report
-// until then. Linux drops such repetitions, hidapi's libusb back end does not.
+// A gadget learns that it is read only when the host takes its first report, and repeats that
+// report until then. Linux drops such repetitions; hidapi's libusb back end does not.
 enum class FirstReport {
     Once,
     Repeated,
 };
 
-// Checks that `got` contains exactly the reports of these devices of `sent`, or of all, in the same
-// order. Devices are matched by their report descriptors.
+// Checks that the log `got_name` contains exactly the reports that the devices `sent_devices` of
+// the log `sent_name` sent, in the same order. An empty list means all devices. Devices are matched
+// by their report descriptors.
 Result<void> compare_reports(std::string const& sent_name, std::string const& got_name,
                              std::vector<std::size_t> sent_devices, FirstReport first);
 
 // Measures the regularity of the reports of one of the log's devices. Gaps of more than `pause_ms`
-// are ignored, since the pen was away.
+// are ignored, because the pen was away.
 Result<void> measure_gaps(std::string const& log_name, std::size_t device, double pause_ms);
 
 struct HeightExpectation {
@@ -40,14 +41,15 @@ struct HeightExpectation {
 // Checks that the log's first height sensor measured the same height throughout.
 Result<void> check_height(std::string const& log_name, HeightExpectation const& expected);
 
-// Checks that the log's first height sensor measured the heights of another log, with a constant
-// time offset, which is determined. `tolerance` is a share of full scale for every sample.
+// Checks that the log's first height sensor measured the heights of another log. The two logs may
+// have a constant offset in time, which the check determines. `tolerance` is the greatest error of
+// any sample, as a share of full scale.
 Result<void> compare_heights(std::string const& sent_name, std::string const& got_name,
                              double tolerance);
 
-// Checks that an encoder, which counts `counts` over the full scale of the sent log's sensor,
-// measured its heights with a constant time offset: within two counts while moving, since it may
-// count no faster, and exactly at the end.
+// Checks that an encoder measured the heights of the sent log. `counts` is its count at the full
+// scale of that log's sensor. The two logs may have a constant offset in time. The count may lag by
+// two while the encoder moves, since it can count no faster, and must be exact at the end.
 Result<void> compare_encoder(std::string const& sent_name, std::string const& got_name,
                              unsigned counts);
 
@@ -74,12 +76,12 @@ struct TruthOptions {
     double limit_path_mm = 3;
 };
 
-// Measures how far the strokes that the station makes from a recording are from where the hand was.
-// Fails above the limits, or if the number of strokes is wrong.
+// Measures the distance of the station's strokes, made from a recording, from where the hand was.
+// Fails if a distance exceeds its limit, or if the number of strokes is wrong.
 Result<void> compare_strokes(TruthOptions const& options);
 
-// Replays recordings, one after the other, into the session of a drawing, new or continued, as the
-// station's window does.
+// Replays recordings one after the other into the session of a drawing, as the station's window
+// does. The drawing may be new or continued.
 Result<void> go_on_with_recordings(controllers::DrawingRequest const& drawing,
                                    std::vector<std::string> const& logs);
 
@@ -87,7 +89,7 @@ Result<void> go_on_with_recordings(controllers::DrawingRequest const& drawing,
 Result<void> compare_drawings(std::string const& session, std::string const& other);
 
 // Checks that the station made at least `least` strokes from a recording in which a device was
-// sometimes away, and that no stroke spans such a gap.
+// disconnected at times, and that no stroke spans such a gap.
 Result<void> check_interrupted_strokes(std::string const& log_name, std::string const& model,
                                        std::size_t least);
 
@@ -106,8 +108,8 @@ struct WatchedWindow {
 // is finished, or a device has a problem.
 Result<void> watch_live_window(WatchedWindow const& watched);
 
-// Reads a device on a thread of its own while its reports are not fetched for `seconds`. Checks
-// that all reports that were sent are there afterwards, in order.
+// Reads a device with a thread that stores its reports, and fetches them only after `seconds`.
+// Checks that all reports that were sent are then there, in order.
 Result<void> read_late(std::string const& node, std::string const& sent_name, double seconds);
 
 } // namespace tractus

@@ -9,7 +9,7 @@
 #include "app/terminal/error_text.h"
 #include "engine/base/file.h"
 
-// Stub, since the scenarios need no input made by methods.
+// Stub: the scenarios need no input that methods make.
 tractus::Result<std::optional<std::string>>
 tractus::methods::make_input(std::filesystem::path const&, std::string const&)
 {

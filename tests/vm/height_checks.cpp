@@ -44,7 +44,8 @@ Result<DecodedHeights> decode_heights(std::string const& log_name)
     return fail(Fault::Device, fmt::format("{} has no height sensor", log_name));
 }
 
-// Returns the greatest distance of the samples from a curve that is delayed by `offset`.
+// Returns the greatest distance of the samples from a curve that is delayed by `offset`, as a share
+// of full scale.
 double farthest(sim::HeightCurve const& curve, std::vector<drivers::HeightSample> const& samples,
                 Duration offset)
 {
@@ -56,7 +57,7 @@ double farthest(sim::HeightCurve const& curve, std::vector<drivers::HeightSample
     return far;
 }
 
-// Returns the greatest distance of the samples from a curve, with the best common delay.
+// Returns the greatest distance of the samples from a curve, with the delay for which it is least.
 double farthest_at_best(sim::HeightCurve const& curve,
                         std::vector<drivers::HeightSample> const& samples)
 {
@@ -102,7 +103,7 @@ Result<void> compare_encoder(std::string const& sent_name, std::string const& go
         return static_cast<std::int32_t>(std::floor(curve.fraction_at(time) * counts));
     };
     auto const first = count_at(Timestamp());
-    for (auto& sample : heights.samples) { // The encoder starts counting at its first position.
+    for (auto& sample : heights.samples) { // The encoder's count is 0 at its first position.
         sample.counts += first - drivers::kEncoderCountsBelow;
         sample.full_scale = static_cast<std::int32_t>(counts);
     }

@@ -88,7 +88,8 @@ public:
     }
 
 private:
-    // Returns the number of strokes on the disk; while work is in progress, the previous number.
+    // Returns the number of strokes on the disk. While strokes are being written, returns the
+    // previous number.
     std::size_t kept_strokes(document::Document const& document) const
     {
         return document.is_settled() ? document.stroke_count() : kept_;

@@ -23,8 +23,8 @@ Result<sim::Hand> hand_of(TruthOptions const& options)
     return play::simulated_hand(script, TRY(scene::apply_edit({}, edit)));
 }
 
-// Returns the difference of the recording's clock and the hand's: the median over the pen's
-// reports, all of which arrived in order; for a truncated recording, over those up to its end.
+// Returns the recording's clock minus the hand's clock: the median over the pen's reports, which
+// must all have arrived, in order. A truncated recording may lack the last ones.
 Result<Duration> clock_offset(drivers::Log const& sent, drivers::Log const& got, bool is_torn)
 {
     std::vector<Timestamp> sent_times;

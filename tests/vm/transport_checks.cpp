@@ -35,8 +35,8 @@ Result<std::size_t> find_device(drivers::Log const& log, drivers::DeviceInfo con
         fmt::format("{} has no device with the report descriptor of {}", log.name, wanted.name));
 }
 
-// Returns the reports that the kernel passes on to hidraw: those in the descriptor, of at least its
-// length.
+// Returns the reports that the kernel passes on to hidraw: those that the descriptor declares, if
+// they have at least the declared length.
 std::vector<drivers::LogRecord> delivered(drivers::Log const& log, std::size_t device)
 {
     auto records = records_of(log, device);
@@ -58,7 +58,7 @@ bool is_same(std::span<std::byte const> a, std::span<std::byte const> b)
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
-// Keeps the last `count` records if all earlier ones only repeat the first of them.
+// Removes records from the beginning while more than `count` are left and the first is repeated.
 void forget_repetitions(drivers::Log const& log, std::vector<drivers::LogRecord>& records,
                         std::size_t count)
 {
@@ -90,7 +90,7 @@ Result<void> compare_device(drivers::Log const& sent, std::size_t sent_device,
     return {};
 }
 
-// Waits for the node and returns it.
+// Waits until the node exists, and returns its description.
 Result<drivers::DeviceInfo> find_node(std::string const& node)
 {
     for (auto const& info : drivers::enumerate_hid())
@@ -155,7 +155,7 @@ Result<void> read_late(std::string const& node, std::string const& sent_name, do
     std::this_thread::sleep_for(from_seconds(seconds));
     auto const expected = records_of(sent, 0);
     std::size_t count = 0;
-    // The reading ends when the device is unplugged, which is an error.
+    // Reading ends with an error when the device is unplugged.
     for (auto report = source->read(std::chrono::seconds(1)); report && *report;
          report = source->read(std::chrono::seconds(1)), ++count)
         if (count >= expected.size() || !is_same(sent.report(expected[count]), (*report)->bytes()))

@@ -1,4 +1,4 @@
-// A program with the checks of checks.h, called by scenarios.
+// Runs the checks of checks.h as subcommands for the scenarios.
 #include "tests/vm/checks.h"
 
 #include <CLI/CLI.hpp>
@@ -11,7 +11,7 @@ namespace tractus {
 
 namespace {
 
-// Arguments of all checks; each check uses some.
+// Arguments of all checks; each check uses some of them.
 struct Arguments {
     TruthOptions truth;
     std::vector<std::size_t> devices;

@@ -4,8 +4,8 @@
 
 namespace tractus::methods {
 
-// Adds the methods' subcommands for the command line to `methods`. Kept apart from all_methods(),
-// so that code that only edits need not be linked with the commands.
+// Adds the subcommands of all methods to `methods`. This function is separate from all_methods(),
+// so that code without a command line need not be linked with the subcommands.
 tools::Methods with_commands(tools::Methods methods);
 
 } // namespace tractus::methods

@@ -24,13 +24,13 @@ static Report print_functions(Construction const& construction)
     return functions;
 }
 
-// Organ sizes along the boundary at each azimuth, at the positions used by print_functions().
+// Organ sizes along each boundary in space, at the same places as the values of print_functions().
 static Report print_boundaries(Construction const& construction)
 {
     constexpr int kPlaces = 21;
     Report list = Report::array();
     for (auto const& side : construction.around) {
-        // In this copy, the sizes at this azimuth replace those of the left boundary.
+        // In this copy, the sizes of the boundary in space replace those of the left boundary.
         auto along = construction;
         for (std::size_t i = 0; i < along.nodes.size(); ++i)
             along.nodes[i].left_size = side.sizes[i];
@@ -42,7 +42,7 @@ static Report print_boundaries(Construction const& construction)
     return list;
 }
 
-// Numbers of one stem for the report.
+// The measurements of one stem.
 static Report print_stem(Construction const& construction)
 {
     Report lines = Report::array();

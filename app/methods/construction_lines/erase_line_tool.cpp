@@ -11,7 +11,7 @@ namespace tractus::lines {
 
 namespace {
 
-// Path of an eraser on the sheet, and its radius there.
+// Path of an eraser on a sketch's sheet, and the eraser's radius in the sheet's millimetres.
 struct Eraser {
     DrawnLine way;
     double radius_mm = 0;
@@ -46,8 +46,8 @@ Result<bool> runs_over(Eraser const& eraser, SketchLine const& line)
     return eraser.runs_over(DrawnLine(std::move(points)));
 }
 
-// Erases the touched lines; a stem only if the stroke touches no other line, as other lines cross
-// their stem and removing a stem removes all of them.
+// Erases the touched lines. A stem is erased only if the stroke touches no other line: other lines
+// cross their stem, and erasing a stem erases all its lines.
 Result<std::vector<scene::Edit>> erase(tools::Tool const&, Stroke const& stroke,
                                        scene::Scene const& scene)
 {

@@ -4,8 +4,8 @@
 
 namespace tractus::lines {
 
-// Removes the construction lines of the active plant, and the lines of its leaves, that the stroke
-// crosses.
+// Erases those construction lines of the active plant, and lines of its drawn leaves, that the
+// stroke crosses.
 struct EraseLineTool {
     static tools::ToolKind const kKind;
 

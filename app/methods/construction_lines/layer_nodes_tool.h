@@ -4,13 +4,13 @@
 
 namespace tractus::lines {
 
-// Sets how many nodes a layer of the active plant's sketch has. A layer is the part of the stem
-// between two inclination lines.
+// Sets the number of nodes in a layer of the active plant's sketch. A layer is the part of a stem
+// between two neighbouring inclination lines.
 struct LayerNodesTool {
     static tools::ToolKind const kKind;
 
     enum class What {
-        Touched, // The layer beside which the stroke ends gets `nodes` nodes.
+        Touched, // Gives `nodes` nodes to the layer beside which the stroke ends.
         More,    // Adds a node to the topmost layer.
         Fewer,   // Removes a node from the topmost layer.
     };

@@ -26,9 +26,10 @@ void visit(tools::OptionVisitor& visitor, LayerOrgansTool& tool)
     visitor.choice({ kLayerWords, tools::WordOption::Offered::InHand }, tool.what);
 }
 
-// The inclination line that bounds the touched layer, and the layer's organs.
+// A layer of a sketch that was touched: the inclination line that bounds it, and its organs.
 struct TouchedLayer {
-    // Line that bounds the layer; 0: the stem has a single layer, which no line bounds yet.
+    // Inclination line that bounds the layer. 0: no line does, because the stem still has a single
+    // layer.
     scene::ItemId line = 0;
     lines::Pattern pattern {};
     scene::ItemId organ = 0;
@@ -44,7 +45,8 @@ Result<TouchedLayer> touched_layer(ActiveSketch const& active, Stroke const& str
                           line.organ.value_or(sketch.organ) };
 }
 
-// The kind of organ after `organ`, in a ring that starts with plain leaves.
+// The kind of organ that follows `organ` in the sketch; plain leaves follow the last kind and
+// precede the first.
 Result<scene::ItemId> next_organ(lines::PenSketch const& sketch, scene::ItemId organ)
 {
     if (sketch.organs.empty())
@@ -55,7 +57,7 @@ Result<scene::ItemId> next_organ(lines::PenSketch const& sketch, scene::ItemId o
     return next < sketch.organs.size() ? sketch.organs[next].id : 0;
 }
 
-// The leaf of the sketch that has a line at this place on the sheet, or 0 if there is none.
+// The leaf of the sketch that has a line at this place on the sheet; 0 if there is none.
 scene::ItemId leaf_at(lines::PenSketch const& sketch, Vec2 const& place_mm)
 {
     for (auto const& organ : sketch.organs) {
@@ -68,8 +70,8 @@ scene::ItemId leaf_at(lines::PenSketch const& sketch, Vec2 const& place_mm)
     return 0;
 }
 
-// The organ to be that the stroke begins on: a drawn leaf, or a plant touched at its construction
-// lines.
+// What a stroke begins on and is to become an organ: a drawn leaf, or a plant that is touched at
+// one of its construction lines.
 struct Dragged {
     scene::ItemId plant = 0;
     scene::ItemId organ = 0;

@@ -4,16 +4,18 @@
 
 namespace tractus::lines {
 
-// Changes the organs of the layer beside which the stroke ends, so that one stem can have both
-// leaves and flowers.
+// Changes the organs of the layer of a sketch beside which the stroke ends. So a stem can have, for
+// example, both leaves and flowers.
 struct LayerOrgansTool {
     static tools::ToolKind const kKind;
 
     enum class What {
-        Organ,   // Switches to the plant's next kind of organ, or to plain leaves.
-        Pattern, // Switches to the next arrangement (phyllotaxis) of the organs.
-        Face,    // Changes how the organs are rotated about their length.
-        // Uses the leaf on whose lines the stroke begins, or copies of the plant there, as organs.
+        // Gives the layer the next of the plant's kinds of organs; plain leaves follow the last.
+        Organ,
+        Pattern, // Gives the layer's organs the next arrangement (phyllotaxis).
+        Face,    // Changes how the layer's organs are rotated about their length.
+        // Gives the layer as organs the leaf on whose lines the stroke begins, or copies of the
+        // other plant on whose lines it begins.
         Plant,
     };
     What what = What::Organ;

@@ -17,14 +17,15 @@ using lines::StemSide;
 constexpr double kLow = -0.9; // Height of the stem's base in the gizmo's frame.
 constexpr double kHigh = 0.9; // Height of the stem's tip in the gizmo's frame.
 constexpr int kSamples = 60;
-constexpr double kMinRange = 0.6; // Minimum range of the columns of sizes.
+// Minimum value at the outer edge of the columns of sizes, as a share of the stem's length.
+constexpr double kMinRange = 0.6;
 
-// A column on the right side of the gizmo's frame, from x = `from` to `to`; the left side mirrors
-// it. Values increase outwards.
+// A column of the gizmo's right half, from x = `from` to `to`. The left half mirrors it. Values
+// increase outwards from the gizmo's middle.
 struct Column {
     double from = 0;
     double to = 1;
-    double range = 1; // Greatest value of the column; the least is 0.
+    double range = 1; // Value at the column's outer edge; it is 0 at the inner edge.
 
     double place(double value) const { return from + (to - from) * value / range; }
     double value(double place) const
@@ -33,9 +34,9 @@ struct Column {
     }
 };
 
-// Half the width of the middle column, which shows the heading.
+// Half the width of the middle column, which shows the stem's heading.
 constexpr double kHeadingHalf = 0.13;
-constexpr double kHeadingRange_deg = 90; // Heading shown at the edge of the middle column.
+constexpr double kHeadingRange_deg = 90; // Heading at the edge of the middle column.
 constexpr Column kAngles { 0.56, 0.98, 150 };
 constexpr double kSizesFrom = 0.18;
 constexpr double kSizesTo = 0.52;
@@ -43,11 +44,12 @@ constexpr double kSizesTo = 0.52;
 enum class What { Angle, Size, Fewer, More, Heading, Internode };
 constexpr std::size_t kWhats = 6;
 
-// What a handle sets; encoded in the handle's id.
+// What a handle sets. The handle's id encodes it.
 struct HandleName {
     What what = What::Angle;
     StemSide side = StemSide::Left;
-    // Index of the line, of the sampled place, or of the layer, depending on `what`.
+    // Index of the inclination line, of the place along the stem, or of the layer, depending on
+    // `what`.
     std::size_t number = 0;
 
     std::size_t id() const
@@ -82,12 +84,13 @@ double size_of(lines::FunctionValues const& values, StemSide side)
     return side == StemSide::Left ? values.left_size : values.right_size;
 }
 
-// The active sketch, and the values that the curves show.
+// The active plant's sketch, and the values that its curves show.
 struct Shown {
     ActiveSketch active;
     Construction construction;
-    bool has_sizes = false;  // True if the sketch has a boundary.
-    bool has_angles = false; // True if the sketch has inclination lines.
+    bool has_sizes = false; // True if the sketch has at least one boundary.
+    // True if the sketch has a boundary and at least two inclination lines.
+    bool has_angles = false;
     Column sizes;
 
     double size_seen(double x, StemSide side) const
@@ -96,8 +99,8 @@ struct Shown {
     }
 };
 
-// Range of the size columns. It grows in steps, so that the scale does not change continually while
-// the user drags a size.
+// Value at the outer edge of the columns of sizes, if `largest` is the largest size. It grows in
+// steps, so that the scale does not change continually while the user drags a size.
 double range_for(double largest)
 {
     double range = kMinRange;
@@ -143,7 +146,8 @@ double heading_at(Shown const& shown, double x)
     return lines::values_at(shown.construction, x).heading_deg;
 }
 
-// Horizontal place of a heading in the middle column; headings out of range are at its edge.
+// Horizontal place of a heading in the middle column; headings outside the column's range are
+// placed at its edge.
 double place_of_heading(double heading_deg)
 {
     return std::clamp(-kHeadingHalf * heading_deg / kHeadingRange_deg, -kHeadingHalf, kHeadingHalf);
@@ -214,7 +218,7 @@ void add_handles(tools::Gizmo& gizmo, Shown const& shown, StemSide side)
     }
 }
 
-// Adds a layer's two buttons: fewer nodes on the left, more nodes on the right.
+// Adds the two buttons of a layer: fewer nodes on the left, more nodes on the right.
 void add_layer(tools::Gizmo& gizmo, lines::Layer const& layer, std::size_t number)
 {
     constexpr double kBeside = 0.09;
@@ -229,7 +233,8 @@ void add_layer(tools::Gizmo& gizmo, lines::Layer const& layer, std::size_t numbe
               .is_small = true });
 }
 
-// Adds the handle that sets a layer's internode length. It sits at the layer's second node.
+// Adds the handle that sets the internode length of a layer. It is at the height of the layer's
+// second node.
 void add_internode(tools::Gizmo& gizmo, lines::Layer const& layer, std::size_t number)
 {
     constexpr double kBeside = 0.15;
@@ -291,8 +296,8 @@ Result<std::vector<scene::Edit>> with_other_count(ActiveSketch const& active, st
     return std::vector<scene::Edit> { lines::SetLayerNodes { active.plant, layer.line, nodes } };
 }
 
-// Changes the layer's number of nodes to as many as fit if the second node is at the place `x`
-// along the stem.
+// Sets the layer's number of nodes to the number that fits if its second node is at the place `x`,
+// a share of the stem's length.
 Result<std::vector<scene::Edit>> with_internode(ActiveSketch const& active, std::size_t number,
                                                 double x)
 {
@@ -319,8 +324,8 @@ Result<std::vector<scene::Edit>> with_other_heading(Shown const& shown, std::siz
         std::clamp(heading_deg, -lines::kGreatestHeading_deg, lines::kGreatestHeading_deg) } };
 }
 
-// Edits for a dragged or pressed handle. Values are rounded to whole degrees and to hundredths of
-// the stem's length.
+// Edits for a handle that was dragged or pressed. Angles are rounded to whole degrees, sizes to
+// hundredths of the stem's length.
 Result<std::vector<scene::Edit>> drag(scene::Scene const& scene, std::size_t handle, Vec2 const& to)
 {
     auto const shown = TRY(shown_of(scene));

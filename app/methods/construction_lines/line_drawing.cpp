@@ -17,8 +17,8 @@ namespace tractus::lines {
 
 namespace {
 
-// Smooths a line like a pen's stroke. A line with fewer than two distinct points is returned
-// unchanged, and later refused when the sketch is read.
+// Smooths a line like a stroke of a pen. A line with fewer than two distinct points is returned
+// unchanged; reading the sketch fails later.
 std::vector<Vec3> captured(std::vector<Vec3> const& tips)
 {
     auto const points = distinct_points(tips);
@@ -48,7 +48,7 @@ LineSketch captured(LineSketch sketch)
     return sketch;
 }
 
-// Adds another stem; its parent is the stem on which it begins, if any.
+// Adds another stem. Its parent is the earlier stem on which it begins, if any.
 void add_stem(std::vector<StemLines>& stems, LineSketch sketch)
 {
     auto const parent
@@ -56,7 +56,7 @@ void add_stem(std::vector<StemLines>& stems, LineSketch sketch)
     stems.push_back({ .sketch = std::move(sketch), .parent = parent });
 }
 
-// Reads the strokes of a file and sorts them into stems and their lines.
+// Reads the strokes of a file, and sorts them into stems and their lines.
 class StrokeReader {
 public:
     StrokeReader(LineSketchFile const& file, Smoothing smoothing)
@@ -84,10 +84,10 @@ public:
     }
 
 private:
-    // Finds the stem that each stroke belongs to, and which strokes have depth.
+    // Finds the stem to which each stroke belongs, and the strokes that are not flat.
     Result<void> find_stems()
     {
-        // The newest stem; the depths of the strokes after it are compared with its length.
+        // The newest stem so far; the depth of each later stroke is compared with its length.
         std::vector<Vec3> stem_before;
         nodes_of_stems_ = { file_.sketch.nodes_per_layer };
         for (std::size_t i = 0; i < file_.strokes.size(); ++i) {
@@ -123,7 +123,7 @@ private:
         drawing_.notes.push_back(fmt::format("stroke {} is left out: {}", stroke + 1, reason));
     }
 
-    // Interprets all strokes of a stem together.
+    // Interprets together all strokes that belong to a stem.
     void explain(std::size_t stem)
     {
         std::vector<StrokeToExplain> strokes;
@@ -166,8 +166,8 @@ private:
                                              number + 1, first + 1, name_of(stroke.role)));
     }
 
-    // Number of nodes for each layer. A sketch of strokes need not give one per layer, as its
-    // author cannot know how many layers the strokes make.
+    // Number of nodes for each layer of a stem. A file of strokes need not give as many numbers as
+    // there are layers, because its author cannot know how many layers the strokes make.
     std::vector<int> nodes_for(LineSketch const& sketch, std::size_t stem)
     {
         constexpr int kNodes = 8; // Number of nodes that the line tool uses by default.
@@ -203,7 +203,7 @@ private:
 
 namespace fs = std::filesystem;
 
-// Reads sketches that serve as organs of other sketches.
+// Reads the sketches that serve as organs of other sketches.
 class Composer {
 public:
     Composer(Smoothing smoothing, std::vector<std::string>& notes)
@@ -220,7 +220,7 @@ private:
 
     Smoothing smoothing_;
     std::vector<std::string>& notes_;
-    // Files being read, from the outermost sketch to the current one.
+    // Files that are being read: first the outermost sketch, last the sketch read now.
     std::vector<fs::path> chain_ {};
 };
 

@@ -11,12 +11,11 @@ namespace {
 using Lines = std::vector<std::vector<Vec3f>>;
 using enum lines::Role;
 
-// Places a line on the sheet at the plant's present place, which may differ from where it was
-// drawn.
+// Places a line of the sheet where the plant is now, which may not be where the line was drawn.
 std::vector<Vec3f> shown(lines::SketchLine const& line, lines::SheetPlacement const& sheet,
                          scene::Paper const& paper)
 {
-    constexpr float kApart_mm = 0.5f; // Points closer together than this add nothing visible.
+    constexpr float kApart_mm = 0.5f; // Points closer together than this are left out.
     std::vector<Vec3f> points;
     auto const tips = line.stroke.tips.in_memory();
     if (!tips)
@@ -47,7 +46,8 @@ Lines to_be_drawn(scene::BuiltPlant const& plant)
     return result;
 }
 
-// Lines of the sketch of a plant on paper. `list` calls its second argument with each line to show.
+// Lines of a plant's sketch, in the world frame. `list` passes each line to be shown to its second
+// argument.
 template<typename List> Lines lines_on_paper(scene::BuiltPlant const& plant, List const& list)
 {
     Lines result;
@@ -73,7 +73,7 @@ Lines lines_where(scene::BuiltPlant const& plant, Condition const& is_shown)
     });
 }
 
-// Consecutive stems are shown in two alternating colours.
+// The first, third, fifth stem and so on have one colour, the other stems another.
 enum class Turn { First, Second };
 
 template<Turn turn, lines::Role... roles> Lines lines_of(scene::BuiltPlant const& plant)
@@ -88,7 +88,7 @@ Lines unsure_lines(scene::BuiltPlant const& plant)
     return lines_where(plant, [](lines::SketchLine const& line) { return line.role == Unsure; });
 }
 
-// The lines of the plant's drawn leaves, at their places on the sheet.
+// The lines of the plant's drawn leaves where they are on the sheet.
 Lines organ_lines(scene::BuiltPlant const& plant)
 {
     return lines_on_paper(plant, [](lines::PenSketch const& sketch, auto const& add) {

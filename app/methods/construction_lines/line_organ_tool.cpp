@@ -44,7 +44,7 @@ void visit(tools::OptionVisitor& visitor, LineOrganTool& tool)
         tool.color);
 }
 
-// The leaf to which new lines belong: the newest leaf; 0 if there is none.
+// The leaf to which new lines belong: the newest leaf drawn in the sketch; 0 if there is none.
 scene::ItemId leaf_in_hand(lines::PenSketch const& sketch)
 {
     auto const found = std::find_if(sketch.organs.rbegin(), sketch.organs.rend(),
@@ -67,9 +67,9 @@ lines::OrganView organ_view(LineOrganTool::What what)
     return lines::OrganView::Side;
 }
 
-// The picture (texture) of a leaf after the line was added, cut from the image behind it; no value
-// if the leaf keeps the picture that it has. Fails with a user error if no image is there and the
-// leaf has no picture yet.
+// The texture of a leaf after `line` was added, cut from the image behind the leaf. No value if the
+// leaf keeps its present texture. Fails with a user error if there is no image behind the leaf and
+// the leaf has no texture yet.
 Result<std::optional<std::string>> picture_with(SketchOrgan organ, SketchOrgan::Line line,
                                                 scene::Scene const& scene)
 {

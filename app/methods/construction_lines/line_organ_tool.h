@@ -5,16 +5,17 @@
 
 namespace tractus::lines {
 
-// Draws lines of the active plant's leaves in three views: from above, from the side and from the
-// front (Anastacio, Prusinkiewicz, Sousa 2008, section 6).
+// Draws the lines of the active plant's leaves in three views: from above, from the side, and from
+// the leaf's tip (Anastacio, Prusinkiewicz, Sousa 2008, section 6).
 struct LineOrganTool {
     static tools::ToolKind const kKind;
 
     enum class What {
-        Edge,    // Half of the outline from above, from base to tip. The first edge begins a leaf.
+        // An edge of the leaf, seen from above, from base to tip. The first edge begins a leaf.
+        Edge,
         Midrib,  // The midrib, seen from the side.
-        Section, // The cross section, seen from the front.
-        Another, // An edge that begins another leaf.
+        Section, // The cross section, seen from the leaf's tip.
+        Another, // An edge that begins another kind of leaf.
     };
     What what = What::Edge;
     lines::OrganColor color = lines::OrganColor::Leaf;

@@ -7,25 +7,26 @@
 
 namespace tractus::lines {
 
-// Changes how the active plant's organs are arranged around its stem.
+// Changes how the organs of the active plant are arranged around their stem.
 struct LinePatternTool {
     static tools::ToolKind const kKind;
 
     enum class What {
-        Next,  // Switches to the next pattern (phyllotaxis).
-        Sizes, // Toggles how sizes change around the stem: along half-ellipses or linearly.
-        Face,  // Changes how organs are rotated about their length.
-        Rules, // Restores the pattern's own L-system rules if they were edited.
+        Next,  // Gives the organs the next pattern (phyllotaxis).
+        Sizes, // Switches how sizes change around the stem: along half-ellipses or linearly.
+        Face,  // Changes how the organs are rotated about their length.
+        Rules, // Restores the L-system rules that belong to the pattern, if they were edited.
     };
     What what = What::Next;
 };
 
-// Return the pattern with the next choice in a ring of choices: of arrangements with organs, or of
-// the organs' orientations (flat, upper side up, upper side down).
+// Return the pattern with the next of several choices; the first follows the last. next_pattern()
+// changes the arrangement of organs, next_face() how they are rotated (flat, upper side up, or
+// upper side down).
 Pattern next_pattern(Pattern pattern);
 Pattern next_face(Pattern pattern);
 
-// Describes the orientation of organs for the user: "lie flat", "turn their upper side up".
+// Describes to the user how the pattern rotates organs: "lie flat", "turn their upper side up".
 std::string describe_face(Pattern const& pattern);
 
 } // namespace tractus::lines

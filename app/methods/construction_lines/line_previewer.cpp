@@ -25,8 +25,8 @@ tools::SkeletonLine line_through(std::vector<Vec3> const& points_mm, double widt
     return line;
 }
 
-// Lines that represent an organ, in its own frame: both edges and the midrib of a drawn leaf; for
-// other organs a line from base to tip.
+// Lines that represent an organ, in the organ's frame: both edges and the midrib of a drawn leaf,
+// or a line from base to tip for any other organ.
 std::vector<std::vector<Vec3>> lines_of(OrganShape const& shape)
 {
     if (shape.patches.size() != static_cast<std::size_t>(kAlong * kAcross))
@@ -73,8 +73,8 @@ std::vector<tools::SkeletonLine> skeleton_of(Plant const& plant, scene::DeskPlac
     return lines;
 }
 
-// The tool with a plain colour instead of a picture, which takes time to find and which previews do
-// not show.
+// The tool with a plain colour in place of a texture from the image, which takes time to cut out
+// and is not shown in previews.
 tools::Tool without_picture(tools::Tool const& tool)
 {
     auto const* const organ = tool.get<LineOrganTool>();

@@ -25,7 +25,8 @@ constexpr std::array<tools::OptionWord, 9> kRoleWords { {
 } };
 constexpr std::array kRoles { Inclination, HalfInclination, Left,   Right, Around,
                               Stem,        Unsure,          Outline };
-constexpr int kTurned = 8; // Index of the option that reverses a line; it follows the roles.
+// Index of the word that reverses a line; it follows the words for roles.
+constexpr int kTurned = 8;
 static_assert(kRoles.size() == kTurned && kRoleWords.size() == kTurned + 1);
 
 void visit(tools::OptionVisitor& visitor, LineRoleTool& tool)

@@ -24,11 +24,11 @@ constexpr std::array kStemKeys { "stem",       "left",         "right",
                                  "boundaries", "inclinations", "nodes_per_layer" };
 constexpr std::array kOtherKeys { "pattern", "divergence", "face",    "sizes",
                                   "organs",  "organ",      "strokes", "stems" };
-// Maximum number of strokes in a file, and of stems.
+// Maximum number of strokes in a file, of stems, and of boundaries in space.
 constexpr std::size_t kMaxStrokes = 100;
 
-// Reads a boundary; the stem has been read before. A boundary that is not flat is added to the
-// boundaries in space, and the result is then empty.
+// Reads the boundary with the key `key`. The stem must have been read before. If the boundary is
+// not flat, it is added to the sketch's boundaries in space, and the result is empty.
 Result<std::vector<Vec2>> read_side(json const& file, char const* key, LineSketch& sketch)
 {
     if (!has_value(file, key))
@@ -95,7 +95,7 @@ Result<std::vector<int>> read_nodes(json const& numbers, std::string const& name
     return nodes;
 }
 
-// Reads a stroke that begins another stem.
+// Reads a stroke that begins another stem, given as an object.
 Result<void> read_stem_stroke(json const& stroke, LineSketchFile& result)
 {
     auto const name = fmt::format("stroke {}", result.strokes.size() + 1);
@@ -112,7 +112,7 @@ Result<void> read_stem_stroke(json const& stroke, LineSketchFile& result)
     return {};
 }
 
-// Reads the strokes; the numbers of nodes have been read before.
+// Reads the strokes. The numbers of nodes must have been read before.
 Result<void> read_strokes(json const& file, LineSketchFile& result)
 {
     if (!has_value(file, "strokes"))
@@ -141,7 +141,7 @@ Result<void> read_strokes(json const& file, LineSketchFile& result)
     return {};
 }
 
-// Reads the further stems. Their numbers of nodes default to those of the first stem.
+// Reads the further stems. A stem without numbers of nodes has those of the first stem.
 Result<void> read_stems(json const& file, LineSketchFile& result)
 {
     if (!has_value(file, "stems"))
@@ -175,7 +175,7 @@ Result<void> read_stems(json const& file, LineSketchFile& result)
 Result<void> read_first_nodes(json const& file, LineSketch& sketch)
 {
     if (!has_value(file, "nodes_per_layer") && has_value(file, "strokes"))
-        return {}; // The numbers stay empty; the layers get the line tool's default.
+        return {}; // The list stays empty, so the layers get the line tool's default number.
     if (!has_value(file, "nodes_per_layer"))
         return fail(Fault::User,
                     "nodes_per_layer is missing: give the number of nodes of each layer "
@@ -221,7 +221,8 @@ Result<LineSketchFile> read_sketch(json const& file, PictureReader const& pictur
                             .pattern = TRY(read_pattern(file)),
                             .unknown_keys = unknown_keys(file) };
     TRY(read_lines(file, result.sketch));
-    // The error is returned only later, as errors in strokes are reported first.
+    // Errors about the number of nodes are returned only after the strokes have been read, because
+    // errors in strokes are reported first.
     auto nodes = read_first_nodes(file, result.sketch);
     TRY(read_strokes(file, result));
     TRY(std::move(nodes));
@@ -233,7 +234,7 @@ Result<LineSketchFile> read_sketch(json const& file, PictureReader const& pictur
     return result;
 }
 
-// Place of a byte as "LINE:COLUMN", both counted from 1.
+// Position of a byte in a text as "LINE:COLUMN"; both numbers begin with 1.
 std::string place_of(std::string_view text, std::size_t byte)
 {
     auto const before = text.substr(0, byte > 0 ? byte - 1 : 0);
@@ -259,7 +260,7 @@ Result<json> parse_json(std::string_view text, std::string const& name)
     }
 }
 
-// Reads a file's sketch; the values in `given` override those in the file.
+// Reads the sketch of a file. Values in `given` replace those in the file.
 Result<LineSketchFile> read_file_sketch(Result<json> file, std::string const& name,
                                         SketchOverrides const& given)
 {

@@ -16,27 +16,27 @@
 
 namespace tractus::lines {
 
-// A sketch of construction lines, and the arrangement of its organs.
+// The contents of a sketch's file: construction lines, and the arrangement of organs.
 struct LineSketchFile {
     LineSketch sketch;
-    // Further stems of the same plant, each with its own lines.
+    // Further stems of the plant, each with its own lines.
     std::vector<LineSketch> further_stems {};
-    // Unsorted strokes in drawing order (StemRecogniser), used instead of `sketch` and
-    // `further_stems`.
+    // Strokes in drawing order whose roles are to be recognised (StemRecogniser). If there are any,
+    // they are used instead of `sketch` and `further_stems`.
     std::vector<std::vector<Vec3>> strokes;
-    // For each stroke that begins another stem, by its index: the numbers of nodes of that stem's
-    // layers.
+    // For each stroke of `strokes` that begins another stem, by its index: the numbers of nodes in
+    // the layers of this stem.
     std::map<std::size_t, std::vector<int>> stem_strokes {};
     Pattern pattern;
-    // Organs of the layers of all stems; see LineSketch::organs_per_layer.
+    // Organs of each layer, the same for all stems (LineSketch::organs_per_layer).
     std::vector<LayerOrgans> layers {};
-    // Kinds of organs; `layers` refers to them by index.
+    // Kinds of organs, to which `layers` refers by index.
     std::vector<OrganSource> organs {};
-    OrganSource organ {}; // Shape of the leaves; without patches they are plain blades.
+    OrganSource organ {}; // Shape of the leaves; without patches, leaves are plain blades.
     std::vector<std::string> unknown_keys; // Keys of the file that were not understood.
 };
 
-// Values that override those in a sketch's file.
+// Values that replace those in a sketch's file, if given.
 struct SketchOverrides {
     std::string pattern;
     std::string sizes {};
@@ -53,11 +53,12 @@ struct SketchOverrides {
 //   left, right      [[u, v], …]: the boundaries; one of them may be missing. A line [[u, v, w], …]
 //                    some w of which differs from that of the stem's base by more than a
 //                    twentieth of the stem's length counts as one of "boundaries"
-//   boundaries       [[[u, v, w], …], …]: more of them, each in space at its azimuth around the
-//                    stem
+//   boundaries       [[[u, v, w], …], …]: further boundaries, each in space at its azimuth around
+//                    the stem
 //   inclinations     [[[u, v], …], …]; optional
-//   strokes          [[[u, v], …], …]: all of these lines, the stem first, without saying which is
-//                    which. A stroke that begins another stem is an object {"stem": [[u, v], …]}
+//   strokes          [[[u, v], …], …]: in place of the lines above, all lines, the stem first; the
+//                    role of each is recognised. A stroke that begins another stem is an object
+//                    {"stem": [[u, v], …]}
 //   nodes_per_layer  [N, …]: one number for each layer between neighbouring inclination lines
 //   stems            [{…}, …]: more stems of the plant, each an object with the keys stem, left,
 //                    right, boundaries, inclinations and nodes_per_layer; only stem is required
@@ -71,7 +72,7 @@ struct SketchOverrides {
 //   organ            {"left": [[u, v], …], "right": …, "midrib": …, "section": …, "color": …,
 //                    "texture": …}: the shape of the leaves in three views (organ_surface.h). One
 //                    side, the midrib and the section may be missing. "color" is "#rrggbb";
-//                    "texture" is a PNG file, relative to this one, and replaces it. Or
+//                    "texture" is a PNG file, relative to this one, and replaces "color". Or
 //                    "heart.organ": a file with the same content (organ_file.h), relative to this
 //                    one. Or "heart": a built-in leaf
 //
@@ -81,7 +82,7 @@ Result<LineSketchFile> parse_line_sketch(std::string_view text, std::string cons
                                          SketchOverrides const& given = {});
 
 // Reads a sketch from a file of at most 2 MiB: JSON as for parse_line_sketch(), or an SVG drawing
-// (.svg; svg_sketch.h).
+// (.svg, see svg_sketch.h).
 Result<LineSketchFile> load_line_sketch(std::filesystem::path const& path,
                                         SketchOverrides const& given = {});
 

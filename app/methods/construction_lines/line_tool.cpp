@@ -29,7 +29,7 @@ constexpr std::array<tools::OptionWord, 5> kPatternWords { {
 } };
 
 // Option words, in the order of lines::DepthBy. Logs from before boundaries had depth lack this
-// option.
+// option and mean the first word.
 constexpr std::array<tools::OptionWord, 3> kDepthWords { {
     { "stems_height", "height, stem" },
     { "height", "height" },
@@ -37,7 +37,7 @@ constexpr std::array<tools::OptionWord, 3> kDepthWords { {
 } };
 
 // Option words, in the order of lines::Reading. Logs from before lines were interpreted together
-// lack this option.
+// lack this option and mean the first word.
 constexpr std::array<tools::OptionWord, 2> kReadingWords { {
     { "one_by_one", "one by one" },
     { "together", "together" },

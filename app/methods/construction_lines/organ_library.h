@@ -9,24 +9,26 @@
 
 namespace tractus::lines {
 
-// File extension of leaves in three views.
+// File extension of leaves drawn in three views.
 constexpr char const* kOrganEnding = ".organ";
 
-// Names of the built-in leaves in three views, in alphabetical order.
+// Names of the built-in leaves drawn in three views, in alphabetical order.
 std::vector<std::string> organ_names();
 
-// The file of a built-in leaf. Fails with a user error that lists the built-in leaves.
+// The path of a built-in leaf's file. If there is no such leaf, fails with a user error that lists
+// the built-in leaves.
 Result<std::filesystem::path> own_organ_path(std::string const& name);
 
-// Loads a leaf's file. Fails with a user error if the file exceeds 1 MiB, and like parse_organ().
+// Loads a leaf's file. Fails with a user error if the file cannot be read, exceeds 1 MiB or is
+// invalid.
 Result<OrganFile> load_organ(std::filesystem::path const& path);
 
-// True if a name in a sketch's file refers to a leaf: to a .organ file relative to the sketch, or
-// to a built-in leaf if no such file exists. Any other name refers to another sketch.
+// True if a name in a sketch's file refers to a leaf: to a .organ file beside the sketch, or to a
+// built-in leaf if there is no file of this name. Any other name refers to another sketch.
 bool names_organ(std::string const& name, std::filesystem::path const& folder_of_sketch);
 
-// Loads the leaf to which a name in a sketch's file refers. Fails like own_organ_path() and
-// load_organ().
+// Loads the leaf to which a name in a sketch's file refers. Fails with a user error if there is no
+// such leaf or its file is invalid.
 Result<OrganFile> load_named_organ(std::string const& name,
                                    std::filesystem::path const& folder_of_sketch);
 

@@ -6,10 +6,10 @@
 
 namespace tractus::lines {
 
-// Shape of a sketch's leaves as stated in its file: another file, or a surface.
+// The shape of a sketch's organs as its file states it: the name of another file, or a surface.
 struct OrganSource {
-    // Another sketch or a leaf in three views (.organ), as a path relative to the sketch, or the
-    // name of a built-in leaf. Empty: use `surface`.
+    // Path, relative to the sketch, of another sketch or of a leaf drawn in three views (.organ),
+    // or the name of a built-in leaf. Empty: `surface` is the shape.
     std::string file {};
     OrganSurface surface {};
 };

@@ -25,7 +25,8 @@ namespace {
 constexpr std::array kViewKeys { "left", "right", "midrib", "section" };
 constexpr std::array kLayerKeys { "pattern", "divergence", "face", "organ" };
 
-// Parses "whorled(N)" to the number of organs per whorl, N; "whorled" alone means 3.
+// Reads the number N of organs per whorl from "whorled(N)"; "whorled" alone means 3. No value for
+// other words.
 std::optional<int> whorl_of(std::string_view word)
 {
     constexpr std::string_view kWhorled = "whorled";
@@ -49,7 +50,7 @@ Result<Pattern> read_pattern_word(json const& file)
     constexpr std::string_view kWhatToGive = "give \"distichous\", \"decussate\", \"spiral\", "
                                              "\"alternate\", or \"whorled(N)\" with N from 2 to 24";
     if (!has_value(file, "pattern") && has_value(file, "strokes"))
-        // A file of strokes without a pattern gets the line tool's default.
+        // In a file of strokes, "pattern" may be missing: the line tool's default is used.
         return Pattern { .kind = Pattern::Kind::Distichous };
     if (!has_value(file, "pattern") || !file["pattern"].is_string())
         return fail(Fault::User, fmt::format("pattern is missing: {}", kWhatToGive));
@@ -90,8 +91,8 @@ Result<Pattern::Face> read_face(json const& face)
     return static_cast<Pattern::Face>(1 + (found - kFaces.begin()));
 }
 
-// Reads the angles of a pattern, whose kind has been read already. Kinds without a divergence
-// ignore it.
+// Reads the angles of a pattern whose kind has been read before. Kinds without a divergence ignore
+// this key.
 Result<void> read_turns(json const& object, Pattern& pattern)
 {
     if (has_value(object, "face"))
@@ -126,8 +127,8 @@ Result<void> check_keys(json const& object, Keys const& known, std::string_view 
     return {};
 }
 
-// Reads and checks an image file beside the sketch. Its content is kept, so that the model does not
-// depend on the file.
+// Reads and checks an image file beside the sketch. The file's bytes are kept, so that the model
+// does not need the file later.
 Result<std::shared_ptr<std::string const>> read_texture(json const& value,
                                                         PictureReader const& pictures)
 {
@@ -170,7 +171,7 @@ Result<OrganSurface> read_surface(json const& organ, PictureReader const& pictur
     return surface;
 }
 
-// Reads an organ of a layer: null, a file, or views.
+// Reads the organ of a layer: null, the name of a file, or a leaf in three views.
 Result<void> read_layer_organ(json const& organ, LayerOrgans& layer,
                               std::vector<OrganSource>& organs, PictureReader const& pictures)
 {

@@ -12,27 +12,27 @@
 
 namespace tractus::lines {
 
-// Readers of the organ-related keys of a sketch's JSON object (line_sketch_file.h): arrangement and
-// shape. Each fails with a user error that contains the key and what to write.
+// The functions of this file read the keys about organs from the JSON object of a sketch
+// (line_sketch_file.h). Each fails with a user error that contains the key and what to write.
 
 // Reads "pattern" (required), "divergence", "face" and "sizes".
 Result<Pattern> read_pattern(nlohmann::json const& file);
 
-// Organs of all layers.
+// Organs of each layer, and the kinds of organs to which they refer.
 struct LayersRead {
-    std::vector<LayerOrgans> layers {}; // One entry per layer; see LineSketch::organs_per_layer.
-    std::vector<OrganSource> organs {}; // Kinds of organs; `layers` refers to them by index.
+    std::vector<LayerOrgans> layers {}; // Organs of each layer (LineSketch::organs_per_layer).
+    std::vector<OrganSource> organs {}; // Kinds of organs, to which `layers` refers by index.
 };
 
-// Loads an image file by the name that "texture" gives.
+// Loads the image file whose name the key "texture" gives.
 using PictureReader = std::function<Result<std::string>(std::string const& name)>;
 
-// Reads "organs" of a sketch with this pattern; empty if the key is missing.
+// Reads the key "organs" of a sketch with this pattern; empty if the key is missing.
 Result<LayersRead> read_organs(nlohmann::json const& file, Pattern const& pattern,
                                PictureReader const& pictures);
 
-// Reads "organ"; the result has neither file nor patches if the key is missing. Also fails if the
-// views do not define a surface or the texture is not an image.
+// Reads the key "organ". If the key is missing, the result has neither a file nor patches. Fails
+// also if the views do not define a surface or the texture is not an image.
 Result<OrganSource> read_organ(nlohmann::json const& file, PictureReader const& pictures);
 
 } // namespace tractus::lines

@@ -6,18 +6,18 @@
 
 namespace tractus::lines {
 
-// The sketch of the active plant.
+// The construction lines of the active plant, and where they are.
 struct ActiveSketch {
     scene::ItemId plant = 0;
     lines::PenSketch sketch;
-    lines::SheetPlacement sheet; // Placement of the sketch's sheet on the tablet.
+    lines::SheetPlacement sheet; // Where the sketch's sheet is on the tablet.
 };
 
-// Returns the active plant's sketch. Fails with a user error if that plant is not drawn with
-// construction lines.
+// Returns the sketch of the active plant. Fails with a user error if the active plant was not drawn
+// with construction lines.
 Result<ActiveSketch> active_sketch(scene::Scene const& scene);
 
-// Place on the sheet where a stroke ended.
+// Returns the place on the sketch's sheet where the stroke ended.
 Vec2 touched_mm(ActiveSketch const& active, Stroke const& stroke);
 
 } // namespace tractus::lines

@@ -16,9 +16,9 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr int kNarrowest = 32; // Least width of a leaf's picture in pixels.
+constexpr int kNarrowest = 32; // Minimum width of a leaf's picture, in pixels.
 
-// Maps the surface of a leaf, seen from above, to the tablet.
+// Maps the surface of a drawn leaf, seen from above, to the tablet.
 class LeafOnTablet {
 public:
     static Result<LeafOnTablet> create(SketchOrgan const& organ, SheetPlacement const& sheet)
@@ -32,8 +32,8 @@ public:
         return leaf;
     }
 
-    // Place of a surface point: `s` runs from base to tip, `t` from left to right, both from 0 to
-    // 1.
+    // Position on the tablet of a point of the surface: `s` is 0 at the base and 1 at the tip, `t`
+    // is 0 at the left edge and 1 at the right edge.
     Vec2 at(double s, double t) const
     {
         auto const piece = [](double share, int count) {
@@ -47,7 +47,7 @@ public:
         return sheet_.on_tablet(base_ + place.x() * right + place.y() * along_);
     }
 
-    // Greatest width of the leaf divided by its length.
+    // The leaf's greatest width as a multiple of its length.
     double slenderness() const
     {
         double breadth = 0;
@@ -70,7 +70,7 @@ private:
     Vec2 along_ = Vec2::UnitY();
 };
 
-// The image behind the sheet, with its place on the tablet.
+// The image behind the sheet, and its place on the tablet.
 class LaidImage {
 public:
     LaidImage(render::Image image, scene::PicturePlace const& place)
@@ -80,7 +80,7 @@ public:
     {
     }
 
-    // Position in pixels from the upper left corner.
+    // Position in the image of a place on the tablet, in pixels from the image's upper left corner.
     Vec2 pixel_of(Vec2 const& tablet_mm) const
     {
         double const turn_rad = radians(place_.turn_deg);
@@ -96,7 +96,8 @@ public:
             && pixel.y() < image_.height();
     }
 
-    // The colour of the nearest pixel.
+    // Returns the colour of the pixel at this position, or of the nearest pixel beyond the image's
+    // border.
     render::Color color_at(Vec2 const& pixel) const
     {
         auto const nearest = [](double at, int count) {
@@ -111,7 +112,7 @@ private:
     double pixels_per_mm_;
 };
 
-// Mean of colours, weighted by their alpha.
+// Mean of colours, weighted by alpha.
 class ColorMean {
 public:
     void add(render::Color const& color)
@@ -137,11 +138,11 @@ private:
     int count_ = 0;
 };
 
-// Number of samples along each side of a pixel of the leaf's picture, so that few pixels of the
-// image are skipped.
+// Number of samples along each side of a pixel of the leaf's picture. It is chosen so that few
+// pixels of the image are skipped.
 int samples_a_side(LeafOnTablet const& leaf, LaidImage const& image)
 {
-    constexpr double kMax = 4; // Maximum; between samples, a finer image is assumed to be even.
+    constexpr double kMax = 4; // An image so fine that it needs more samples is assumed to be even.
     Vec2 const way = image.pixel_of(leaf.at(1, 0.5)) - image.pixel_of(leaf.at(0, 0.5));
     return static_cast<int>(std::clamp(std::ceil(way.norm() / kLeafPictureLength), 1.0, kMax));
 }

@@ -10,12 +10,12 @@ namespace tractus::lines {
 
 constexpr int kLeafPictureLength = 192; // Length of a leaf's picture in pixels, from base to tip.
 
-// Cuts the leaf out of the image behind the sheet and returns it as a PNG file in the (s, t)
+// Cuts the leaf out of the image behind the sheet. Returns the cut-out as a PNG file in the (s, t)
 // coordinates of the leaf's surface (organ_surface.h): the left and right edges are the leaf's
-// boundaries, the lower edge is its base. The width is 32 to 192 pixels, depending on the leaf's
-// proportions. The image's own opacity is kept; beyond its border its edge colours continue.
-// `sheet` places the leaf on the tablet. Deterministic to the byte. Fails with a user error if less
-// than half of the leaf lies on the image or the image is damaged.
+// boundaries, the lower edge is its base. The width is 32 to 192 pixels, in proportion to the
+// leaf's width. The image's own opacity is kept. Beyond the image's border, the colours of its edge
+// continue. `sheet` places the leaf on the tablet. Equal inputs give equal bytes. Fails with a user
+// error if less than half of the leaf is on the image or the image is damaged.
 Result<std::string> traced_picture(SketchOrgan const& organ, SheetPlacement const& sheet,
                                    scene::BackPicture const& picture);
 

@@ -29,7 +29,7 @@ void visit(tools::OptionVisitor& visitor, IndicateTool& tool)
     visitor.choice({ kIndicatorWords }, tool.indicator);
 }
 
-// Reach of an indicator whose effect falls off: its length, but at least kMin_mm.
+// Distance over which an indicator with Reach::Near acts: its length, but at least kMin_mm.
 double reach_of_mm(variation::MotionIndicator const& indicator)
 {
     constexpr double kMin_mm = 20;

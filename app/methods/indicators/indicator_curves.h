@@ -6,7 +6,7 @@
 
 namespace tractus::indicators {
 
-// The motion indicators of a plant, as arrows. See ListDrawnCurves; empty if it has none.
+// The motion indicators of a plant as arrows (see ListDrawnCurves); empty if the plant has none.
 std::vector<tools::DrawnCurve> indicator_curves(scene::BuiltPlant const& plant);
 
 } // namespace tractus::indicators

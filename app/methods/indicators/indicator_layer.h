@@ -4,7 +4,7 @@
 
 namespace tractus::indicators {
 
-// The motion indicators of the active plant, as arrows.
+// Layer that shows the motion indicators of the active plant as arrows.
 extern tools::Layer const kIndicatorLayer;
 
 } // namespace tractus::indicators

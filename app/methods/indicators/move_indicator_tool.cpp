@@ -12,7 +12,8 @@ static Result<std::vector<scene::Edit>> move_indicator(tools::Tool const&, Strok
     auto const touched = TRY(touched_indicator(stroke, scene));
     auto const& [id, indicator, at] = scene.indicators[touched.number];
     auto moved = indicator;
-    moved.below.clear(); // A moved indicator no longer follows the selected branches.
+    // Not needed: the document keeps the addresses of the indicator's branches.
+    moved.below.clear();
     moved.start_mm += touched.way.end_mm - touched.way.start_mm;
     moved.end_mm += touched.way.end_mm - touched.way.start_mm;
     return std::vector<scene::Edit> { scene::ChangeIndicator { .which = id, .indicator = moved } };

@@ -4,7 +4,8 @@
 
 namespace tractus::indicators {
 
-// Moves the motion indicator on which the stroke begins along with the stroke.
+// Moves the motion indicator on which the stroke begins, by the vector from the stroke's start to
+// its end.
 struct MoveIndicatorTool {
     static tools::ToolKind const kKind;
 };

@@ -9,13 +9,14 @@
 
 namespace tractus::indicators {
 
-// The motion indicator that passes near the start of a stroke.
+// A motion indicator that passes near the start of a stroke.
 struct TouchedIndicator {
-    std::size_t number = 0;         // Index of the touched indicator in the scene.
-    variation::MotionIndicator way; // The stroke's vector, from start to end.
+    std::size_t number = 0;         // Index of the indicator in the scene.
+    variation::MotionIndicator way; // The vector from the stroke's start to its end.
 };
 
-// Finds the indicator nearest to the stroke's start. Fails with a user error if none is near.
+// Finds the indicator nearest to the stroke's start. Fails with a user error if no indicator is
+// within 25 mm.
 Result<TouchedIndicator> touched_indicator(Stroke const& stroke, scene::Scene const& scene);
 
 } // namespace tractus::indicators

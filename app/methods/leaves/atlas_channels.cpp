@@ -33,7 +33,7 @@ std::vector<AtlasChannels> const& table()
             kUnderColorMap,
             kUnderNormalMap },
           true },
-        // Unreal: one map holds the factors of a foliage material: occlusion, roughness,
+        // Unreal: a single map has the factors of a foliage material: occlusion, roughness and
         // subsurface.
         { "unreal",
           { kColorMap,

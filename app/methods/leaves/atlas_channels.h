@@ -11,26 +11,26 @@
 
 namespace tractus::leaf {
 
-// Content of one channel of a map, 0 to 1 unless noted otherwise.
+// What a channel of a map contains; values are in 0 to 1 unless noted otherwise.
 enum class AtlasChannel : std::uint8_t {
     Zero,
-    Red, // Red, green and blue are sRGB.
+    Red, // Red, green and blue are in sRGB.
     Green,
     Blue,
     Alpha,
-    NormalX, // Normals are in -1 to 1.
+    NormalX, // The components of normals are in -1 to 1.
     NormalUp,
-    NormalDown, // The normal's up component, negated as DirectX expects it.
+    NormalDown, // The normal's up component with opposite sign, as DirectX expects it.
     NormalZ,
-    Occlusion, // Ambient occlusion; 1: fully lit.
+    Occlusion, // Ambient occlusion; 1 is fully lit.
     Roughness,
-    Smoothness, // Smoothness as 1 - roughness.
+    Smoothness, // 1 - roughness.
     Translucency,
-    Thickness, // Thickness as 1 - translucency.
-    BackRed,   // Colour times translucency: light that comes through from behind.
+    Thickness, // 1 - translucency.
+    BackRed,   // Colour times translucency: the light that comes through from behind.
     BackGreen,
     BackBlue,
-    UnderRed, // Channels named Under… belong to the underside.
+    UnderRed, // Channels named Under… show the leaf's underside.
     UnderGreen,
     UnderBlue,
     UnderX,
@@ -40,24 +40,24 @@ enum class AtlasChannel : std::uint8_t {
 };
 
 struct AtlasMap {
-    std::string name; // Becomes part of the file name: page-0-NAME.png.
+    std::string name; // Name of the map in file names: page-0-NAME.png.
     leaf::PageKind kind = leaf::PageKind::Plain;
     std::vector<AtlasChannel> channels {};
 };
 
-// The maps that a game engine expects, and the content of their channels.
+// The maps that a game engine expects, with the contents of their channels.
 struct AtlasChannels {
     std::string engine;
     std::vector<AtlasMap> maps;
-    // True if the maps color, normal and orm suit glTF's materials, so that a .glb may contain
-    // them.
+    // True if the maps "color", "normal" and "orm" suit glTF's materials, so that a .glb file may
+    // contain them.
     bool is_gltf = false;
 };
 
 // The supported engines: gltf, unreal, unity, godot, in this order.
 std::span<AtlasChannels const> atlas_channels();
 
-// Draws a leaf's picture into a cell of a page, with the map's channels.
+// Draws a leaf's picture into a cell of a page, in the channels that the map has.
 void place_in_cell(AtlasMap const& map, leaf::LeafPicture const& picture, leaf::CellPage& page,
                    std::size_t cell);
 

@@ -25,8 +25,8 @@ leaf::FlatLine flat(std::vector<Vec3> const& line)
     return made;
 }
 
-// Erases the lines under the eraser. The leaf's last line cannot be erased; RemovePlant removes the
-// whole leaf.
+// Erases the drawing's lines under the eraser. The last line of a leaf cannot be erased; the edit
+// RemovePlant removes the whole leaf instead.
 Result<std::vector<scene::Edit>> erase(tools::Tool const&, Stroke const& stroke,
                                        scene::Scene const& scene)
 {

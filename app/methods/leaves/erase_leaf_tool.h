@@ -4,7 +4,7 @@
 
 namespace tractus::leaf {
 
-// Removes the lines of the active leaf's drawing that the stroke crosses.
+// Erases the lines of the active leaf's drawing that the stroke crosses.
 struct EraseLeafTool {
     static tools::ToolKind const kKind;
 

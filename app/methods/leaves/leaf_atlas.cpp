@@ -23,7 +23,7 @@ struct AtlasLeaf {
     std::string name;
     std::uint64_t seed = 0;
     double age = 0;
-    double pixel_mm = 0; // Side of a pixel, measured on the leaf.
+    double pixel_mm = 0; // Side of a pixel in millimetres of the leaf.
     leaf::Cutout cutout;
 };
 
@@ -35,7 +35,8 @@ double gutter(int cell)
     return std::max(8.0, cell / 32.0);
 }
 
-// Age of a leaf. Multiples of the golden ratio, modulo 1, spread any number of leaves evenly.
+// Age of the leaf with this number. Multiples of the golden ratio, modulo 1, spread any number of
+// leaves evenly.
 double age_of(AtlasOptions const& options, std::size_t number)
 {
     constexpr double kGolden = 0.6180339887498949;
@@ -108,7 +109,7 @@ private:
         return maps;
     }
 
-    // Paints a leaf of a page into its cell.
+    // Grows and paints the leaf with number `number` into the cell `cell` of a page.
     Result<AtlasLeaf> paint_into(PageMaps& maps, std::size_t cell, std::size_t number,
                                  leaf::LeafPainter& painter) const
     {
@@ -134,7 +135,7 @@ private:
                            .cutout = leaf::cut_out(picture.alpha, paint.side) };
     }
 
-    // Paints a page on all threads, with one painter more than there are threads.
+    // Paints the leaves of a page on all threads. There is one painter more than there are threads.
     Result<std::vector<AtlasLeaf>> paint_page(PageMaps& maps, std::size_t first,
                                               std::size_t count) const
     {
@@ -195,7 +196,8 @@ private:
                       { "cells", cells_json(leaves) } };
     }
 
-    // Fills the unused cells of each map with the value of its first pixel, where there is no leaf.
+    // Fills the unused cells of each map with the value of the map's first pixel, which is not part
+    // of a leaf.
     void fill_unused(PageMaps& maps, std::size_t count) const
     {
         auto const columns = static_cast<std::size_t>(options_.page / options_.cell);
@@ -215,7 +217,7 @@ private:
         }
     }
 
-    // Encodes the .png files of each map, the full-size one first.
+    // Encodes the .png files of each map; the full-size file is the first.
     std::vector<std::vector<std::string>> pack(PageMaps& maps) const
     {
         std::vector<std::vector<std::string>> files(maps.size());
@@ -228,7 +230,7 @@ private:
 
     std::vector<std::string> pack_map(leaf::CellPage page, leaf::PageKind kind) const
     {
-        // Least side of a cell in pixels; in smaller mipmap levels no leaf is visible.
+        // Minimum side of a cell in pixels; at smaller mipmap levels no leaf would be visible.
         constexpr int kMinCell = 4;
         bool const has_alpha = kind == leaf::PageKind::Color && page.channels == 4;
         std::vector<double> wanted;
@@ -259,7 +261,7 @@ private:
         auto const columns = static_cast<std::size_t>(options_.page / options_.cell);
         return double(options_.cell) * Vec2(double(cell % columns), double(cell / columns));
     }
-    // Position of the petiole's end within a cell.
+    // Position of the petiole's end within a cell, in pixels.
     Vec2 stem() const { return { 0.5 * options_.cell, options_.cell - gutter(options_.cell) }; }
 
     Json cells_json(std::vector<AtlasLeaf> const& leaves) const
@@ -283,7 +285,8 @@ private:
     }
 
     // The mesh of a leaf as JSON. Positions are in metres from the petiole's end, x to the right, y
-    // towards the tip; texture coordinates follow glTF (origin at the page's upper left corner).
+    // towards the tip. Texture coordinates are those of glTF, with the origin at the page's upper
+    // left corner.
     Json mesh_json(AtlasLeaf const& leaf, Vec2 const& at) const
     {
         Json positions = Json::array();
@@ -341,8 +344,8 @@ private:
         return material;
     }
 
-    // Writes the leaves side by side, as on the page, so that any viewer of the file shows them
-    // all.
+    // Writes the leaves' meshes side by side, as on the page, so that any viewer of the file shows
+    // all of them.
     Result<void> write_glb_file(std::vector<AtlasLeaf> const& leaves,
                                 std::vector<std::vector<std::string>> const& files,
                                 std::size_t number, fs::path const& path) const

@@ -15,7 +15,7 @@ using enum leaf::StrokeRole;
 
 std::vector<Vec3f> shown(std::vector<Vec3> const& line, scene::Paper const& paper)
 {
-    constexpr float kApart_mm = 0.5f; // Points closer together than this add nothing visible.
+    constexpr float kApart_mm = 0.5f; // Points closer together than this are left out.
     std::vector<Vec3f> points;
     for (auto const& place : line) {
         Vec3 at_mm = paper.world_of_sheet(place.head<2>());
@@ -27,7 +27,8 @@ std::vector<Vec3f> shown(std::vector<Vec3> const& line, scene::Paper const& pape
     return points;
 }
 
-// The drawing's lines of the wanted kind. Lines that do not make a leaf yet have no known role.
+// The lines of the drawing whose role `is_wanted` accepts. While the lines do not make a leaf, they
+// have no role.
 template<typename Wanted> Lines lines_of(scene::BuiltPlant const& plant, Wanted const& is_wanted)
 {
     Lines lines;

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kGrownUp = 0.35; // Age at which a leaf is adult.
+constexpr double kGrownUp = 0.35; // Age from which on a leaf is adult.
 constexpr double kDecays = 0.65;
 
 double ease(double x)
@@ -96,7 +96,7 @@ leaf::Leaf::Pose pose_at(double age)
 {
     double const growth = ease(age / kGrownUp);
     double const decay = ease((age - kDecays) / (1 - kDecays));
-    // In the bud the blade is folded over its upper side.
+    // In a bud, the blade is folded over its upper side.
     return { .bend_deg = -60 * (1 - growth) + 20 * growth * (1 - decay) + 70 * decay,
              .curl_deg = 25 * growth + 95 * decay,
              .twist_deg = 40 * decay,
@@ -120,9 +120,9 @@ leaf::PaintOptions paint_options(leaf::Grammar const& grammar, LeafLife const& l
 
 lsystem::LeafDamage damage_of_leaf(lsystem::LeafDamage const& average, int number)
 {
-    // Multiples of this number, modulo 1, fill the range evenly. It is the plastic ratio, so that
-    // damage does not correlate with the leaves' ages (leaf_age()), which are multiples of the
-    // golden ratio.
+    // Multiples of this number, modulo 1, fill the range from 0 to 1 evenly. It is the inverse of
+    // the plastic ratio, so that damage does not correlate with the leaves' ages (leaf_age()),
+    // which use multiples of the golden ratio.
     constexpr double kPlastic = 0.7548776662466927;
     double const turned = (number + 0.5) * kPlastic;
     double const times = 2 * (turned - std::floor(turned));

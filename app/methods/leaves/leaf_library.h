@@ -19,30 +19,32 @@ namespace tractus::leaf {
 // Names of the species with a built-in leaf grammar, in alphabetical order.
 std::vector<std::string> leaf_names();
 
-// Loads the grammar that the user named: a file, or a built-in grammar by its bare name ("oak").
-// Fails with a user error that lists the built-in grammars or says what is wrong in the text.
+// Loads the grammar that the user named: the path of a file, or the bare name of a built-in grammar
+// ("oak"). Fails with a user error that lists the built-in grammars or says what is wrong in the
+// file.
 Result<leaf::Grammar> load_leaf_grammar(std::string const& name);
 
-// Loads a built-in grammar by its bare name. Fails with a user error that lists the built-in
-// grammars.
+// Loads a built-in grammar by its bare name. If there is no such grammar, fails with a user error
+// that lists the built-in grammars.
 Result<leaf::Grammar> load_own_leaf_grammar(std::string const& name);
 
-// Path of a built-in grammar. Fails like load_own_leaf_grammar().
+// Path of a built-in grammar's file. Fails with a user error if there is no such grammar.
 Result<std::filesystem::path> own_leaf_path(std::string const& name);
 
 // Reads the text of a leaf grammar's file. Fails with a user error if the file exceeds 1 MiB.
 Result<std::string> read_leaf_text(std::filesystem::path const& path);
 
-// Parameters of one leaf. Its age runs from 0, a bud, over 0.35 to 0.65, an adult, to 1, a withered
-// leaf.
+// Parameters of one leaf. Its age is 0 for a bud, 0.35 to 0.65 for an adult leaf, and 1 for a
+// withered leaf.
 struct LeafLife {
     double age = 0.5;
     std::uint64_t seed = 1;
-    double variation = 1;        // Variation from leaf to leaf; 0 is none.
-    std::optional<int> steps {}; // Growth steps of an adult; no value: the grammar's own.
+    double variation = 1; // Strength of the variation from leaf to leaf; 0: no variation.
+    // Growth steps of an adult leaf; no value: the number that the grammar gives.
+    std::optional<int> steps {};
 };
 
-// A leaf and its triangles. `grammar` must outlive it.
+// A leaf and its triangles. The grammar must outlive it.
 struct GrownLeaf {
     leaf::Leaf leaf;
     leaf::LeafTriangles triangles;
@@ -51,24 +53,25 @@ struct GrownLeaf {
 // steps.
 Result<GrownLeaf> grow_leaf(leaf::Grammar const& grammar, LeafLife const& life);
 
-// Pose of the blade at an age: folded in the bud, slightly bent in an adult, hanging, twisted and
-// rolled in an old leaf.
+// Pose of the blade at an age: folded in a bud, slightly bent in an adult leaf, and hanging,
+// twisted and rolled in an old leaf.
 leaf::Leaf::Pose pose_at(double age);
 
-// Age of a leaf's colours, 0 to 1, for a leaf of age `age`.
+// Age of a leaf's colours, from 0 (young) to 1 (old), for a leaf of the age `age`.
 double color_age(double age);
 
-// Paint options of a leaf: its grammar's colours, without damage. Leaves of different kinds with
-// the same seed have their spots in different places.
+// Paint options of a leaf with its grammar's colours and without damage. Leaves of different
+// grammars have their spots in different places even if they have the same seed.
 leaf::PaintOptions paint_options(leaf::Grammar const& grammar, LeafLife const& life);
 
-// Damage of one leaf among many, whose average is `average`: between none and twice the average.
+// Damage of the leaf with this number if the average over many leaves is `average`: between no
+// damage and twice the average.
 lsystem::LeafDamage damage_of_leaf(lsystem::LeafDamage const& average, int number);
 
 // Adds the damage to the paint options.
 void paint_damage(leaf::PaintOptions& options, lsystem::LeafDamage const& damage);
 
-// Short name of a leaf: the file's name without folder and extension.
+// Short name of a leaf: the name of its file without folder and extension.
 std::string short_leaf_name(std::string const& name);
 
 } // namespace tractus::leaf

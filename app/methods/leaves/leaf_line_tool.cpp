@@ -42,7 +42,8 @@ leaf::LeafForm form_of(LeafLineTool const& tool)
              .variation = tool.variation };
 }
 
-// Sets `value` to `after` if the user changed the number, that is, if `before` differs.
+// Sets `value` to `after` if the user changed this number of the tool, that is, if `before` is
+// different.
 template<typename T> void follow_number(T& value, T const& before, T const& after)
 {
     if (before != after)
@@ -92,7 +93,7 @@ std::optional<tools::Tool> like_drawn(tools::Tool const& tool, scene::Scene cons
     return tools::Tool(options);
 }
 
-// Place of a new leaf: the lowest point of its stroke on the desk.
+// Place of a new leaf on the ground: below the lowest point of its stroke on the paper.
 Vec3 stands_at(Stroke const& stroke, scene::DocumentState const& state)
 {
     Vec3 lowest_mm = stroke.tips.front().position_mm;

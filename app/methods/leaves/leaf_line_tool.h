@@ -5,13 +5,14 @@
 
 namespace tractus::leaf {
 
-// Draws a leaf on paper. Each stroke is an outline, a midrib or a vein, which is recognised from
-// its position; the leaf is updated after each. The tool's numbers change the active leaf.
+// Draws a leaf on paper. Each stroke is an outline, a midrib or a vein; which of them is recognised
+// from its position. The leaf is updated after each stroke. The tool's numbers change the active
+// leaf.
 struct LeafLineTool {
     static tools::ToolKind const kKind;
 
     enum class Plant {
-        GoOn,    // Continues the active plant if that is a leaf, otherwise begins a new leaf.
+        GoOn,    // Continues the active plant if it is a drawn leaf, otherwise begins a new leaf.
         NewLeaf, // Always begins a new leaf.
     };
     Plant plant = Plant::GoOn;

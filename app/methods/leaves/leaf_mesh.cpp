@@ -14,13 +14,13 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Turns a leaf upright: the grammar's y axis, along which leaves usually grow, points up.
+// Turns a leaf upright: the y axis of its grammar, along which leaves usually grow, then points up.
 Vec3f upright(Vec3 const& position)
 {
     return Vec3(position.x(), -position.z(), position.y()).cast<float>();
 }
 
-// Vertex normals, weighted by the areas of the adjacent triangles.
+// Normals of the vertices: the mean of the adjacent triangles' normals, weighted by area.
 std::vector<Vec3f> find_normals(leaf::LeafTriangles const& leaf)
 {
     std::vector<Vec3> sums(leaf.positions.size(), Vec3::Zero());
@@ -39,7 +39,7 @@ std::vector<Vec3f> find_normals(leaf::LeafTriangles const& leaf)
     return normals;
 }
 
-// Collects the vertices that a part of the leaf uses, in the order of their first use.
+// Makes the mesh of a part of the leaf. Vertices are in the order of their first use.
 class PartMaker {
 public:
     PartMaker(leaf::LeafTriangles const& leaf, double size_mm)
@@ -128,7 +128,7 @@ Result<mesh::Mesh> painted_leaf_mesh(leaf::LeafTriangles const& leaf,
     std::vector<Triangle> all = leaf.veins;
     all.insert(all.end(), leaf.limb.begin(), leaf.limb.end());
     auto surface = PartMaker(leaf, size_mm).part(all, 0);
-    // The images' rows begin at v = 0, at the leaf's tip.
+    // The images' first row, with v = 0, is at the leaf's tip.
     leaf::PictureFrame const frame(leaf, picture.side);
     std::vector<bool> is_placed(leaf.positions.size());
     std::size_t next = 0;

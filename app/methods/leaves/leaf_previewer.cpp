@@ -32,7 +32,7 @@ public:
     }
 
 private:
-    // The leaf's sketch after the unfinished stroke was added.
+    // Returns the leaf's sketch with the unfinished stroke added.
     static Result<leaf::LeafSketch> sketch_with(tools::UnfinishedStroke const& stroke)
     {
         auto const edits = stroke.tool.edits_for(

@@ -6,8 +6,8 @@
 
 namespace tractus::leaf {
 
-// Previews the leaf while a line is drawn: its edge and veins as if the line ended now. An outline
-// on its way back is treated as complete.
+// Creates a preview for drawing a leaf: the leaf's edge and veins as if the current line ended now.
+// If the first line of a leaf is on its way back to its start, it is closed.
 std::unique_ptr<tools::StrokePreviewer> leaf_previewer();
 
 } // namespace tractus::leaf

@@ -64,7 +64,7 @@ Result<leaf::LeafDrawing> read_leaf_svg(std::string_view text)
     return drawing;
 }
 
-// Prefixes an error message with the file's name.
+// Adds the file's name to the beginning of an error's message.
 Result<leaf::LeafDrawing> in_file(Result<leaf::LeafDrawing> result, std::string const& name)
 {
     if (!result)

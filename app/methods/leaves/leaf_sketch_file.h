@@ -18,7 +18,7 @@ namespace tractus::leaf {
 Result<leaf::LeafDrawing> parse_leaf_sketch(std::string_view text, std::string const& name);
 
 // Reads a drawn leaf from a file of at most 8 MiB: JSON as for parse_leaf_sketch(), or an SVG
-// drawing (.svg), whose lines are the strokes.
+// drawing (.svg), each line of which is a stroke.
 Result<leaf::LeafDrawing> load_leaf_sketch(std::filesystem::path const& path);
 
 } // namespace tractus::leaf

@@ -16,7 +16,7 @@ namespace tractus::leaf {
 namespace {
 
 constexpr int kSide = 384;      // Side of the pictures of the leaf and its maps, in pixels.
-constexpr int kOtherSide = 160; // Side of the other leaves' pictures, in pixels.
+constexpr int kOtherSide = 160; // Side of the pictures of further leaves, in pixels.
 constexpr int kOthers = 6;
 
 std::uint8_t over(std::uint8_t top, std::uint8_t below, double alpha)
@@ -24,7 +24,7 @@ std::uint8_t over(std::uint8_t top, std::uint8_t below, double alpha)
     return static_cast<std::uint8_t>(std::lround(alpha * top + (1 - alpha) * below));
 }
 
-// A map inside the leaf and paper outside. `color_of` returns the map's colour at a pixel.
+// Draws a map inside the leaf, and paper around it. `color_of` returns the map's colour at a pixel.
 template<typename ColorOf>
 render::Image map_on_paper(leaf::LeafPicture const& picture, render::Color const& paper,
                            ColorOf const& color_of)
@@ -86,7 +86,7 @@ Result<LeafStudy> study_leaf(leaf::Grammar const& grammar, LeafLook const& look,
             show_with_maps(picture, paper, study);
             return {};
         }
-        // The other leaves get the same ages as in grow_leaf_sheet().
+        // The further leaves have the same ages as in grow_leaf_sheet().
         int const number = static_cast<int>(task) - 1;
         LeafLife const life { .age = lsystem::leaf_age(order, number), .seed = task };
         auto const picture

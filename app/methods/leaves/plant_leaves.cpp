@@ -20,11 +20,11 @@ namespace tractus::leaf {
 namespace {
 
 constexpr int kCell = 256; // Side of a cell in pixels.
-constexpr int kGutter = 8; // Empty border of a cell in pixels.
+constexpr int kGutter = 8; // Width of the empty border in each cell, in pixels.
 constexpr int kMaxBends = 3;
 
-// Number of columns of a page for `variants` leaves: a power of two, as game engines prefer such
-// page sizes.
+// Number of columns of cells on a page for `variants` leaves: a power of two, as game engines
+// prefer such page sizes.
 int columns_for(int variants)
 {
     int columns = 1;
@@ -33,8 +33,8 @@ int columns_for(int variants)
     return columns;
 }
 
-// The outline with corners added where it crosses the line x = 0; it starts at the lowest crossing.
-// Empty unless there are exactly two crossings.
+// Returns the outline with corners added where it crosses the line x = 0, starting at the lower
+// crossing. Empty unless there are exactly two crossings.
 std::vector<Vec2> cut_at_midrib(std::vector<Vec2> const& outline)
 {
     std::vector<Vec2> cut;
@@ -54,15 +54,15 @@ std::vector<Vec2> cut_at_midrib(std::vector<Vec2> const& outline)
     return cut;
 }
 
-// Position of a corner relative to the petiole's end. Corners within a pixel of the midrib snap to
-// it, to avoid slivers.
+// Position of an outline's corner relative to the petiole's end. A corner within a pixel of the
+// midrib is moved onto it, to avoid slivers.
 Vec2 from_stem(Vec2 const& pixel, Vec2 const& stem)
 {
     Vec2 const at(pixel.x() - stem.x(), stem.y() - pixel.y());
     return { std::abs(at.x()) < 1 ? 0 : at.x(), at.y() };
 }
 
-// Adds the triangles of one half of the leaf; `numbers` are the indices of its corners.
+// Adds the triangles of one half of the leaf; `numbers` are the indices of the half's corners.
 void add_half(CutLeaf& leaf, std::vector<std::uint32_t> const& numbers)
 {
     std::vector<Vec2> half;
@@ -72,8 +72,9 @@ void add_half(CutLeaf& leaf, std::vector<std::uint32_t> const& numbers)
         leaf.triangles.push_back({ numbers[a], numbers[b], numbers[c] });
 }
 
-// The cut-out mesh of a leaf. It hugs the outline as closely as the triangle limit allows: the
-// number of bays decreases until the limit is met; the last resort is a convex hull.
+// The cut-out mesh of a leaf. It follows the outline as closely as the triangle limit allows: the
+// number of bays (concave parts) is reduced until the limit is met. Without bays, the mesh is a
+// convex hull.
 CutLeaf cut_leaf(leaf::LeafPicture const& picture, Vec2 const& stem, double blade_px)
 {
     for (int bays = 6; bays >= 0; --bays) {
@@ -113,7 +114,7 @@ std::string png_of(leaf::CellPage const& page)
                                 .packing = exports::PngPicture::Packing::Fast });
 }
 
-// Mean colour (sRGB) of the leaves on a page, averaged in linear light.
+// Mean colour (sRGB) of all leaves on a page, averaged in linear light.
 Vec3f color_of_leaves(leaf::CellPage const& page)
 {
     Vec3 sum = Vec3::Zero();
@@ -130,8 +131,8 @@ Vec3f color_of_leaves(leaf::CellPage const& page)
         .cast<float>();
 }
 
-// Cache of recently grown leaf sheets. Models are reloaded often while they are edited, and growing
-// a sheet takes some tenths of a second.
+// Cache of recently grown leaf sheets. It is needed because models are reloaded often while they
+// are edited, and growing a sheet takes some tenths of a second.
 class GrownSheets {
 public:
     std::optional<std::string> find(std::string const& key)
@@ -202,7 +203,7 @@ CutLeaf cut_along_midrib(leaf::Cutout const& cutout, Vec2 const& stem, double bl
 Result<lsystem::LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar,
                                            lsystem::LeafOrder const& order)
 {
-    // Maps of glTF, which come first: color and normal.
+    // The maps of glTF are the first; their first two are "color" and "normal".
     auto const& maps = atlas_channels().front().maps;
     int const columns = columns_for(order.variants);
     auto color = empty_page(maps[0], columns);

@@ -52,7 +52,8 @@ Result<scene::PicturePlace> place_of(scene::Scene const& scene)
     return scene.state.picture->place;
 }
 
-// Moves the picture, or scales or rotates it about its centre.
+// Returns the picture's place after a stroke has moved the picture, or has scaled or rotated it
+// about its centre.
 Result<scene::PicturePlace> dragged(scene::PicturePlace place, Does does, Vec2 const& from_mm,
                                     Vec2 const& to_mm)
 {
@@ -79,8 +80,8 @@ Result<scene::PicturePlace> dragged(scene::PicturePlace place, Does does, Vec2 c
     return place;
 }
 
-// Interprets a stroke that places the ground: a horizontal one is the horizon; a vertical one marks
-// an object of height `height_m`.
+// Interprets a stroke that places the ground in the picture: a horizontal stroke is the horizon; a
+// vertical stroke marks an object of height `height_m`.
 Result<scene::PictureGround> ground_drawn(scene::BackPicture const& picture, Stroke const& stroke,
                                           double height_m)
 {
@@ -150,7 +151,7 @@ std::string describe_change(tools::Tool const& tool, scene::Scene const& after)
         : "The picture can be moved";
 }
 
-// Sets the picture's opacity, even if it is locked.
+// Sets the picture's opacity to that of the tool, even if the picture is locked.
 std::vector<scene::Edit> follow(tools::Tool const&, tools::Tool const& after,
                                 scene::Scene const& scene)
 {

@@ -4,7 +4,7 @@
 
 namespace tractus::plants {
 
-// Makes the plant that the pen touches the active one.
+// Makes the plant under the stroke the active plant.
 struct ChoosePlantTool {
     static tools::ToolKind const kKind;
 };

@@ -10,7 +10,8 @@ namespace tractus::plants {
 
 namespace {
 
-// World x coordinate for a copy's origin, so that its bounding box is to the right of all others.
+// World x coordinate for the origin of a plant's copy: the copy's bounding box is then to the right
+// of all plants.
 double free_x_mm(scene::BuiltPlant const& copied, scene::Scene const& scene)
 {
     constexpr double kGap_mm = 10;

@@ -4,7 +4,7 @@
 
 namespace tractus::plants {
 
-// Adds a copy of the active plant, to the right of all others.
+// Adds a copy of the active plant to the right of all other plants.
 struct CopyPlantTool {
     static tools::ToolKind const kKind;
 };

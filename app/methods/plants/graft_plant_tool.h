@@ -5,7 +5,7 @@
 
 namespace tractus::plants {
 
-// Grafts the plant on which the stroke begins onto the branch of another plant, where the stroke
+// Grafts the plant on which the stroke begins onto the branch of another plant on which the stroke
 // ends.
 struct GraftPlantTool {
     static tools::ToolKind const kKind;

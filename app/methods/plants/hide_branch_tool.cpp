@@ -23,8 +23,8 @@ void visit(tools::OptionVisitor& visitor, HideBranchTool& tool)
     visitor.choice({ kBranchWords }, tool.what);
 }
 
-// First segments of the selected branches. Of each selected path, only the part on its last axis
-// counts, so that the axes leading to the branch stay visible.
+// First segments of the branches to be hidden. Of each selected path, only the part on its last
+// axis is hidden, so that the axes leading to the branch stay visible.
 std::set<SegmentId> chosen_branches(scene::BuiltPlant const& plant)
 {
     std::set<SegmentId> firsts;

@@ -4,7 +4,7 @@
 
 namespace tractus::plants {
 
-// Hides the selected branches, or shows all hidden branches of the active plant.
+// Hides the selected branches of the active plant, or shows all its hidden branches.
 struct HideBranchTool {
     static tools::ToolKind const kKind;
 

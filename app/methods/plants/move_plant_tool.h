@@ -4,7 +4,7 @@
 
 namespace tractus::plants {
 
-// Moves the plant on which the stroke begins along with the stroke, over the ground.
+// Moves the plant on which the stroke begins over the ground, along with the stroke.
 struct MovePlantTool {
     static tools::ToolKind const kKind;
 };

@@ -4,7 +4,8 @@
 
 namespace tractus::plants {
 
-// Detaches a plant that was grafted onto another, making it independent again.
+// Detaches the touched plant from the branch onto which it was grafted, so that it is independent
+// again.
 struct TakeOffTool {
     static tools::ToolKind const kKind;
 };

@@ -8,12 +8,12 @@
 
 namespace tractus::plants {
 
-// The visible plant with the node nearest to a place on the tablet, seen from above. Fails with a
-// user error if there is none near the place.
+// The visible plant whose node is nearest to a place on the tablet, as seen from above. Fails with
+// a user error if no node is within 15 mm.
 Result<std::shared_ptr<scene::BuiltPlant const>> plant_under(TipSample const& tip,
                                                              scene::Scene const& scene);
 
-// The active plant. Fails with a user error if there is none.
+// The id of the active plant. Fails with a user error if no plant is active.
 Result<scene::ItemId> active_plant_of(scene::Scene const& scene);
 
 } // namespace tractus::plants

@@ -19,7 +19,7 @@ using nlohmann::json;
 constexpr std::size_t kMaxBytes = std::size_t { 1 } << 28;
 constexpr double kMaxSteps = 1000;
 
-// Reads the values of one JSON object, and names them in errors.
+// Reads the values of a JSON object. Error messages contain the object's name and the key.
 class ObjectReader {
 public:
     ObjectReader(json const& object, std::string name)

@@ -11,8 +11,8 @@
 
 namespace tractus::self_organising {
 
-// A test case for the growth laws alone: a seedling, markers of free space, and a number of steps.
-// Lengths are in the case's own unit; z is up.
+// A test case for the growth laws without a habit or a brush: a seedling, markers of free space,
+// and a number of steps. Lengths are in a unit that the case chooses; z is up.
 struct Case {
     Laws laws {};
     std::vector<Vec3> markers {};
@@ -36,7 +36,7 @@ struct GrownCase {
     std::vector<StepCount> steps {};
 };
 
-// Grows a case. Fails like grow_step().
+// Grows the tree of a case. Fails if a step of growth fails (grow_step()).
 Result<GrownCase> grow_case(Case example);
 
 // A grown case as one line of JSON: {"steps": [{"buds", "lit", "grown", "nodes", "markers"}, …],

@@ -17,8 +17,8 @@ std::vector<tools::DrawnCurve> growth_brush_curves(scene::BuiltPlant const& plan
     for (auto const& part : tree->life) {
         auto const tips = part.stroke.tips.in_memory();
         if (!tips || tips->size() < 2)
-            continue; // The tree grew by itself, without a stroke.
-        // The stroke keeps its place on the tree after the tree has moved.
+            continue; // In this period the tree grew by itself, without a stroke.
+        // The stroke moves with the tree.
         auto const& world_point_mm = plant.placement.origin_mm;
         double const size = plant.placement.scale / part.scale;
         tools::DrawnCurve curve { .edit = scene::edit_of_item(plant.drawn->id),

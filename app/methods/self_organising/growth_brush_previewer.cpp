@@ -23,7 +23,7 @@ public:
                                : life_of_brush_stroke(tool, ink, *stroke.scene);
         if (is_at_once || !life)
             return {};
-        // The preview changes only when another year is complete.
+        // The preview changes only when a further year of growth is complete.
         if (shown_scene_ == stroke.scene && shown_years_ == life->part.years
             && began_ == ink.tips.front().time)
             return shown_lines_;
@@ -50,7 +50,8 @@ private:
             if (!begun)
                 return {};
             tree = *std::move(begun);
-            if (tree.life.empty()) // The tree begins with the plant as shown.
+            // Without a growth period so far, the tree begins with the plant as it is shown.
+            if (tree.life.empty())
                 scale = tree.start->scale;
         } else if (life.plant != 0) {
             tree = *grown_tree_of(scene.drawn->source);
@@ -62,7 +63,7 @@ private:
         life.part.scale = scale;
         life.part.stands_at_mm = stands_at_mm;
         tree.life.push_back(std::move(life.part));
-        // The preview shows only the skeleton; leaves appear when the pen is lifted.
+        // The preview shows no leaves; they appear when the pen is lifted.
         tree.habit.leaf_years = 0;
         auto const grown = grow_tree(tree);
         if (!grown)
@@ -75,7 +76,7 @@ private:
         return lines;
     }
 
-    // Converts the active plant to a tree from which growth can continue.
+    // Converts the active plant to a tree that can continue growing.
     static Result<GrownTree> tree_from(GrowthBrushTool const& tool, scene::Scene const& scene)
     {
         auto const edit = TRY(grow_from_active(scene, habit_of(tool.species), {}));
@@ -102,7 +103,8 @@ private:
         return line;
     }
 
-    // Scene of the cached preview below; shared with the document, which may replace it meanwhile.
+    // Scene for which shown_lines_ were made; shared with the document, which may go on to a newer
+    // one.
     std::shared_ptr<scene::Scene const> shown_scene_;
     int shown_years_ = 0;
     Timestamp began_ {};

@@ -19,7 +19,7 @@ namespace {
 
 using What = GrowthBrushTool::What;
 
-// Option words of the habits, in the order of Species.
+// Words for the habits, in the order of the enumeration Species.
 constexpr std::array<tools::OptionWord, 16> kHabitWords { {
     { "oak", "Oak" },
     { "beech", "Beech" },
@@ -73,10 +73,10 @@ Result<GrownTree const*> active_tree(scene::Scene const& scene)
     return tree;
 }
 
-// True if a stroke begins close enough to the active plant's wood to continue that plant.
+// True if a stroke begins so close to the active plant's nodes that it continues that plant.
 bool begins_on_plant(Stroke const& stroke, double radius_mm, scene::Scene const& scene)
 {
-    // Greatest distance from the wood, as a multiple of the brush's radius.
+    // Maximum distance from a node, as a multiple of the brush's radius.
     constexpr double kNear = 1.5;
     Vec3 const at_mm = scene.placement.plant_of_world(stroke.tips.front().position_mm);
     double const near_mm = kNear * radius_mm / scene.placement.scale;

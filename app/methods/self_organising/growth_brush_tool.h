@@ -33,7 +33,7 @@ struct GrowthBrushTool {
     } species
         = Species::Oak;
     double years_per_s = 4;     // Years of growth per second of pen movement.
-    double min_radius_mm = 6;   // Radius of the brush on the desk at no pressure.
+    double min_radius_mm = 6;   // Radius of the brush on the desk at zero pressure.
     double most_radius_mm = 30; // Radius of the brush on the desk at full pressure.
     enum class What {
         GoOn, // Continues the active tree if the stroke begins on it, otherwise begins a new tree.
@@ -46,32 +46,33 @@ struct GrowthBrushTool {
         // Continues the active plant, whichever method made it, in its present shape: its branches
         // become wood.
         From,
-        FromYear,    // Needs no stroke: like From, for a year without a brush.
-        AllYear,     // Needs no stroke: all trees of the drawing grow for a year beside each other.
+        // Needs no stroke: like From, but the tree grows for a year by itself, without the brush.
+        FromYear,
+        AllYear, // Needs no stroke: all trees of the drawing grow for a year, shading each other.
         AllTenYears, // Needs no stroke: like AllYear, for ten years.
     } what
         = What::GoOn;
 };
 
-// Passes a choice of species to a visitor of options.
+// Passes the choice of a species to a visitor of options.
 void visit_species(tools::OptionVisitor& visitor, GrowthBrushTool::Species& species);
 
-// True if strokes have not bent the plant and it has no grafted or hidden parts.
+// True if the plant is not bent by strokes or indicators, and has no grafted or hidden parts.
 bool is_unmodified(scene::PlantState const& plant);
 
-// The edit that lets the active plant of a scene continue to grow. An unmodified self-organising
-// tree (is_unmodified()) simply continues; any other plant first becomes wood (GrowFrom). `habit`
-// applies to plants that are not self-organising trees yet. Fails with a user error if there is no
-// plant.
+// The edit that lets the active plant of a scene continue growing. An unmodified self-organising
+// tree (is_unmodified()) simply continues. The branches of any other plant first become wood
+// (GrowFrom); if it is not a self-organising tree yet, it then grows with the habit `habit`. Fails
+// with a user error if the scene has no plant.
 Result<scene::Edit> grow_from_active(scene::Scene const& scene, Habit const& habit,
                                      LifePeriod part);
 
-// The habit of a species.
+// The built-in habit of a species.
 Habit habit_of(GrowthBrushTool::Species species);
 
-// Meaning of a stroke of the tool: a new tree, or further growth of the active one.
+// What a stroke of the tool means: a period in the life of a new tree or of the active one.
 struct BrushStrokeLife {
-    scene::ItemId plant = 0; // Tree to continue; 0: a new tree.
+    scene::ItemId plant = 0; // Id of the tree that continues growing; 0: a new tree.
     LifePeriod part {};
 };
 
@@ -79,7 +80,7 @@ struct BrushStrokeLife {
 Result<BrushStrokeLife> life_of_brush_stroke(GrowthBrushTool const& tool, Stroke const& stroke,
                                              scene::Scene const& scene);
 
-// Previews the tree, without leaves, as it grows under the pen.
+// Creates a preview of the tree, without leaves, as it grows under the pen.
 std::unique_ptr<tools::StrokePreviewer> growth_brush_previewer();
 
 } // namespace tractus::self_organising

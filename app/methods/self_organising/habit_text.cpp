@@ -9,7 +9,7 @@ namespace tractus::self_organising {
 
 namespace {
 
-// A number whose default is the value of another number.
+// A number of a habit that defaults to another number of the habit.
 struct Follows {
     double Habit::*value;
     double Habit::*other;

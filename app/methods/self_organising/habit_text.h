@@ -9,13 +9,14 @@
 
 namespace tractus::self_organising {
 
-// Reads a habit from TOML: `latin` and `leaves` are strings, all other keys are the numbers of
-// Habit by name (habit_numbers()). Missing numbers default to those of Habit, except that a number
-// for old trees defaults to the one for young trees, and one for laterals to the one for the trunk.
-// Fails with a user error that names the file, line and key.
+// Reads a habit from TOML. The keys `latin` and `leaves` are strings; all other keys are the
+// numbers of Habit (habit_numbers()). A missing number has its default in Habit, with two
+// exceptions: a number for old trees defaults to that for young trees, and a number for higher
+// branching orders to that for lower ones. Fails with a user error that names the file, line and
+// key.
 Result<Habit> parse_habit(std::string_view text, std::string const& name);
 
-// Name and text of a built-in habit. They are compiled in, so that tools need no files.
+// Name and text of a built-in habit. The texts are compiled in, so that tools need no files.
 struct HabitText {
     char const* name;
     char const* text;

@@ -29,7 +29,7 @@ void visit(tools::OptionVisitor& visitor, PruneTool& tool)
     visitor.number({ "radius", "mm", 1, 200, 1, "Pressed" }, tool.most_radius_mm);
 }
 
-// True if the brush comes near any internode of the plant as it is shown.
+// True if the brush touches an internode of the active plant, as bent by strokes.
 Result<bool> touches(LifePeriod const& part, scene::Scene const& scene)
 {
     auto balls = TRY(brush_balls(part));
@@ -83,7 +83,7 @@ Result<std::vector<scene::Edit>> prune_edits(tools::Tool const& tool, Stroke con
                       .stands_at_mm = scene.drawn->stands_at_mm,
                       .scale = scene.placement.scale };
     TRY(check_life(part));
-    if (clears) // Clearing space does not depend on the wood.
+    if (clears) // Space can be cleared even if the brush touches no branch.
         return std::vector<scene::Edit> { GrowOn { scene.drawn->id, std::move(part) } };
     if (!TRY(touches(part, scene)))
         return fail(Fault::User, "the brush touched no branch: move it over what shall be cut off");

@@ -10,8 +10,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Option words, in the order of the enumeration To: "next", then the patterns in the order of
-// Pattern::Kind.
+// Option words, in the order of the enumeration To: "next", then the patterns in the order of the
+// enumeration Pattern::Kind.
 constexpr std::array<tools::OptionWord, 7> kTo { {
     { "next", "Next", nullptr, true },
     { "even", "Even", nullptr, true },

@@ -4,14 +4,14 @@
 
 namespace tractus::silhouette {
 
-// Arranges the branches of the active tree, which was drawn by its outline, in another pattern
-// (phyllotaxis).
+// Arranges the branches of the active tree in another pattern (phyllotaxis), if the tree was drawn
+// by its outline.
 struct ArrangeTool {
     static tools::ToolKind const kKind;
 
     enum class To { Next, Even, Spiral, Decussate, Whorls, TwoRows, Horizontal } to = To::Next;
     enum class Around { Trunk, Branches } around = Around::Trunk;
-    double whorl = 3; // Branches per node, if the new pattern is whorls.
+    double whorl = 3; // Number of branches per node, if the new pattern has whorls.
 };
 
 } // namespace tractus::silhouette

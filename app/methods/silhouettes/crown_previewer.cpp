@@ -9,7 +9,7 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Previews the trunk's branches in space.
+// Previews the trunk and its branches in space.
 class CrownPreviewer final : public tools::StrokePreviewer {
 public:
     std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
@@ -29,7 +29,7 @@ public:
             return {};
         tree->ground_mm = edit->plant == 0 ? edit->ground_mm : tree->ground_mm;
         tree->form.levels = 1;
-        // The cached skeleton belongs to the document's version of the tree.
+        // The cached skeleton is that of the tree without the unfinished stroke.
         tree->inferred.reset();
         auto const built = silhouette::build_tree(*tree);
         if (!built)

@@ -33,8 +33,8 @@ void visit_crown(tools::OptionVisitor& visitor, CrownTool& tool)
     visit_fills(visitor, tool.fills);
 }
 
-// The active tree if the line goes around its trunk, and thus belongs to its crown; null otherwise.
-// The line is in coordinates of the tree's sheet.
+// The active tree if the line goes around its trunk and thus belongs to its crown; otherwise null.
+// The line is in coordinates of the active tree's sheet.
 Result<OutlinedTree const*> tree_inside(CrownLine const& line, scene::Scene const& scene)
 {
     auto const* const tree = silhouette::outlined_tree(*scene.drawn);
@@ -65,7 +65,8 @@ std::string counted_lines(std::size_t count, char const* one, char const* many)
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-// Message for the user: which lines now define the crown's surface.
+// Message for the user: the lines through which the crown's surface goes now, and the number of
+// branches.
 std::string describe_crown(tools::Tool const&, scene::Scene const& after)
 {
     auto const* const tree = silhouette::outlined_tree(*after.drawn);
@@ -123,7 +124,7 @@ Result<DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke, scene:
     edit.form.has_whole_nodes = tool.nodes == NodesOption::Whole;
     if (tool.fills == FillsOption::BySpacing)
         edit.form.plane_branches = kUsualPlaneBranches;
-    // The new tree's sheet is centred on the line and as large as the tablet.
+    // The new tree's sheet has its centre at the line and is as large as the tablet.
     paper = { paper.sheet_of_world(Vec3(paper.world_point_mm.x(), 0, 0)),
               Vec3(paper.world_point_mm.x(), paper.world_point_mm.y(), 0) };
     edit.stroke = on_sheet(stroke, paper);

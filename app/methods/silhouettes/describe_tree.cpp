@@ -25,7 +25,7 @@ DrawnOnBranch const* drawn_by(std::vector<DrawnOnBranch> const& drawn, std::uint
     return found == drawn.end() ? nullptr : &*found;
 }
 
-// Number of branches on the branch with this path, or no value if there is no such branch.
+// Number of branches on the branch with the path `path`; no value if there is no such branch.
 std::optional<std::size_t> count_on(OutlinedTree on_trunk, std::string const& path)
 {
     on_trunk.form.levels = 1;
@@ -36,7 +36,7 @@ std::optional<std::size_t> count_on(OutlinedTree on_trunk, std::string const& pa
     return parent ? std::optional(skeleton->branches_on(*parent)) : std::nullopt;
 }
 
-// Sentence about the branch that the last edit drew on; empty if that edit did not draw on a
+// Sentence about the branch on which the last edit drew; empty if that edit did not draw on a
 // branch.
 std::string describe_branch(OutlinedTree const& tree, std::uint64_t last_edit)
 {
@@ -61,7 +61,8 @@ std::string describe_branch(OutlinedTree const& tree, std::uint64_t last_edit)
                  : std::string();
 }
 
-// Part of a sentence about lines drawn on branches that the tree no longer has.
+// Part of a sentence: how many lines were drawn on branches that the tree no longer has. Empty if
+// there are none.
 std::string describe_waiting(OutlinedTree const& tree)
 {
     auto const waiting = count_without_effect(tree);
@@ -72,7 +73,7 @@ std::string describe_waiting(OutlinedTree const& tree)
         : fmt::format("; {} lines that were drawn on branches wait for them", *waiting);
 }
 
-// Sentence about how many branches have a style that the user chose.
+// Sentence about the number of branches for which the user chose a style.
 std::string describe_styles(OutlinedTree const& tree)
 {
     return tree.styles.empty()

@@ -6,8 +6,8 @@
 
 namespace tractus::silhouette {
 
-// Message for the user after a stroke of the outline tool: the active tree's parts, and what is
-// still missing. Empty if that plant was not drawn by its outline.
+// Message for the user after a stroke of the outline tool: the parts of the active tree, and what
+// its drawing still lacks. Empty if the active plant was not drawn by its outline.
 std::string describe_tree(tools::Tool const& tool, scene::Scene const& after);
 
 } // namespace tractus::silhouette

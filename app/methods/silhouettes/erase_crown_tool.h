@@ -4,7 +4,7 @@
 
 namespace tractus::silhouette {
 
-// Erases the lines of the active tree's crown in space that the stroke comes near.
+// Erases those lines in space of the active tree's crown that the stroke comes near.
 struct EraseCrownTool {
     static tools::ToolKind const kKind;
     static constexpr double kRadius_mm = 8;

@@ -22,8 +22,9 @@ bool runs_over(Stroke const& eraser, std::vector<Vec2> const& line)
     });
 }
 
-// Erases touches on bumps first, then branches before their parents, and branches' outlines before
-// the crown's. Where lines meet, the user most likely means the smaller one.
+// Erases only the smallest of the touched lines, which the user most likely means: a touch on a
+// bump before a branch, a branch before its parent, and a branch's outline before that of the
+// crown.
 Result<std::vector<scene::Edit>> erase(tools::Tool const&, Stroke const& stroke,
                                        scene::Scene const& scene)
 {

@@ -4,7 +4,7 @@
 
 namespace tractus::silhouette {
 
-// Erases the lines of the active tree's drawing that the stroke crosses on paper.
+// Erases the lines of the active tree's drawing that the stroke crosses on the paper.
 struct EraseOutlineTool {
     static tools::ToolKind const kKind;
     static constexpr double kRadius_mm = 4;

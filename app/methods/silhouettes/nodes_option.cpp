@@ -11,7 +11,7 @@ void visit_nodes(tools::OptionVisitor& visitor, NodesOption& nodes)
         { "nodes_as_at_first", "as at first" },
         { "whole_nodes", "whole" },
     } };
-    // BesideGizmo hides the option, as no tool with this option has a gizmo.
+    // BesideGizmo hides the option: no tool that has this option has a gizmo.
     visitor.choice(
         { .words = kWords, .offered = tools::WordOption::Offered::BesideGizmo, .label = "Nodes" },
         nodes);

@@ -4,17 +4,17 @@
 
 namespace tractus::silhouette {
 
-// Whether branches of one node stay together (TreeForm::has_whole_nodes) in trees that a tool
-// begins or reshapes. New trees use Whole; logs from before this option existed lack it and get
-// AsAtFirst.
+// Whether the branches of a node stay together (TreeForm::has_whole_nodes) in trees that a tool
+// begins or reshapes. The tools now use Whole. Logs that are older than this option lack it and
+// mean AsAtFirst.
 enum class NodesOption { AsAtFirst, Whole };
 
-// How new trees, or those that a tool reshapes, fill an outline with few bumps
-// (TreeForm::plane_branches). New trees use BySpacing; logs from before this option existed lack it
-// and get AsAtFirst.
+// How an outline with few bumps is filled with branches (TreeForm::plane_branches) in trees that a
+// tool begins or reshapes. The tools now use BySpacing. Logs that are older than this option lack
+// it and mean AsAtFirst.
 enum class FillsOption { AsAtFirst, BySpacing };
 
-// Visit the options, which exist only in logs and have no buttons.
+// Visit the two options, which have no buttons and are for logs only.
 void visit_nodes(tools::OptionVisitor& visitor, NodesOption& nodes);
 void visit_fills(tools::OptionVisitor& visitor, FillsOption& fills);
 

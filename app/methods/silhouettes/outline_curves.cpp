@@ -12,11 +12,11 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Where a curve lies. In space, z is the distance behind the sheet.
+// Whether a curve is on the sheet or in space. In space, z is the distance behind the sheet.
 enum class Lying { OnSheet, InSpace };
 enum class Ends { Open, Closed };
 
-// Collects the curves of a tree that was drawn on paper.
+// Collects drawn curves, converted from the sheet `paper` to the world frame.
 class CurvesOnPaper {
 public:
     explicit CurvesOnPaper(scene::Paper const& paper)
@@ -59,14 +59,14 @@ std::vector<tools::DrawnCurve> outline_curves(scene::BuiltPlant const& plant)
         return {};
     CurvesOnPaper curves(*scene::paper_of(*plant.drawn));
     auto const* const label = OutlineTool::kKind.label;
-    // The trunk and the crown have the plant's id, as the plant began with them.
+    // The trunk and the crown's outline have the plant's id, because one of them began the plant.
     auto const plant_id = plant.drawn->id;
     curves.add(plant_id, tree->trunk, label, "trunk");
     curves.add(plant_id, tree->outline, label, tree->is_leaf ? "leaf" : "crown", Ends::Closed);
     for (auto const& branch : tree->branches)
         curves.add(branch.id, branch.stroke, label, "branch of the trunk");
     for (auto const& own : tree->own_outlines)
-        if (!own.of_bump) // The pen did not draw the outline of a bump.
+        if (!own.of_bump) // The outline of a bump was not drawn by the pen.
             curves.add(own.id, own.stroke, label, own.is_leaf ? "leaf" : "crown of a branch",
                        Ends::Closed);
     for (auto const& own : tree->own_branches)

@@ -14,13 +14,13 @@ namespace {
 
 using Lines = std::vector<std::vector<Vec3f>>;
 
-// Whether a stroke lies on the sheet, or in space with z as the distance behind the sheet.
+// Whether a stroke is on the sheet, or in space with z as the distance behind the sheet.
 enum class Lies { OnSheet, InSpace };
 
 void add(Stroke const& stroke, scene::BuiltPlant const& plant, Lines& lines,
          Lies lies = Lies::OnSheet)
 {
-    constexpr float kApart_mm = 0.5f; // Points closer together than this add nothing visible.
+    constexpr float kApart_mm = 0.5f; // Points closer together than this are left out.
     auto const tips = stroke.tips.in_memory();
     if (!tips || tips->size() < 2 || !plant.drawn->paper_mm)
         return;
@@ -53,7 +53,7 @@ Lines outline_of(scene::BuiltPlant const& plant)
     return lines;
 }
 
-// Marks a touch: a cross where a bump is split, a bar where two bumps are joined.
+// Marks a touch by a cross if it splits a bump, or by a bar if it joins two bumps.
 void add_mark(silhouette::DrawnTouch const& touch, scene::BuiltPlant const& plant, Lines& lines)
 {
     constexpr double kArm_mm = 2;
@@ -88,7 +88,7 @@ Lines trunk_of(scene::BuiltPlant const& plant)
     return lines;
 }
 
-// Finds the trunk's branches only, which are quick to compute.
+// Infers only the trunk's branches, which is quick.
 std::optional<silhouette::BranchingSystem> system_of(scene::BuiltPlant const& plant)
 {
     auto const* const tree = silhouette::outlined_tree(*plant.drawn);
@@ -116,7 +116,8 @@ void add_closed(std::vector<Vec2> const& line, scene::BuiltPlant const& plant, L
 Lines seen_of(scene::BuiltPlant const& plant)
 {
     constexpr int kSteps = 16;
-    // Radius of the mark at a bump's centre, as a share of the outline's diagonal.
+    // Radius of the mark at a bump's centre, as a share of the diagonal of the outline's bounding
+    // box.
     constexpr double kSize = 0.012;
     Lines lines;
     auto const system = system_of(plant);

@@ -33,7 +33,7 @@ bool has_any_inside(std::vector<Vec2> const& outline, std::vector<Vec2> const& p
 }
 
 // True if the outline `points` belongs to the tree: it overlaps the crown or, if there is no crown
-// yet, contains part of the trunk.
+// yet, contains a part of the trunk or (Reads::Closely) is just above the trunk.
 bool is_around(std::vector<Vec2> const& points, Drawing const& tree, OutlineTool::Reads reads)
 {
     if (tree.outline.empty())
@@ -43,7 +43,8 @@ bool is_around(std::vector<Vec2> const& points, Drawing const& tree, OutlineTool
     return is_inside(crown, box_of(points).middle()) || is_inside(points, box_of(crown).middle());
 }
 
-// True if a line that comes from below is the trunk of a crown that has none.
+// True if the line comes from below the crown and the crown has no trunk yet, so that the line is
+// its trunk.
 bool is_trunk_of_crown(Drawing const& tree, std::vector<Vec2> const& points)
 {
     if (!tree.trunk.empty() || tree.outline.empty())
@@ -54,10 +55,12 @@ bool is_trunk_of_crown(Drawing const& tree, std::vector<Vec2> const& points)
     return begins_below && (is_inside(crown, points.back()) || extension_into_crown(points, crown));
 }
 
-// The role of an open line in a tree's drawing, or no value if it does not belong to the tree.
+// The part of a tree's drawing that an open line is; no value if the line does not belong to the
+// tree.
 std::optional<Part> part_on(Drawing const& tree, Vec2 const& foot, std::vector<Vec2> const& points)
 {
-    // Largest gap that still counts as near, as a share of the drawing's diagonal.
+    // Largest gap at which two lines count as touching, as a share of the diagonal of the drawing's
+    // bounding box.
     constexpr double kNear = 0.08;
     auto all = tree.trunk;
     if (!tree.outline.empty())
@@ -74,7 +77,7 @@ std::optional<Part> part_on(Drawing const& tree, Vec2 const& foot, std::vector<V
     return std::nullopt;
 }
 
-// True if a stroke is only a touch of the pen on the paper.
+// True if a stroke is so short that it counts as a touch of the pen.
 bool is_touch(std::vector<Vec2> const& points)
 {
     constexpr double kLongest_mm = 4;
@@ -108,8 +111,8 @@ Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const&
     return is_around(points, drawing, tool.reads) ? std::optional(Part::Outline) : std::nullopt;
 }
 
-// Length by which the trunk continues into the crown once this part is drawn; the tree's old value
-// if the part is a crown that the trunk does not reach.
+// Length in millimetres by which the trunk is continued into the crown after a line with the role
+// `part` has been drawn. For a crown that the trunk does not reach, the tree's previous length.
 Result<double> trunk_reach(OutlinedTree tree, Part part, std::vector<Vec2> const& points)
 {
     if (part != Part::Trunk && part != Part::Outline)
@@ -125,7 +128,7 @@ Result<double> trunk_reach(OutlinedTree tree, Part part, std::vector<Vec2> const
         : extension_into_crown(drawing.trunk, points).value_or(before_mm);
 }
 
-// The outline of a branch with this id; null if the id is the crown's or unknown.
+// The drawing of the outline with this id on a branch; null if the id is the crown's or unknown.
 DrawnOnBranch const* outline_of(OutlinedTree const& tree, scene::ItemId id)
 {
     auto const found
@@ -134,7 +137,8 @@ DrawnOnBranch const* outline_of(OutlinedTree const& tree, scene::ItemId id)
     return found == tree.own_outlines.end() ? nullptr : &*found;
 }
 
-// Undoes the declaration of a leaf; an outline taken from a bump is erased with it.
+// The edit that revokes the declaration of a leaf. If the leaf's outline was taken from a bump, the
+// outline is erased.
 scene::Edit no_leaf_any_more(scene::ItemId plant, DrawnOnBranch const& leaf)
 {
     if (leaf.of_bump)
@@ -142,7 +146,7 @@ scene::Edit no_leaf_any_more(scene::ItemId plant, DrawnOnBranch const& leaf)
     return DeclareLeaf { plant, leaf.id, false };
 }
 
-// A stroke along the outline, with height, pressure and other pen data of the touch.
+// Makes a stroke along the outline with the height, pressure and other pen data of the touch.
 Stroke stroke_around(std::vector<Vec2> const& outline, Stroke const& touch)
 {
     constexpr auto kStep = Duration(5'000'000);
@@ -156,7 +160,8 @@ Stroke stroke_around(std::vector<Vec2> const& outline, Stroke const& touch)
     return { std::move(tips) };
 }
 
-// The edit for a touch on a bump: the branch in the bump becomes a leaf, or stops being one.
+// The edit for a touch on a bump: the branch that ends in the bump becomes a leaf, or stops being a
+// leaf.
 Result<scene::Edit> declared_on(BumpLeaf const& bump, OutlineTool const& tool, Stroke const& touch,
                                 scene::Scene const& scene)
 {
@@ -181,7 +186,7 @@ Result<scene::Edit> declared_on(BumpLeaf const& bump, OutlineTool const& tool, S
                       .plant = plant };
 }
 
-// Gives a new tree its true size and places it on the picture's ground.
+// Gives a new tree its true size and places it on the ground of the picture behind the drawing.
 void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Scene const& scene)
 {
     constexpr double kMetre_mm = 1000; // Millimetres of a plant per metre.
@@ -192,7 +197,7 @@ void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Sce
     edit.stands_at_mm.x() += scene.state.picture->place.x_mm;
 }
 
-// Makes a new tree take the nearest tree's style, unless the user chose a form or numbers.
+// Makes a new tree take the style of the nearest tree, unless the user chose a form or numbers.
 void take_nearest_style(DrawTree& edit, OutlineTool const& tool, scene::Scene const& scene)
 {
     if (tool.reads != OutlineTool::Reads::Closely || !is_usual(edit.form))

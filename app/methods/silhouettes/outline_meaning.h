@@ -8,29 +8,30 @@
 
 namespace tractus::silhouette {
 
-// The active tree. Fails with a user error if the active plant was not drawn by its outline.
+// The active plant as a tree drawn by its outline. Fails with a user error if it was not drawn so.
 Result<OutlinedTree const*> active_tree(scene::Scene const& scene);
 
-// Interprets a stroke of the tool, finished or not. Over a picture, a touch selects the outline of
-// the crown under it (touched_crown.h). A closed stroke is an outline, of the crown or of the
-// branch around which it lies (own_outline.h). Any other stroke is the trunk, or a branch of the
-// trunk or of the branch on which it begins (own_branch.h).
+// Interprets a stroke of the tool, finished or not. If there is a picture behind the drawing, a
+// mere touch selects the outline of the crown in the picture (touched_crown.h). A closed stroke is
+// the outline of the crown, or of the branch around which it was drawn (own_outline.h). Any other
+// stroke is the trunk, or a branch of the trunk or of the branch on which it begins (own_branch.h).
 Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
                             scene::Scene const& scene);
 
-// Interprets an open stroke of the leaf option: it declares a part of the crown to be a leaf, or
-// revokes that. On a bump in which a branch ends (bump_leaf.h), the part is that branch's part of
-// the crown; elsewhere, the smallest outline of the active tree around the stroke's midpoint. No
-// value if the stroke is closed and thus an outline. Fails with a user error if the stroke lies
-// outside all outlines.
+// Interprets an open stroke of the tool's leaf option: it declares a part of the crown to be a
+// leaf, or revokes that. On a bump in which a branch ends (bump_leaf.h), this is the part of the
+// crown that belongs to the branch. Elsewhere, it is the smallest outline of the active tree around
+// the stroke's midpoint. Returns no value if the stroke is closed and thus an outline. Fails with a
+// user error if the stroke is outside all outlines.
 Result<std::optional<scene::Edit>> declared_leaf(OutlineTool const& tool, Stroke const& stroke,
                                                  scene::Scene const& scene);
 
-// The styles that a stroke of the tool copies between branches of the active tree (copied_by() in
-// chosen_style.h). Fails with a user error if there is no such tree, and like copied_by().
+// The styles that a stroke of the tool copies from one branch of the active tree to others
+// (copied_by() in chosen_style.h). Fails with a user error if the active plant was not drawn by its
+// outline, or the stroke copies no style.
 Result<ChooseStyles> copied_styles(Stroke const& stroke, scene::Scene const& scene);
 
-// The tree after the edit, with all its lines.
+// The tree that the edit begins or changes, with all its lines, after the edit.
 Result<OutlinedTree> tree_with(DrawTree const& edit, scene::Scene const& scene);
 
 } // namespace tractus::silhouette

@@ -16,7 +16,7 @@ namespace {
 
 using silhouette::DrawTree;
 
-// The stroke with a line back to its start, so that an unfinished crown counts as closed.
+// The stroke with its first point added at its end, so that an unfinished crown counts as closed.
 Stroke closed(std::span<TipSample const> ink)
 {
     std::vector tips(ink.begin(), ink.end());
@@ -34,7 +34,8 @@ public:
         auto const what = stroke.tool.get<OutlineTool>()->what;
         if (what == OutlineTool::What::Carry)
             return copied(stroke.ink, scene);
-        // An open line declares a leaf only when it ends, so there is nothing to preview.
+        // An open line of the leaf option takes effect only when it ends, so there is nothing to
+        // preview.
         if (what == OutlineTool::What::Leaf && !tools::is_coming_back(stroke.ink))
             return {};
         bool const is_touch = what == OutlineTool::What::Split || what == OutlineTool::What::Join;
@@ -53,8 +54,8 @@ public:
         auto const skeleton = silhouette::skeleton_of(*tree);
         if (!skeleton)
             return {};
-        // Shows the branches of all outlines, including those of branches. An outline taken from
-        // the picture, which the pen has not drawn, is also shown.
+        // Shows the branches inside all outlines, be it the crown's or a branch's. If the outline
+        // was taken from the picture, it is shown too, because the pen has not drawn it.
         std::vector<tools::SkeletonLine> lines { line_of(skeleton->systems[0].whole_trunk(),
                                                          scene) };
         for (auto const& system : skeleton->systems)
@@ -77,8 +78,8 @@ private:
         return points;
     }
 
-    // Lines of the branches that the stroke crosses: the one whose style is copied, and those that
-    // take it.
+    // Lines of the branches that the stroke crosses: the branch whose style is copied, and those
+    // that take the style.
     static std::vector<tools::SkeletonLine> copied(std::span<TipSample const> ink,
                                                    scene::Scene const& scene)
     {
@@ -102,8 +103,8 @@ private:
         return lines;
     }
 
-    // True for an outline over an existing crown that is still small: the finished line may be a
-    // branch's outline or a new crown.
+    // True if an outline was drawn over an existing crown and has less than half of the crown's
+    // area so far: when finished, it may be the outline of a branch or a new crown.
     static bool may_become_a_branchs(DrawTree const& edit, scene::Scene const& scene)
     {
         auto const* const tree = silhouette::outlined_tree(*scene.drawn);

@@ -6,7 +6,7 @@
 
 namespace tractus::silhouette {
 
-// Previews the branches that an outline would give if it were closed where the pen is.
+// Creates a preview of the branches that an outline would give if it were closed where the pen is.
 std::unique_ptr<tools::StrokePreviewer> outline_previewer();
 
 } // namespace tractus::silhouette

@@ -28,7 +28,7 @@ constexpr std::array<tools::OptionWord, 8> kWords { {
     { "reseed", "Another one", nullptr, true },
 } };
 
-// Option words, in the order of OutlineTool::Form: the usual form, then the presets.
+// Option words, in the order of OutlineTool::Form: Usual, then the presets.
 constexpr std::array<tools::OptionWord, 8> kFormWords { {
     { "usual", "Usual" },
     { "oak", "Oak" },
@@ -101,7 +101,8 @@ void visit(tools::OptionVisitor& visitor, OutlineTool& tool)
     visitor.choice(
         { .words = kStyleWords, .offered = tools::WordOption::Offered::InTurn, .label = "Style" },
         tool.style);
-    // This option is for logs only: the tool has no gizmo beside which its button would appear.
+    // This option is for logs only: BesideGizmo shows a button beside the tool's gizmo, and there
+    // is no gizmo.
     visitor.choice({ .words = kReadsWords,
                      .offered = tools::WordOption::Offered::BesideGizmo,
                      .label = "Reads" },

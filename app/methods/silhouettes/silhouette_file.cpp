@@ -19,8 +19,8 @@ using nlohmann::json;
 constexpr std::string_view kExample = "write [[x, y], [x, y], …] in millimetres";
 constexpr std::string_view kExampleInSpace = "write [[x, y, z], [x, y, z], …] in millimetres";
 
-// True for keys that the reader uses or that are reserved for other programs; any other key is
-// unknown.
+// True for keys of the file that the reader uses or that are reserved for other programs. All other
+// keys are unknown.
 bool is_known(std::string const& key)
 {
     constexpr std::array kKeys { "outline", "trunk",  "branches", "parts",     "leaves", "splits",
@@ -62,7 +62,7 @@ Result<CrownLine> read_line_in_space(json const& list, std::string const& name)
     return line;
 }
 
-// True if a list holds strokes rather than points.
+// True if a list has strokes as its elements rather than points.
 bool holds_strokes(json const& list)
 {
     return list.is_array() && !list.empty() && list[0].is_array() && !list[0].empty()
@@ -71,7 +71,7 @@ bool holds_strokes(json const& list)
 
 constexpr std::size_t kMaxStrokes = 100;
 
-// Reads the list of strokes under a key; empty if the key is missing.
+// Reads the list of strokes with the key `key`; empty if the key is missing.
 Result<std::vector<std::vector<Vec2>>> read_strokes(json const& file, char const* key,
                                                     char const* one)
 {
@@ -87,7 +87,7 @@ Result<std::vector<std::vector<Vec2>>> read_strokes(json const& file, char const
     return strokes;
 }
 
-// Reads the places of touches under a key, if it exists.
+// Reads the places of touches with the key `key`, if the file has it.
 Result<void> read_touches(json const& file, char const* key, BumpTouch::Kind kind,
                           SilhouetteFile& result)
 {
@@ -102,7 +102,7 @@ Result<void> read_touches(json const& file, char const* key, BumpTouch::Kind kin
     return {};
 }
 
-// A line with a number, such as {"height": 20, "ring": [[x, z], …]}.
+// A line together with a number, such as {"height": 20, "ring": [[x, z], …]}.
 struct NumberedLine {
     double number = 0;
     std::vector<Vec2> line;
@@ -129,7 +129,8 @@ Result<std::vector<NumberedLine>> read_numbered(json const& file, char const* ke
     return result;
 }
 
-// Reads the lines in space. The trunk must have been read before.
+// Reads the lines in space. The trunk must have been read before, because "sides" are turned about
+// its base.
 Result<void> read_crown_lines(json const& file, SilhouetteFile& result)
 {
     for (auto const& [height, ring] : TRY(read_numbered(file, "rings", "height", "ring"))) {
@@ -158,7 +159,7 @@ Result<void> read_crown_lines(json const& file, SilhouetteFile& result)
     return {};
 }
 
-// If there is no outline, the first leaf's outline serves as the crown.
+// If there is no outline, makes the first leaf's outline the crown.
 void settle_crown(SilhouetteFile& file)
 {
     if (!file.drawing.outline.empty() || file.leaves.empty())
@@ -212,7 +213,7 @@ Result<SilhouetteFile> read_drawing(json const& file)
     return result;
 }
 
-// Prefixes an error message with the file's name.
+// Adds the file's name to the beginning of an error's message.
 Result<SilhouetteFile> named(Result<SilhouetteFile> result, std::string const& name)
 {
     if (!result)
@@ -220,7 +221,7 @@ Result<SilhouetteFile> named(Result<SilhouetteFile> result, std::string const& n
     return result;
 }
 
-// Distance between a line's ends as a share of its length.
+// Distance between a line's two ends, as a share of the line's length.
 double straightness(std::vector<Vec2> const& line)
 {
     double const length = length_of(line);

@@ -21,8 +21,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Length by which the trunk is continued into the crown; more than 0 if it was drawn to just below
-// the crown.
+// Length in millimetres by which the trunk is continued into the crown, if it was drawn to just
+// below the crown; otherwise 0.
 double trunk_reach(SilhouetteFile const& file)
 {
     auto const& drawing = file.drawing;
@@ -31,8 +31,8 @@ double trunk_reach(SilhouetteFile const& file)
     return extension_into_crown(drawing.trunk, drawing.outline).value_or(0);
 }
 
-// Which touches to apply: those on the crown's bumps, before the file's parts are drawn, or those
-// inside parts, after that.
+// Which touches to apply. Crown: those outside all parts, before parts are drawn. Parts: those
+// inside parts, after the parts have been drawn.
 enum class TouchesOn { Crown, Parts };
 
 std::vector<BumpTouch> touches_of(SilhouetteFile const& file, TouchesOn which)
@@ -53,7 +53,7 @@ tl::unexpected<Error> about_line(char const* what, std::size_t number, Error con
     return fail(error.fault, fmt::format("{} {}: {}", what, number + 1, error.message));
 }
 
-// Copies the style of a branch to the other branches that a line of the file crosses.
+// Copies the style of a branch to the other branches that the line `line` of the file crosses.
 Result<void> carry_style(SilhouetteFile& file, std::vector<Vec2> const& line,
                          SkeletonOptions const& options)
 {
@@ -62,8 +62,8 @@ Result<void> carry_style(SilhouetteFile& file, std::vector<Vec2> const& line,
     return choose_styles(file.drawing.styles, carried, skeleton);
 }
 
-// Splits and joins bumps. Existing branches keep their names; new branches get the names that they
-// would have after the same number of edits with a pen.
+// Splits and joins bumps. Existing branches keep their names. New branches get the names that they
+// would have if they were drawn by a pen after `edits` edits.
 Result<void> touch_bumps(SilhouetteFile& file, TouchesOn which, SkeletonOptions& options,
                          std::size_t edits)
 {
@@ -82,7 +82,8 @@ Result<void> touch_bumps(SilhouetteFile& file, TouchesOn which, SkeletonOptions&
     return {};
 }
 
-// A leaf's outline: the line itself, or the outline of the bump that its only point touches.
+// The outline of a leaf: the line itself or, if the line is a single point, the outline of the bump
+// on which the point is.
 Result<std::vector<Vec2>> leaf_outline(std::vector<Vec2> const& leaf, Drawing const& drawing,
                                        SkeletonOptions const& options)
 {
@@ -143,7 +144,8 @@ Stroke stroke_along(std::vector<Vec2> const& points)
     return stroke_in_space(line);
 }
 
-// Makes the edits that draw the lines, numbered like the steps of a session.
+// Makes the edits that draw the lines of a file. The ids of the edits are those that they would
+// have in a session.
 class Drawer {
 public:
     explicit Drawer(DrawTree first)
@@ -189,11 +191,11 @@ public:
                  { one.place });
     }
 
-    DrawTree& edit() { return edit_; } // The edit that draw() adds next.
+    DrawTree& edit() { return edit_; } // The next edit, without its line.
     std::vector<scene::Edit>& edits() { return edits_; }
 
 private:
-    // The outline of the bump at a point, in the tree drawn so far.
+    // The outline of the bump at a leaf's point, in the tree that the edits so far draw.
     Result<std::vector<Vec2>> outline_of_bump(std::vector<Vec2> const& leaf) const
     {
         auto const scene = TRY(scene::apply_edits({}, edits_));

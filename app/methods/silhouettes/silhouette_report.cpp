@@ -41,7 +41,8 @@ static Report bump_json(Bump const& bump)
     return report;
 }
 
-// Statistics of a branch's laterals, where the user drew on that branch or it copies such a branch.
+// Report of a branch's laterals, for a branch on which the user drew or that copies the style of
+// such a branch.
 static Report bearing_json(Branch const& parent, BranchingSystem const& system)
 {
     auto const style = parent_style(parent, system);
@@ -101,7 +102,8 @@ static Report branch_json(Skeleton const& skeleton, std::size_t i)
     return report;
 }
 
-// Report of branches at deeper levels on which the user drew or that copy such a branch.
+// Report of the branches at deeper levels on which the user drew or that copy the style of such a
+// branch.
 static Report refined_json(Skeleton const& skeleton)
 {
     Report refined = Report::array();

@@ -22,25 +22,28 @@ namespace tractus::silhouette {
 //   branch        for each {"name", "t", "side", "base": [x, y], "end": [x, y], "curve": the four
 //                 control points of its Bézier curve, "length", "tangent_share", "cone_deg"}. A
 //                 branch with an outline of its own also has "outlined": true and "bears", its
-//                 number of branches. One that was drawn on, or "follows" such a sibling (true),
-//                 also has "bearing": {"children": their number, "unbranched", "last": shares of
-//                 its length, "spacing": {"mean", "deviation"}: millimetres along it, "angle_deg":
-//                 their mean, "drawn": [{"name", "u", "base", "end"}, …]}. Branches of bumps come
-//                 first, then added ones
+//                 number of branches. A branch on which the user drew, or that copies the style of
+//                 such a sibling ("follows": true), also has "bearing": {"children": number of its
+//                 laterals, "unbranched", "last": shares of the branch's length, "spacing":
+//                 {"mean", "deviation"}: millimetres along the branch, "angle_deg": the laterals'
+//                 mean angle, "drawn": [{"name", "u", "base", "end"}, …]}. Branches of bumps come
+//                 first, then added branches
 //   coverage      {"before", "after"}: share of the outline's inside that crowns cover
 //   arrangement   for each level a list of [{"name", "theta", "u"}, …]: degrees around the parent,
-//                 0 to the right and 180 to the left, and the place as a share of its length;
-//                 deeper levels show the branches of one parent
+//                 0 to the right and 180 to the left, and the place as a share of the parent's
+//                 length; deeper levels show the branches of a single parent
 //   elements, leaves, branches   counts of the tree
 //   notes         guesses, and lines that were ignored
 //
 // If a surface was drawn in space, also:
 //
-//   surface       {"rings", "climbs", "sides": their numbers, "radius": for eleven heights from
-//                 lowest to highest {"height": along the trunk from its base, "at": distances from
-//                 the trunk's line every 30 degrees, starting at 0}, null above or below it}
+//   surface       {"rings", "climbs", "sides": how many there are, "radius": for eleven heights,
+//                 from lowest to highest, {"height": along the trunk from its base, "at": distances
+//                 from the trunk's line every 30 degrees, starting at 0}; null where the surface
+//                 does not reach}
 //
-// If a style was measured on a plant, also its values at each level, on that plant and in the tree:
+// If a style was measured on a plant, also the values of this style at each level, as measured on
+// that plant and as found in the tree:
 //
 //   style         {"measured": [level, …], "tree": [level, …]}. A level is {"parents", "children":
 //                 {"mean", "deviation"} over parents with children, "bare": share of parents
@@ -51,8 +54,8 @@ std::string print_report(Skeleton const& skeleton, Tree const& tree,
                          std::optional<MeasuredStyle> const& style = {},
                          std::vector<CrownLine> const& crown_lines = {});
 
-// Report of an arrangement alone: {"pattern", "count", "seed", "cost_before", "cost_after",
-// "places": [{"theta", "u"}, …]}.
+// Report of an arrangement without a drawing: {"pattern", "count", "seed", "cost_before",
+// "cost_after", "places": [{"theta", "u"}, …]}.
 std::string print_arrangement(Arrangement const& arrangement, Pattern pattern, std::uint64_t seed);
 
 } // namespace tractus::silhouette

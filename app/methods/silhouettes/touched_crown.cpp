@@ -15,7 +15,7 @@ namespace {
 
 using silhouette::PictureGrid;
 
-// The image reduced to a size at which crowns can be found quickly.
+// The image, reduced to a size at which crowns can be found quickly.
 PictureGrid grid_of(render::Image const& image)
 {
     int const width = std::min(image.width(), silhouette::kPictureGridWidth);
@@ -27,7 +27,7 @@ PictureGrid grid_of(render::Image const& image)
     return grid;
 }
 
-// Maps pixels, x to the right and y up from the lower left corner, to the sheet.
+// Maps the pixels of the grid, x to the right and y up from the lower left corner, to the sheet.
 silhouette::Similarity to_sheet(scene::PicturePlace const& place, PictureGrid const& grid)
 {
     double const unit = place.width_mm / grid.width;

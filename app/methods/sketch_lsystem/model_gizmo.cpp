@@ -13,7 +13,7 @@ namespace tractus::sketch {
 
 namespace {
 
-// A short, slightly curved stroke along which the preset's model grows.
+// A short, slightly curved stroke along which the model of a preset is grown.
 Stroke short_stroke()
 {
     constexpr int kTips = 60;
@@ -34,7 +34,8 @@ class FrontView {
 public:
     explicit FrontView(Plant const& plant)
     {
-        constexpr double kFits = 1.8; // Largest extent of the plant in the frame, which is 2 wide.
+        // Largest extent of the plant in the gizmo's frame, which is 2 wide.
+        constexpr double kFits = 1.8;
         auto const box = bounds(plant);
         Vec3 const size_mm = box.max_mm - box.min_mm;
         scale_ = kFits / std::max({ size_mm.x(), size_mm.z(), 1.0 });
@@ -67,7 +68,7 @@ tools::Gizmo draw_model(sketch::ModelRule const& model)
     FrontView const view(plant);
     auto order = axes_in_drawing_order(plant);
     order.resize(std::min(order.size(), kMaxLines));
-    // Reversed, so that the trunk is drawn last, above all branches.
+    // Reversed, so that the trunk is drawn last and thus above all branches.
     std::reverse(order.begin(), order.end());
     for (auto const id : order) {
         tools::Gizmo::Line line;

@@ -5,8 +5,9 @@
 
 namespace tractus::sketch {
 
-// Picture of a model for its preset's button: the plant that grows along a short stroke, its axis
-// dark. It has no handles. Results are cached.
+// Picture of a model for the button of its preset: the plant that grows along a short stroke, with
+// the axis along the stroke in a dark colour. It has no handles. Pictures are cached by the model's
+// name.
 tools::Gizmo show_model(sketch::ModelRule const& model);
 
 } // namespace tractus::sketch

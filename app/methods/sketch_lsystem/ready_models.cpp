@@ -7,7 +7,7 @@
 
 namespace tractus::sketch {
 
-// The text of a view file without the statements that request grown leaves.
+// Returns the text of a view file without the statements that request grown leaves.
 static std::string without_grown_leaves(std::string_view view)
 {
     std::string result;

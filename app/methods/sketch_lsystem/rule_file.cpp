@@ -50,7 +50,7 @@ Result<int> read_count(calib::TomlTable& table, char const* key, int fallback)
     return static_cast<int>(count);
 }
 
-// Sets defaults of missing keys that depend on other numbers.
+// Sets the defaults of those missing keys whose default depends on other numbers.
 void set_defaults(calib::TomlTable& table, Rule& rule)
 {
     constexpr double kSlender = 0.15;

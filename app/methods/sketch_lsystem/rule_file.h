@@ -9,16 +9,16 @@
 
 namespace tractus::sketch {
 
-// A rule from a small TOML file. Each number of sketch::Rule has the letter given in its comment
-// there: k, l, r, q, w, s, v, a, T, t, l_min, n_max and limit. Missing keys keep their defaults,
+// Reads a rule from TOML. The keys are the letters given in the comments of sketch::Rule: k, l, r,
+// q, w, s, v, a, T, t, l_min, n_max, limit and o. Missing keys have the defaults of sketch::Rule,
 // but w defaults to 0.15 l, and T and t to 180/k degrees.
 //
 //     k = 3       # laterals at a node
 //     l = 30      # mm
 //     a = 52      # degrees
 //
-// Tables [[laterals]] give laterals rules of their own, the laterals of the drawn axis first. They
-// have the letters of sketch::LateralRule and the same defaults:
+// Tables [[laterals]] are the rules for laterals (Rule::lateral_rules); the first applies to the
+// laterals of the drawn axis. The keys are the letters given in the comments of LateralRule:
 //
 //     [[laterals]]
 //     k = 2
@@ -28,7 +28,8 @@ namespace tractus::sketch {
 // out of its range.
 Result<Rule> parse_rule(std::string_view text, std::string const& name);
 
-// Reads a rule from a file of at most 64 KiB. Fails like read_text_file() and parse_rule().
+// Reads a rule from a file. Fails with a user error if the file cannot be read, exceeds 64 KiB or
+// is invalid.
 Result<Rule> load_rule(std::filesystem::path const& path);
 
 } // namespace tractus::sketch

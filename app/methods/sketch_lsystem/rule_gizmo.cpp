@@ -15,15 +15,16 @@ namespace {
 
 using Color = tools::LayerStyle::Color;
 
-// Length of the drawn parent branch in the gizmo's frame; part of it lies outside.
+// Length of the parent branch in the gizmo's frame. The part below kBase is not drawn.
 constexpr double kParent = 0.86;
-constexpr double kWidth = 0.13; // Width of the drawn parent branch.
-// Distance of a twist's handle from the end of the part that it turns.
+constexpr double kWidth = 0.13; // Width at which the parent branch is drawn.
+// Distance of the handle for a twist from the end of the part whose next ring it turns.
 constexpr double kDial = 0.24;
-constexpr double kAside = 0.3; // Distance of a width's handle from its part at width 1.
-// Tilt of the view: closer points are drawn lower by this share of their distance.
+constexpr double kAside = 0.3; // Distance of the handle for a width from its part, at width 1.
+// Tilt of the view: a point is drawn lower by this share of its distance in front of the picture's
+// plane.
 constexpr double kTilt = 0.35;
-// Length of the next ring's laterals, as a share of their true length.
+// Length at which the laterals of the next rings are drawn, as a share of their true length.
 constexpr double kRing = 0.5;
 constexpr double kSpreadWidth = 0.018;
 Vec2 const kBase { 0, -0.95 };
@@ -40,15 +41,15 @@ enum HandleId : std::size_t {
     More
 };
 
-// Projects a point to the picture. The parent branch is vertical and the first lateral lies in the
-// picture's plane; closer points appear lower, as seen from above.
+// Projects a point to the picture. The parent branch is vertical, and the first lateral is in the
+// picture's plane. Points in front of this plane are drawn lower, as if seen from above.
 Vec2 seen(Vec3 const& point)
 {
     return { point.x(), point.y() - kTilt * point.z() };
 }
 
-// A direction at `angle` to `ahead`, rotated about `ahead` by `around` starting at `aside`, which
-// is perpendicular to it.
+// Returns the direction at the angle `angle` to `ahead`, rotated by `around` about `ahead`. If
+// `around` is 0, the direction is on the side of `aside`, which is perpendicular to `ahead`.
 Vec3 turned(Vec3 const& ahead, Vec3 const& aside, double angle, double around)
 {
     Vec3 const out = std::cos(around) * aside + std::sin(around) * aside.cross(ahead);
@@ -60,7 +61,7 @@ Vec2 from_up(double angle)
     return { std::sin(angle), std::cos(angle) };
 }
 
-// Positions of the handles for a rule.
+// Positions of a rule's handles in the gizmo.
 struct Places {
     explicit Places(sketch::Rule const& rule)
         : angle(radians(rule.angle_deg))
@@ -74,8 +75,8 @@ struct Places {
     Vec2 lateral_end;
 };
 
-// Adds the ring of laterals at the end of a part with direction `ahead`; `length` is that part's
-// length.
+// Adds the ring of laterals at the end of a part. `ahead` is the direction of this part and
+// `length` its length.
 void add_ring(tools::Gizmo& gizmo, sketch::Rule const& rule, Vec2 const& end, Vec3 const& ahead,
               Vec3 const& aside, double length, double twist_deg)
 {
@@ -108,7 +109,7 @@ void add_parts(tools::Gizmo& gizmo, sketch::Rule const& rule)
     }
 }
 
-// An arc around a point that spans `angle` ± `half`.
+// An arc with centre `middle` that spans the directions from `angle` - `half` to `angle` + `half`.
 tools::Gizmo::Line arc(Vec2 const& middle, double radius, double angle, double half)
 {
     constexpr int kSteps = 8;
@@ -118,8 +119,9 @@ tools::Gizmo::Line arc(Vec2 const& middle, double radius, double angle, double h
     return line;
 }
 
-// Shows how much the plants of a collection vary: the sector in which a lateral's tip can lie, and
-// arcs for the twists, outside the handles at the tips of the lateral and of the top internode.
+// Shows how much the plants of a collection vary: the sector in which a lateral's tip can be, and
+// arcs for the twists. The arcs are outside the handles at the tips of the lateral and of the top
+// internode.
 void add_spread(tools::Gizmo& gizmo, sketch::Rule const& rule)
 {
     if (rule.laterals == 0)
@@ -178,7 +180,7 @@ tools::Gizmo show_rule(void const* options)
     auto const rule = rule_of(tool);
     tools::Gizmo gizmo;
     add_parts(gizmo, rule);
-    // The preset Plant copies the active plant, whose rule cannot be edited here.
+    // The preset Plant copies the active plant, whose rule cannot be edited with this gizmo.
     if (tool.card == SketchTool::Card::Plant)
         for (auto& line : gizmo.lines)
             line.color = Color::Grey;
@@ -189,17 +191,17 @@ tools::Gizmo show_rule(void const* options)
     return gizmo;
 }
 
-// Rounds to the nearest multiple of `coarse` if that is close, otherwise to a multiple of `fine` (a
-// fifth of `coarse`), and clamps to the range.
+// Rounds to the nearest multiple of `coarse` if this is close, otherwise to the nearest multiple of
+// `fine` (a fifth of `coarse`). Limits the result to the range from `least` to `greatest`.
 double snapped(double value, double coarse, double fine, double least, double greatest)
 {
-    // Greatest distance to a coarse step, as a share of a fine step, small enough that the
-    // neighbouring fine step can still be set.
+    // Maximum distance to a multiple of `coarse`, as a share of `fine`. It is so small that the
+    // neighbouring multiples of `fine` can still be set.
     constexpr double kReach = 0.8;
     double const near = std::round(value / coarse) * coarse;
     double const taken
         = std::abs(near - value) <= kReach * fine ? near : std::round(value / fine) * fine;
-    // Dividing by a whole number gives exactly 0.7 instead of 0.7000000000000001.
+    // Dividing by a whole number gives exactly 0.7, for example, instead of 0.7000000000000001.
     double const in_one = std::round(1 / fine);
     return std::clamp(std::round(taken * in_one) / in_one, least, greatest);
 }
@@ -214,7 +216,7 @@ double snapped_deg(double angle, double min_deg, double greatest_deg)
     return snapped(angle / radians(1), 5, 1, min_deg, greatest_deg);
 }
 
-// Angle between up and a direction, positive to the right.
+// Angle from up to a direction, positive to the right.
 double angle_from_up(Vec2 const& way)
 {
     return std::atan2(way.x(), way.y());
@@ -248,7 +250,9 @@ void drag_rule(void* options, std::size_t handle, Vec2 const& to)
     case TopWidth:
         rule.width_ratio = snapped_share((kNode.x() - to.x()) / kAside, 0.3, 1);
         break;
-    default: { // The preset's twist depends on the number of laterals.
+    // Sets the option rather than the rule, since the preset's twist depends on the number of
+    // laterals.
+    default: {
         double const more = handle == More ? 1 : -1;
         tool.laterals = std::clamp(std::round(tool.laterals) + more, 0.0, 8.0);
         return;

@@ -13,7 +13,7 @@ namespace tractus::sketch {
 
 namespace {
 
-// Position at which the tablet, or the paper on it, shows a point.
+// Position at which a point is seen on the tablet or on the paper.
 Vec2 seen_at(Vec3 const& point_mm, StrokeSurface surface, scene::Scene const& scene)
 {
     return surface == StrokeSurface::Paper ? scene::paper_of(scene.state).sheet_of_world(point_mm)
@@ -26,7 +26,8 @@ double distance_mm(Vec2 const& point_mm, Vec2 const& from_mm, Vec2 const& to_mm)
     return (from_mm + share * (to_mm - from_mm) - point_mm).norm();
 }
 
-// The segments of the drawn axis in the built plant. The branch may continue beyond them.
+// The segments, in the built plant, of the axis that the stroke drew. The branch may continue
+// beyond this axis.
 Result<std::vector<SegmentId>> drawn_axis(scene::Scene const& scene, sketch::GrownPart const& grown)
 {
     std::vector<SegmentId> axis;
@@ -42,7 +43,8 @@ Result<std::vector<SegmentId>> drawn_axis(scene::Scene const& scene, sketch::Gro
     return axis;
 }
 
-// Number of segments before the first one that the eraser touches, or no value if it touches none.
+// Number of the axis's segments before the first one that the eraser touches; no value if it
+// touches none.
 std::optional<std::size_t> untouched(Stroke const& eraser, std::vector<SegmentId> const& axis,
                                      StrokeSurface surface, scene::Scene const& scene)
 {
@@ -58,7 +60,8 @@ std::optional<std::size_t> untouched(Stroke const& eraser, std::vector<SegmentId
     return std::nullopt;
 }
 
-// Strokes and indicators drawn on the plant lie above its axis, so they are erased first.
+// The eraser first erases strokes and indicators drawn on the plant. Only if it touches none of
+// these does it shorten the plant's stroke.
 Result<std::vector<scene::Edit>> shorten(tools::Tool const&, Stroke const& stroke,
                                          scene::Scene const& scene)
 {

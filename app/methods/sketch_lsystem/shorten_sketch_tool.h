@@ -4,9 +4,9 @@
 
 namespace tractus::sketch {
 
-// Shortens the stroke along which the active plant, or its newest part with such a stroke, has
-// grown: the stroke ends where the eraser crosses the axis. Strokes and indicators on the plant
-// there are erased first.
+// Shortens the stroke along which the active plant has grown, or the newest of its grafted parts
+// that grew along a stroke. The stroke then ends where the eraser crosses its axis. If the eraser
+// touches strokes or indicators on the plant, it erases these instead.
 struct ShortenSketchTool {
     static tools::ToolKind const kKind;
     static constexpr double kRadius_mm = 4;

@@ -11,8 +11,8 @@ namespace tractus::sketch {
 
 namespace {
 
-// Option words in the order of the tool's values; the first is the default of logs that lack the
-// word.
+// Option words, in the order of the tool's values. The first word is meant by logs that lack the
+// option.
 constexpr std::array<tools::OptionWord, 2> kLeavesOptions { {
     { "leafy", "Leaves" },
     { "bare", "Bare" },
@@ -49,7 +49,7 @@ constexpr std::array<tools::OptionWord, 17> kCardWords { {
     { "herb", "Herb" },
     { "tufts", "Tufts" },
     { "compound_leaf", "Compound" },
-    // Built-in models, by name (ready_models.h).
+    // The following words are the names of built-in models (ready_models.h).
     { "birch", "Birch", kModelTitle },
     { "broadleaf", "Broadleaf", kModelTitle },
     { "conifer", "Conifer", kModelTitle },
@@ -60,8 +60,8 @@ constexpr std::array<tools::OptionWord, 17> kCardWords { {
     { "as_plant", "The plant's", "The plant grows anew along the stroke" },
 } };
 
-// Option words, in the order of SketchTool::Laterals: Fork is the behaviour in the paper, the
-// others are the first presets.
+// Option words, in the order of SketchTool::Laterals. Fork is the behaviour in the paper; the next
+// words name the first presets.
 constexpr std::array<tools::OptionWord, 8> kLateralsWords { {
     { "fork", "fork" },
     { "by_opposite", "as opposite" },
@@ -73,7 +73,7 @@ constexpr std::array<tools::OptionWord, 8> kLateralsWords { {
     { "as_axis", "as the axis" },
 } };
 
-// Numbers of a preset rule; kCards lists them in the order of the presets' words.
+// Numbers of a rule that is a preset; kCards has them in the order of the presets.
 struct RuleCard {
     double laterals;
     double angle_deg;
@@ -81,9 +81,10 @@ struct RuleCard {
     double length_ratio;
     double lateral_length;
     double shortest_mm;
-    // Twist from ring to ring; no value: successive rings alternate.
+    // Twist from each ring of laterals to the next; no value: laterals of successive rings
+    // alternate.
     std::optional<double> twist_deg {};
-    bool goes_on = false; // The laterals grow by the same rule, at every level.
+    bool goes_on = false; // The laterals grow by the same rule as the axis, at every level.
     double width_ratio = SketchTool().width_ratio;
 };
 constexpr std::array<RuleCard, 9> kCards { {
@@ -92,22 +93,24 @@ constexpr std::array<RuleCard, 9> kCards { {
     { 5, 35, 60, 0.75, 0.7, 12 },
     { 2, 26, 45, 0.8, 0.8, 8 },
     { 6, 60, 14, 0.96, 0.7, 6 },
-    { 2, 55, 13, 0.96, 0.7, 3, 0.0 }, // A fern: with twist 0 all branches lie in one plane.
+    { 2, 55, 13, 0.96, 0.7, 3, 0.0 }, // A fern: with twist 0, all branches are in one plane.
     { 1, 55, 20, 0.95, 0.6, 2, 137.5 },
     { 7, 60, 18, 1, 0.3, 4 },
-    // Prusinkiewicz and Lindenmayer's compound leaf (Ijiri 2006, figure 2): internodes double in
-    // length with each step, and a lateral is the leaf with the remaining number of steps.
+    // The compound leaf of Prusinkiewicz and Lindenmayer (Ijiri 2006, figure 2): with each step,
+    // internodes double in length. A lateral is the leaf with the number of steps that remain.
     { 2, 45, 60, 0.5, 0.5, 1, 0.0, true, 0.6 },
 } };
-constexpr double kSlender = 0.15; // Diameter of the first internode as a share of its length.
+// Diameter of the first internode as a share of its length, for all presets.
+constexpr double kSlender = 0.15;
 
-// True if the tool's preset is a model; the tool's numbers then have no effect.
+// True if the tool's preset is a model or a copy of the active plant; the tool's numbers then have
+// no effect.
 bool is_of_model(SketchTool const& tool)
 {
     return static_cast<std::size_t>(tool.card) >= kCards.size();
 }
 
-// The tool's preset rule; the default preset's if the tool is set to a model.
+// The rule of the tool's preset, or that of the first preset if the tool's preset is not a rule.
 RuleCard const& ready_rule_of(SketchTool const& tool)
 {
     return is_of_model(tool) ? kCards.front() : kCards[static_cast<std::size_t>(tool.card)];
@@ -139,18 +142,18 @@ double twist_of(RuleCard const& card, double laterals)
     return card.twist_deg.value_or(laterals > 0 ? 180 / laterals : 0);
 }
 
-// The preset's twist from node to node, to which the tool adds its own.
+// The twist of the tool's preset from node to node, to which the tool's twists are added.
 double twist_of_card(SketchTool const& tool)
 {
     return twist_of(ready_rule_of(tool), std::round(tool.laterals));
 }
 
-// Rules of the laterals' own laterals, empty if they fork. Either the preset's rule, with
-// internodes as short as the axis's first one permits, or the axis's own rule, repeated at every
-// level.
+// Rules for the laterals on laterals; empty if laterals fork. Otherwise a single rule: that of a
+// preset, whose shortest internode depends on the axis's first internode, or that of the axis,
+// repeated at every level.
 std::vector<sketch::LateralRule> lateral_rules_of(SketchTool const& tool, sketch::Rule const& axis)
 {
-    // Shortest internode, as a share of the axis's first internode.
+    // Shortest internode of laterals, as a share of the axis's first internode.
     constexpr double kShortest = 0.1;
     if (tool.go_on_by == SketchTool::Laterals::Fork)
         return {};
@@ -173,7 +176,7 @@ std::vector<sketch::LateralRule> lateral_rules_of(SketchTool const& tool, sketch
                .shortest_mm = kShortest * axis.first_length_mm } };
 }
 
-// The option that reproduces the rule's lateral rules, or no value if none does.
+// The option with which the tool gives the lateral rules of `rule`; no value if there is none.
 std::optional<SketchTool::Laterals> stated_laterals(SketchTool tool, sketch::Rule const& rule)
 {
     for (std::size_t i = 0; i < kLateralsWords.size(); ++i) {
@@ -272,7 +275,8 @@ sketch::Rule with_options(sketch::Rule const& rule, SketchTool const& tool)
     double const slender = rule.first_width_mm / rule.first_length_mm;
     if (slender < kSlender)
         wanted.first_width_mm = slender * wanted.first_length_mm;
-    // Lateral rules from a file that no option can express stay until an option replaces them.
+    // Lateral rules from a file, which no option can express, are kept until an option replaces
+    // them.
     if (wanted.lateral_rules.empty() && !stated_laterals(tool, rule))
         wanted.lateral_rules = rule.lateral_rules;
     wanted.most_segments = rule.most_segments;
@@ -282,7 +286,8 @@ sketch::Rule with_options(sketch::Rule const& rule, SketchTool const& tool)
 
 bool matches_rule(SketchTool const& tool, sketch::Rule const& rule)
 {
-    constexpr double kSame = 1e-6; // Tolerance between values computed in two ways.
+    // Tolerance for comparing numbers that were computed in two ways.
+    constexpr double kSame = 1e-6;
     auto const said = rule_of(tool);
     auto const is_same = [](double one, double other) { return std::abs(one - other) < kSame; };
     return said.laterals == rule.laterals && is_same(said.angle_deg, rule.angle_deg)
@@ -320,7 +325,8 @@ SketchTool with_options_of_sketch(SketchTool const& tool, sketch::GrowAlongStrok
         if (matches_sketch(said, grown))
             return said;
     }
-    return said; // The last preset: a copy of the active plant's own rule.
+    // No model of a preset fits, so the last preset is used, which copies the active plant.
+    return said;
 }
 
 SketchTool with_options_of_rule(SketchTool tool, sketch::Rule const& rule)
@@ -341,7 +347,7 @@ SketchTool with_options_of_rule(SketchTool tool, sketch::Rule const& rule)
     return tool;
 }
 
-// Returns angles that are already in range unchanged, to the last bit.
+// An angle that is already in the range is returned unchanged, to the last bit.
 double wrap_angle_deg(double angle_deg)
 {
     return std::abs(angle_deg) <= 180 ? angle_deg : std::remainder(angle_deg, 360);

@@ -11,7 +11,7 @@ namespace tractus::sketch {
 namespace {
 
 constexpr double kMaxInternodes = 4000;
-// Maximum size of a model, as it is regrown for each frame.
+// Maximum number of modules of a model in a preview, because it is regrown for each frame.
 constexpr std::size_t kMaxModules = 200'000;
 
 tools::SkeletonLine line_of(Plant const& plant, Axis const& axis, scene::DeskPlacement const& from,
@@ -26,10 +26,11 @@ tools::SkeletonLine line_of(Plant const& plant, Axis const& axis, scene::DeskPla
     return line;
 }
 
-// The axis alone, as the preview of a model that is too large.
+// A plant that consists only of the axis along the stroke: the preview of a model that is too
+// large.
 Result<scene::BuiltSource> drawn_axis_of(sketch::GrowAlongStroke const& edit)
 {
-    // Radius of all nodes in a plant that consists of the axis alone.
+    // Radius of all nodes of this plant.
     constexpr float kRadius_mm = 8;
     auto const nodes_mm = TRY(sketch::drawn_nodes_mm(edit));
     Plant plant;
@@ -43,8 +44,8 @@ Result<scene::BuiltSource> drawn_axis_of(sketch::GrowAlongStroke const& edit)
     return scene::BuiltSource { std::move(plant) };
 }
 
-// Note for the user on the forks that the rule's limit cuts off, and those that only the preview
-// omits.
+// Note for the user: how often laterals fork if the rule's limit cuts off further forks, and
+// whether the preview leaves out more forks than that.
 std::string note_of_depth(sketch::Rule const& whole, sketch::Rule const& shown, Plant const& plant)
 {
     auto const segments = static_cast<int>(plant.axes.front().segment_count);
@@ -73,8 +74,8 @@ public:
     }
 
 private:
-    // Inputs of the cached preview, except the stroke's path between its nodes. While these inputs
-    // stay equal, the preview does not change; most pen samples add no node.
+    // Everything on which the cached preview depends, except the stroke's path between its nodes.
+    // While these values stay equal, the preview does not change: most pen samples add no node.
     struct Shown {
         sketch::Rule rule {};
         sketch::ModelRule model {};
@@ -138,7 +139,7 @@ private:
         return lines;
     }
 
-    // Finds the place on a branch only once per stroke, as the search goes through all plants.
+    // The place on a branch is found only once per stroke, because the search visits all plants.
     Result<std::optional<tools::BranchPlace>> const&
     find_place(SketchTool const& tool, sketch::GrowAlongStroke const& edit,
                std::shared_ptr<scene::Scene const> const& scene)
@@ -157,14 +158,14 @@ private:
     }
 
     std::string note_;
-    std::optional<Shown> shown_; // Inputs of the cached lines and note below.
+    std::optional<Shown> shown_; // What shown_lines_ and shown_note_ were made from.
     std::vector<tools::SkeletonLine> shown_lines_;
     std::string shown_note_;
-    // Cached place on a branch, valid for the values of the next four members.
+    // Cached result of place_of() for the values of surface_, begin_mm_, scene_ and grows_.
     std::optional<Result<std::optional<tools::BranchPlace>>> place_;
     StrokeSurface surface_ = StrokeSurface::Decided;
     Vec3 begin_mm_ = Vec3::Zero();
-    // Shared with the document, which may replace it meanwhile.
+    // Shared with the document, which may go on to a newer scene.
     std::shared_ptr<scene::Scene const> scene_;
     SketchTool::Place grows_ = SketchTool::Place::Ground;
 };

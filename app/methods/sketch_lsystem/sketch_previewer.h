@@ -6,8 +6,8 @@
 
 namespace tractus::sketch {
 
-// Previews the plant that grows along an unfinished stroke, as a skeleton. If it has very many
-// internodes the deepest forks are left out.
+// Creates a preview of the plant that grows along an unfinished stroke, as a skeleton. If the plant
+// has more than 4000 internodes, the preview leaves out the deepest forks.
 std::unique_ptr<tools::StrokePreviewer> sketch_previewer();
 
 } // namespace tractus::sketch

@@ -11,25 +11,26 @@
 
 namespace tractus::sketch {
 
-// The drawn axis, as input of a report.
+// The axis drawn by the stroke, as input of a report.
 struct ReportedAxis {
     DrawnAxis axis {};
-    std::vector<Vec3> nodes_mm {}; // Nodes on the desk as computed by the model's turtle.
-    // How often laterals may fork; no value if a model defines the laterals.
+    // The axis's nodes on the desk, as the model's turtle computes them.
+    std::vector<Vec3> nodes_mm {};
+    // Number of times that laterals may fork; no value if a model defines the laterals.
     std::optional<int> depth {};
 };
 
 // Report of a stroke grown by a rule or a model, as one line of JSON for other programs:
 //
 //   segments   number of the drawn axis's internodes
-//   nodes      [[x, y, z], …]: its base and the ends of its internodes as computed by the model's
-//              turtle, in millimetres on the desk; one more than segments
+//   nodes      [[x, y, z], …]: base of the drawn axis and ends of its internodes, as computed by
+//              the model's turtle, in millimetres on the desk; one more than segments
 //   plane      [degrees, …]: direction of the bend before each segment
 //   bend       [degrees, …]: angle of the bend before each segment
 //   depth      how often laterals may fork; only for rules
 //   counts     [{"F": 2, …}, …]: how often each letter occurs in the string after step 1, 2, …
 //
-// Fails like derive().
+// Fails if the model cannot be derived.
 Result<std::string> print_report(ReportedAxis const& drawn, lsystem::Model const& model,
                                  std::uint64_t seed = 1);
 

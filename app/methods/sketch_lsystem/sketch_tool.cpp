@@ -30,7 +30,7 @@ Result<sketch::GrownPart> grown_last(scene::Scene const& scene)
     return *grown;
 }
 
-// The tool's model, with the random seed of the grown sketch.
+// The model of the tool's preset, with the random seed of the sketch `grown`.
 sketch::ModelRule model_for(SketchTool const& tool, sketch::GrowAlongStroke const& grown)
 {
     auto model = model_of(tool);
@@ -48,8 +48,8 @@ Result<std::vector<scene::Edit>> change(SketchTool const& tool, scene::Scene con
             scene.drawn->id, grown.part, grown.sketch->rule, tool.leaves, std::move(model) } };
     auto const& before = grown.sketch->rule;
     auto rule = with_options(before, tool);
-    // Numbers that the user has not set keep the sketch's values, except the thickness, which is
-    // always set. Recordings rely on both.
+    // Numbers that the user has not set keep their values in the sketch. The thickness is always
+    // set. Recordings rely on both.
     SketchTool const plain;
     rule.first_width_mm = rule_of(tool).first_width_mm;
     if (tool.width_ratio == plain.width_ratio)
@@ -72,7 +72,7 @@ Result<std::vector<scene::Edit>> draw_again(SketchTool const& tool, Stroke const
                                                              again.is_drawn_reversed } };
 }
 
-// Reverses the stroke of the sketch grown last. Doing so twice restores the plant.
+// Reverses the stroke of the active plant's newest sketch. Doing so twice restores the plant.
 Result<std::vector<scene::Edit>> turn_round(scene::Scene const& scene)
 {
     auto const grown = TRY(grown_last(scene));
@@ -81,7 +81,7 @@ Result<std::vector<scene::Edit>> turn_round(scene::Scene const& scene)
         sketch::turned_round(grown.sketch->stroke), !grown.sketch->is_drawn_reversed } };
 }
 
-// Message that the stroke was reversed, and how to reverse it again.
+// Message for the user if the stroke was reversed, and how to reverse it again; otherwise empty.
 std::string say_turned(tools::Tool const& tool, scene::Scene const& after)
 {
     auto const grown = sketch::newest_grown(*after.drawn);
@@ -94,7 +94,7 @@ std::string say_turned(tools::Tool const& tool, scene::Scene const& after)
            "back";
 }
 
-// Applies changed options to all sketches that were grown by the old rule.
+// Applies changed options to all plants and parts that were grown by the old rule or model.
 std::vector<scene::Edit> follow(tools::Tool const& before, tools::Tool const& after,
                                 scene::Scene const& scene)
 {
@@ -122,7 +122,8 @@ std::optional<tools::Tool> like_drawn(tools::Tool const& tool, scene::Scene cons
     return tools::Tool(options);
 }
 
-// Ends of the internodes along the stroke, one for each application of the rule.
+// World positions of the ends of the internodes along the stroke, one for each application of the
+// rule.
 std::vector<Vec3> applications(tools::Tool const& tool, Stroke const& stroke,
                                scene::Scene const& scene)
 {
@@ -134,10 +135,10 @@ std::vector<Vec3> applications(tools::Tool const& tool, Stroke const& stroke,
         : grown_along(options, stroke, scene);
     auto nodes_mm = grown ? sketch::drawn_nodes_mm(*grown) : tl::unexpected(grown.error());
     if (!nodes_mm)
-        return {}; // The stroke is too short for an internode.
+        return {}; // For example, the stroke is too short for an internode.
     std::vector<Vec3> ends_mm(nodes_mm->begin() + 1, nodes_mm->end());
     Vec3 const foot_mm = nodes_mm->front();
-    for (auto& end_mm : ends_mm) // A plant drawn on paper is moved to the ground.
+    for (auto& end_mm : ends_mm) // Moves a plant that was drawn on paper to the ground.
         end_mm += sketch::stands_at_mm(*grown) - foot_mm;
     return ends_mm;
 }
@@ -165,7 +166,8 @@ Result<std::vector<scene::Edit>> grow(tools::Tool const& tool, Stroke const& str
 
 } // namespace
 
-// Takes the rule or model by which the active plant has grown, or else the plant's own model.
+// Takes the rule or model by which the active plant has grown along a stroke; if it has not, takes
+// the model that was loaded for it.
 static Result<void> take_from_plant(sketch::GrowAlongStroke& edit, scene::Scene const& scene)
 {
     if (auto const grown = sketch::newest_grown(*scene.drawn)) {
@@ -182,9 +184,10 @@ static Result<void> take_from_plant(sketch::GrowAlongStroke& edit, scene::Scene 
     return {};
 }
 
-// Reverses a stroke that was drawn from the plant's tip down to its foot. On paper, plants stand on
-// the desk. In space, a descending stroke may also be a hanging plant: it is reversed only if it
-// ends as low as the bases of the other plants, or if there are no other plants.
+// Reverses a stroke that was drawn from the plant's tip down to its foot. On paper this is clear,
+// as plants stand on the desk. In space, a stroke that goes down may also be a hanging plant. So it
+// is reversed only if it ends as low as the bases of the other plants, or if there are no other
+// plants.
 static void stand_at_foot(sketch::GrowAlongStroke& edit, SketchTool const& tool,
                           scene::Scene const& scene)
 {
@@ -211,7 +214,7 @@ Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const
         TRY(take_from_plant(edit, scene));
     edit.model.seed = 1 + scene.plants.size(); // A different seed for each plant of a drawing.
     edit.stroke = stroke;
-    // A stroke that begins on a branch is in space, even if the surface hardly moves.
+    // A stroke that begins on a branch is in space, even if the surface hardly moves meanwhile.
     edit.surface = is_on_branch(tool) && tool.surface == StrokeSurface::Decided
         ? StrokeSurface::Space
         : resolve_surface(stroke.tips, tool.surface);
@@ -236,8 +239,9 @@ Result<sketch::GrowAlongStroke> regrown_along(SketchTool const& tool, Stroke con
 
 void fit_to_branch(sketch::GrowAlongStroke& grown, tools::BranchPlace const& place)
 {
-    constexpr double kThinner = 0.85; // Thickness of the plant as a share of the branch's diameter.
-    // Least thickness as a share of the first internode's length.
+    // Thickness of the plant's stem as a share of the branch's diameter.
+    constexpr double kThinner = 0.85;
+    // Minimum thickness of the stem, as a share of the first internode's length.
     constexpr double kThinnest = 0.02;
     auto& rule = grown.rule;
     rule.first_width_mm

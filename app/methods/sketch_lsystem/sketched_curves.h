@@ -6,8 +6,8 @@
 
 namespace tractus::sketch {
 
-// The stroke along which a rule or a model has grown, at the size of its plant. See
-// ListDrawnCurves; empty for a plant that did not grow along a stroke.
+// The stroke along which a plant has grown by a rule or a model, at the plant's present size (see
+// ListDrawnCurves). Empty for a plant that did not grow along a stroke.
 std::vector<tools::DrawnCurve> sketched_curves(scene::BuiltPlant const& plant);
 
 } // namespace tractus::sketch

@@ -2,8 +2,8 @@
 
 namespace tractus::render::shaders {
 
-// Expands each segment to a screen rectangle around its two round ends; the fragment shader
-// computes a pixel's distance from the segment's centre line.
+// Vertex shader of curves. It expands each segment to a screen rectangle around its two round ends;
+// the fragment shader then computes each pixel's distance from the segment's centre line.
 std::string_view const kCurveVertex = R"(
 layout(location = 0) in vec3 begin_position;
 layout(location = 1) in vec3 begin_color;

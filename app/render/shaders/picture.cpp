@@ -17,7 +17,7 @@ void main()
 }
 )";
 
-// The picture's colours are shown as they are, without lighting or tone mapping.
+// Fragment shader that shows the picture's colours as they are, without lighting or tone mapping.
 std::string_view const kPictureFragment = R"(
 uniform sampler2D picture;
 uniform float strength;

@@ -47,7 +47,8 @@ void main()
 }
 )";
 
-// One source for three programs: BARK, THIN (leaves and petals, with VEINS), or neither.
+// Fragment shader of surfaces. It is compiled to three programs: with BARK defined, with THIN
+// defined (for leaves and petals), and with neither.
 std::string_view const kSurfaceFragment = R"(
 in vec3 world;
 in vec3 world_normal;

@@ -19,7 +19,7 @@ namespace tractus::lsystem {
 
 namespace {
 
-// Maximum number of modules: 32-bit numbers must be able to index modules and parameters.
+// Maximum number of modules in a string: indices of modules and parameters must fit into 32 bits.
 constexpr std::size_t kMaxModules = 200'000'000;
 
 constexpr std::size_t kPiecesAtATime = 32;
@@ -61,10 +61,10 @@ public:
     Result<ModuleString> run();
 
 private:
-    // Places of a piece of the string before and after rewriting.
+    // The place of a piece of the string before and after a step.
     struct PiecePlace {
-        Place from; // Place of the piece in in_.
-        Place to;   // Place of the rewritten piece in out_.
+        Place from; // Place of the piece's first module in in_.
+        Place to;   // Place of that module's successor in out_.
     };
 
     Result<void> start();
@@ -87,7 +87,7 @@ private:
     VirtualMachine machine_;
     std::optional<ContextTable> table_;
     RulePlan plan_;
-    Branches branches_; // Matching brackets of in_; filled if rules have contexts.
+    Branches branches_; // Matching brackets of in_; only filled if rules have contexts.
     RangeRewriter rewriter_;
     std::optional<SubsystemRewriter> subsystems_;
     Environment environment_;
@@ -122,7 +122,7 @@ Result<ModuleString> Derivation::run()
     return std::move(in_);
 }
 
-// Answers the query modules of the current string.
+// Answers the query modules of the current string, in_.
 Result<void> Derivation::answer()
 {
     if (!has_queries_)
@@ -130,7 +130,7 @@ Result<void> Derivation::answer()
     return answer_queries(model_, in_, machine_, step_, environment_);
 }
 
-// Returns the number of steps; a model may change it while it is derived.
+// Returns the current number of steps; a model may change it while it is derived.
 int Derivation::length()
 {
     if (options_.steps)
@@ -167,7 +167,7 @@ Result<void> Derivation::step(int number)
     machine_.run(model_.start_each);
     out_.kinds.clear();
     out_.parameters.clear();
-    // Models with a context table have strings of one byte per module, without parameters.
+    // A model with a context table has no parameters, so its string takes one byte per module.
     if (table_)
         table_->rewrite(in_.kinds, out_.kinds, std::min(limit().modules, limit().bytes), piece_);
     else if (plan_.is_fixed() && !subsystems_)
@@ -185,9 +185,9 @@ Result<void> Derivation::step(int number)
     return {};
 }
 
-// Returns the size limit of the string that a step makes. Only two thirds of the memory are used,
-// because columns grow by half; the old string and its branches stay in memory until the step is
-// done.
+// Returns the size limit of the string that a step makes. The old string and its branches stay in
+// memory until the step is done. Of the remaining memory only two thirds are used, because columns
+// grow by half of their size.
 StringLimit Derivation::limit() const
 {
     auto const held = in_.byte_size()
@@ -201,7 +201,8 @@ Result<void> Derivation::check_size(std::size_t modules, std::size_t parameters)
 {
     auto const most = limit();
     auto const where = step_ == 0 ? std::string("the axiom") : fmt::format("step {}", step_);
-    // The factor 16 only keeps parameter indices within 32 bits; modules have few parameters.
+    // The factor 16 keeps parameter indices within 32 bits. It has no other effect, since modules
+    // seldom have that many parameters.
     if (modules > most.modules || parameters / 16 > most.modules)
         return fail(Fault::User,
                     fmt::format("{}: {} makes more than {} modules; derive fewer steps or raise "
@@ -278,8 +279,8 @@ Result<void> Derivation::rewrite_in_pieces()
     return {};
 }
 
-// Returns where each piece of in_ begins and, if sizes are known, where its result begins in out_.
-// The last entry is the end of both.
+// Returns the places at which each piece of in_ begins and, if sizes are known, at which its result
+// begins in out_. The last entry is the end of both strings.
 std::vector<Derivation::PiecePlace> Derivation::find_pieces() const
 {
     auto const& kinds = model_.alphabet.kinds;
@@ -307,7 +308,8 @@ std::vector<Derivation::PiecePlace> Derivation::find_pieces() const
 }
 
 // Rewrites a string whose successors all have known sizes. Computes the size of the result, then
-// calls write(places) in parallel for groups of pieces; each group includes its end place.
+// calls write(places) in parallel for groups of pieces. `places` has an entry for each piece of a
+// group and one for the group's end.
 template<typename Write> Result<void> Derivation::rewrite_known_sizes(Write const& write)
 {
     auto const places = find_pieces();
@@ -328,8 +330,8 @@ Result<void> Derivation::rewrite_fixed()
     });
 }
 
-// Rewrites with stochastic or parametric rules whose successors have a known size for each kind of
-// module.
+// Rewrites a string with stochastic or parametric rules, if all successors of a kind of module have
+// the same, known size.
 Result<void> Derivation::rewrite_to_places()
 {
     std::atomic<VirtualMachine::Stop> stop = VirtualMachine::Stop::None;
@@ -353,14 +355,14 @@ Result<void> Derivation::rewrite_to_places()
 void Derivation::write_fixed(PiecePlace const& begin, PiecePlace const& end_place)
 {
     auto const& [from, to] = begin;
-    // Local copies: kinds are bytes, so the compiler must assume that writing them changes any
-    // other object in memory.
+    // Local copies of pointers: kinds are bytes, so the compiler must assume that writing them
+    // changes any other object in memory.
     auto const* kind = in_.kinds.data() + from.module;
     auto const* const end = in_.kinds.data() + end_place.from.module;
     auto const* parameters = in_.parameters.data() + from.parameter;
     auto const* const successors = &plan_.fixed(0);
     ModuleWriter writer(out_.kinds.data() + to.module, out_.parameters.data() + to.parameter);
-    // Wide moves must not write past the end, where another thread writes the next piece.
+    // Wide moves must not write past the piece's end, where another thread writes the next piece.
     auto const room = end_place.to.module - to.module;
     auto const* const wide_end
         = writer.kinds + (room >= FixedSuccessor::kShort ? room - FixedSuccessor::kShort + 1 : 0);

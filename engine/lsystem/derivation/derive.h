@@ -15,33 +15,35 @@
 namespace tractus::lsystem {
 
 struct DeriveOptions {
-    // Number of derivation steps. A model cannot change a given number with SetDerivationLength().
+    // Number of derivation steps; the model cannot then change it with SetDerivationLength().
     // Default: the model's derivation length.
     std::optional<int> steps {};
-    // Seed of the derivation, combined with the model's own; different seeds give different plants.
+    // Seed of the derivation, combined with the model's own seed. Different seeds give different
+    // plants.
     std::uint64_t seed = 1;
 
     ModelLimits limits {};
 
-    // Answers the query modules ?E(...) of the axiom and of the string after each step; without an
-    // environment they keep their parameters. The rules of the next step see the answers.
+    // Answers the query modules ?E(...) of the axiom, and of the string after each step. The rules
+    // of the next step see the answers. Default: the environment that the model chooses; without
+    // any, these modules keep their parameters.
     Environment environment {};
 
     // Receives the output of printf in rules and blocks; by default it is discarded. Homomorphism
-    // rules print while their modules are drawn (interpret.h).
+    // rules do not print here but when their modules are drawn (interpret.h).
     std::function<void(std::string_view text)> print {};
 
-    // Long strings are rewritten in parallel in pieces of this many modules; the result does not
-    // depend on it. The default fits into a processor's level 2 cache and is large enough to be
-    // worth a thread's start.
+    // Number of modules in the pieces in which long strings are rewritten in parallel; it does not
+    // affect the result. A piece of the default size fits into a processor's level 2 cache and is
+    // worth starting a thread for.
     std::size_t piece = 32'768;
 
-    // Callback that receives the axiom as step 0, then the string after each step.
+    // Receives the axiom as step 0, and the string after each step.
     std::function<void(int step, ModuleString const& string)> on_step {};
 };
 
-// Derives a string: rewrites the model's axiom `steps` times. Query modules (query.h) are answered
-// in the axiom and after each step.
+// Derives a string: rewrites the model's axiom in as many steps as the derivation length. Query
+// modules (query.h) are answered in the axiom and after each step.
 //
 // Fails with a user error if a limit is exceeded, if a loop in the model does not end, or if a
 // ?(...) calls a sub-L-system that the model does not have. The same model and options always give

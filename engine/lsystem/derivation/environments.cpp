@@ -22,7 +22,7 @@ using Cell = std::array<std::int32_t, 3>; // Integer coordinates x, y, z of a vo
 
 constexpr std::size_t kMaxCells = std::size_t { 1 } << 24;
 
-// Returns the voxel at a position; no value if its coordinates are too large.
+// Returns the voxel that contains a position; no value if the voxel's coordinates are too large.
 std::optional<Cell> cell_at(Vec3 const& position, double size)
 {
     constexpr double kMax = 1e9;
@@ -48,8 +48,8 @@ void answer(EnvironmentQuery const& query, std::size_t first, Vec3 const& vector
         answer(query, first + i, vector[static_cast<int>(i)]);
 }
 
-// Returns a parameter of a query; `otherwise` if the module does not have it. Negative and
-// non-finite values count as 0.
+// Returns a parameter of a query, or `otherwise` if the module does not have that parameter.
+// Negative and non-finite values count as 0.
 double asked(EnvironmentQuery const& query, std::size_t index, double otherwise)
 {
     if (index >= query.parameters.size())
@@ -58,8 +58,8 @@ double asked(EnvironmentQuery const& query, std::size_t index, double otherwise)
     return std::isfinite(value) && value >= 0 ? value : 0;
 }
 
-// Central difference of a function over the neighbours of a cell: the direction in which it grows.
-// 0 where it is the same on all sides.
+// Returns the direction in which a function of the cells increases at a cell, by central
+// differences between the cell's neighbours. 0 if it is the same on all sides.
 template<typename Value> Vec3 direction_of_more(Cell const& cell, Value const& value_at)
 {
     Vec3 result = Vec3::Zero();
@@ -82,7 +82,7 @@ Error too_large(std::string_view name, double cell)
                          name, kMaxCells, cell) };
 }
 
-// Checks the time limit at intervals.
+// Checks the time limit whenever kWorkBetweenLooks voxels have been visited.
 class Watch {
 public:
     Watch(std::string_view environment, TimeLimit const& limit)
@@ -91,7 +91,7 @@ public:
     {
     }
 
-    // Records work, in visited voxels; fails when the time is over.
+    // Counts work, in visited voxels. Fails with a user error when the time is over.
     Result<void> spend(std::size_t work)
     {
         spent_ += work;
@@ -114,15 +114,15 @@ private:
     std::size_t spent_ = 0;
 };
 
-// Weights in voxels as a summed-area table along x and z: the weight of any rectangle of a layer
-// takes four lookups.
+// Weights in voxels, as a summed-area table in x and z for each layer: the weight of any rectangle
+// of a layer takes four lookups.
 class WeightGrid {
 public:
-    // Returns false if the grid would be too large.
+    // Stores the weights of objects in these cells. Returns false if the grid would be too large.
     bool fill(std::span<std::optional<Cell> const> cells, std::span<double const> weights);
 
-    // Returns the weight of a square of cells, `layer` layers above `cell`: those at most `reach`
-    // away from it in x and in z.
+    // Returns the total weight of a square of cells, `layer` layers above `cell`: of those at most
+    // `reach` cells away from it in x and in z.
     double weight(Cell const& cell, std::int64_t layer, std::int64_t reach) const
     {
         auto const y = cell[1] + layer - low_[1];
@@ -230,7 +230,7 @@ private:
     Watch watch_;
     double cell_;
     double full_;
-    // Strength of the shade, indexed by the number of layers below the object that casts it.
+    // Strength of an object's shade, indexed by the number of layers below the object.
     std::vector<double> strengths_;
 };
 
@@ -257,9 +257,10 @@ private:
         double radius = 0;
     };
 
-    // Balls are stored by size class (a power of 2 above their diameter) and by the voxel of their
-    // centre. A voxel is at least as large as its balls, so only few voxels can hold a ball that
-    // touches the new one.
+    // Returns true if a ball with this centre and radius is granted: it touches no granted ball, or
+    // is itself one. Granted balls are stored by size class (the power of 2 above their diameter)
+    // and by the voxel of their centre. A voxel is at least as large as its balls, so only a few
+    // voxels of each class must be searched.
     Result<bool> take(Vec3 const& center, double radius)
     {
         int size = 0;
@@ -291,7 +292,7 @@ private:
 
     Watch watch_;
     double radius_;
-    // Granted balls, by size class (power of 2) and voxel.
+    // Granted balls, by size class (exponent of 2) and voxel.
     std::map<int, std::map<Cell, std::vector<Ball>>> balls_;
 };
 
@@ -374,7 +375,7 @@ private:
         return found != changed_.end() ? found->second : cell[1] < 0 ? content_ : 0;
     }
 
-    // Diffuses water from each voxel to drier neighbours; none leaves the soil.
+    // Diffuses water from each voxel to drier neighbours. No water leaves the soil.
     Result<void> spread()
     {
         if (diffusion_ == 0)

@@ -6,10 +6,11 @@
 
 namespace tractus::lsystem {
 
-// The built-in environments. Each writes its answer to the first parameter of ?E(answer, ...);
-// further parameters follow as far as the module has them. Lengths are in turtle units; y is up.
-// All queries of a string are answered together after each step, in the order of the string. An
-// environment's state is reset with the axiom. Results are deterministic.
+// The built-in environments. Each writes its answer to the first parameter of ?E(answer, ...) and
+// to the further parameters below, as far as the module has them. Lengths are in turtle units; y is
+// up. All queries of a string are answered together after each step, in the order of the string. An
+// environment's state is reset when the axiom is answered. Results are deterministic. Each entry
+// ends with the environment's settings and their defaults.
 //
 // light (Palubicki et al. 2009: shade propagation)
 //   ?E(light, weight, x, y, z): an object of this weight (default 1) at the turtle casts shade into
@@ -31,9 +32,9 @@ namespace tractus::lsystem {
 //   Soil fills y < 0; water diffuses between voxels after each step. cell=1 content=1 uptake=0.1
 //   diffusion=0.1
 //
-// Returns an empty function if no environment is chosen. An environment fails with a user error
-// if the plant spans too many voxels or if the time limit is exceeded, which is checked every few
-// thousand voxels.
+// Returns an empty function if no environment is chosen. An environment fails with a user error if
+// the plant spans too many voxels or if the time limit is exceeded. The limit is checked after
+// every 16,384 visited voxels.
 Environment make_environment(EnvironmentChoice const& choice, TimeLimit const& time = {});
 
 } // namespace tractus::lsystem

@@ -10,7 +10,7 @@ namespace tractus::lsystem {
 
 namespace {
 
-// Returns true if any instruction in any program of the model, in rules or blocks, passes the test.
+// Returns true if any instruction in the model's rules or blocks passes the test.
 template<typename Test> bool any_instruction(Model const& model, Test const& test)
 {
     auto const has
@@ -42,7 +42,7 @@ template<typename Test> bool any_rule(RuleSet const& rules, Test const& test)
     return std::any_of(rules.rules.begin(), rules.rules.end(), test);
 }
 
-// Formats a count: "1 organ", "2 organs".
+// Returns a count with its noun, such as "1 organ" or "2 organs".
 std::string counted(std::size_t count, char const* what)
 {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kQueries = "PHLUQE";
 
-// Converts a vector from the plant's space to cpfg's; the inverse of from_model().
+// Converts a vector from the plant's space to cpfg's space; the inverse of from_model().
 Vec3 to_model(Vec3 const& v)
 {
     return { v.x(), v.z(), 0 - v.y() }; // Subtracting from 0 avoids -0, which would be printed.
@@ -46,10 +46,10 @@ private:
     void answer(char query, std::span<float> parameters) const;
     void ask_environment(Modules const& modules, std::size_t length, std::span<float> parameters);
 
-    // Limit on the size of the drawing, which is discarded whenever it exceeds this: only the
+    // Maximum size of the drawing. It is discarded whenever it becomes larger, since only the
     // turtle's frame is needed.
     static constexpr std::size_t kMaxParts = 65'536;
-    // Limit on stored turtle states; each needs as much memory as many modules.
+    // Maximum number of stored turtle states. Each needs as much memory as many modules.
     static constexpr std::size_t kMaxKept = 1'000'000;
 
     Model const& model_;
@@ -61,7 +61,7 @@ private:
     Turtle turtle_;
     std::vector<EnvironmentQuery> queries_;
     bool keeps_cuts_;
-    std::vector<CutTurtle> kept_; // Turtle states at the cuts in this string.
+    std::vector<CutTurtle> kept_; // Turtle states at the cuts in the present string.
 };
 
 Result<void> Questioning::run()
@@ -112,7 +112,7 @@ void Questioning::answer(char query, std::span<float> parameters) const
     auto const& frame = turtle_.state().frame;
     Vec3 const heading = to_model(frame.heading);
     Vec3 const left = to_model(frame.left);
-    Vec3 const up = to_model(frame.down); // The frame's `down` is what cpfg calls up.
+    Vec3 const up = to_model(frame.down); // cpfg calls up what the frame calls `down`.
     std::array<double, 4> values {};
     std::size_t count = 3;
     if (query == 'Q') {

@@ -17,7 +17,7 @@ BranchIndex::BranchIndex(Model const& model, ModuleString const& string, std::si
     }
     for (std::size_t i = 0; i < kind_count_ * kind_count_; ++i)
         pairs_.push_back(pair(steps_[i / kind_count_], steps_[i % kind_count_]));
-    // Measure each block by itself, then accumulate.
+    // Measures each block by itself, then sums the results over the blocks before it.
     parallel_for(blocks_.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (auto b = begin; b < end; ++b)
             blocks_[b] = measure(b);
@@ -40,8 +40,8 @@ BranchIndex::BranchIndex(Model const& model, ModuleString const& string, std::si
     });
 }
 
-// Returns true if a branch that opens in the block may be long: it is still open where the blocks
-// after it begin.
+// Returns true if a branch that opens in the block may be long: it is still open at the beginning
+// of the following blocks.
 bool BranchIndex::may_open_long(std::size_t block) const
 {
     auto const opening = blocks_[block].opening;
@@ -71,7 +71,8 @@ BranchIndex::Pair BranchIndex::pair(Step const& first, Step const& second)
              static_cast<std::int8_t>(std::min(first.depth, depth)), opening };
 }
 
-// Computes a block's parameter count, its change of depth, and its least depths.
+// Computes the number of parameters in a block, the change of depth over it, and the lowest depths
+// in it.
 BranchIndex::Block BranchIndex::measure(std::size_t block) const
 {
     auto const begin = block * kBlock;
@@ -100,7 +101,7 @@ BranchIndex::Block BranchIndex::measure(std::size_t block) const
     return result;
 }
 
-// Returns the first block from `block` on with a module at a depth below `depth`.
+// Returns the first block, from `block` on, in which the depth falls below `depth`.
 std::size_t BranchIndex::first_block_below(std::size_t block, std::int64_t depth) const
 {
     while (block < blocks_.size()) {
@@ -116,7 +117,7 @@ std::size_t BranchIndex::first_block_below(std::size_t block, std::int64_t depth
 
 BranchIndex::End BranchIndex::find_end(std::size_t module) const
 {
-    // Depths and parameter indices are counted from the beginning of the string.
+    // Depths and parameter indices count from the beginning of the string.
     auto block = std::min(module / kBlock, blocks_.size());
     std::int64_t depth_inside = 0;
     bool is_known = false; // True once depth_inside is known.
@@ -160,7 +161,8 @@ std::optional<BranchIndex::End> BranchCutter::cut(std::size_t at, std::int64_t d
         return std::nullopt;
     auto const end = index_->find_end(at + 1);
     if (end.module - at < long_branch || end.module >= end_ || end_ - end.module < long_branch) {
-        look_from_ = at + long_branch / 32; // A short skip bounds the cost of failed searches.
+        // Searches again only a little later, which bounds the cost of failed searches.
+        look_from_ = at + long_branch / 32;
         return std::nullopt;
     }
     return end;

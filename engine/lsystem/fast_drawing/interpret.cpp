@@ -19,7 +19,8 @@ namespace tractus::lsystem {
 
 namespace {
 
-// Returns true if pieces may be drawn in any order: no homomorphism rule has side effects.
+// Returns true if pieces of a string may be drawn in any order: no homomorphism rule has side
+// effects or keeps local variables.
 bool is_divisible(Model const& model)
 {
     auto const& rules = model.homomorphism.rules;
@@ -37,7 +38,8 @@ Piece whole(DrawingJob const& job)
     return piece;
 }
 
-// Draws several pieces in parallel, each with draw(turtle, number). Returns false on failure.
+// Draws several pieces in parallel, each by draw(turtle, number). Returns false if a piece is
+// incomplete or a limit is exceeded.
 template<typename Draw>
 bool draw_generation(DrawingJob& job, std::span<Piece const> pieces, BranchIndex const* index,
                      Draw const& draw)
@@ -54,13 +56,14 @@ bool draw_generation(DrawingJob& job, std::span<Piece const> pieces, BranchIndex
     return is_good;
 }
 
-// Drawn pieces of a string. The axes and segments of planned pieces are already in `plant`.
+// The drawn pieces of a string. If they were planned, their axes and segments are already in
+// `plant`.
 struct DrawnString {
     std::vector<Piece> pieces;
     Plant plant {};
 };
 
-// Draws the string in pieces; each piece leaves long branches to further pieces.
+// Draws the string in pieces. Each piece leaves its long branches to further pieces.
 std::optional<DrawnString> draw_in_pieces(DrawingJob& job, BranchIndex const& index)
 {
     std::vector<Piece> pieces { whole(job) };
@@ -82,7 +85,7 @@ std::optional<DrawnString> draw_in_pieces(DrawingJob& job, BranchIndex const& in
     return DrawnString { std::move(pieces) };
 }
 
-// Draws each planned piece directly to its place in the plant.
+// Draws each piece of a plan directly to its place in the plant.
 std::optional<DrawnString> draw_as_planned(DrawingJob& job, std::vector<PlannedPiece> const& plan)
 {
     job.parts = plan[0].segment_count;
@@ -107,9 +110,9 @@ std::optional<DrawnString> draw_as_planned(DrawingJob& job, std::vector<PlannedP
     return result;
 }
 
-// Draws the string in pieces, in parallel. No value if it must be drawn sequentially: it is too
-// short, its order matters (as with sub-L-systems), its brackets do not match, or errors must be
-// reported in the order of the string.
+// Draws the string in pieces, in parallel. Returns no value if it must be drawn sequentially: it is
+// too short, the order of its modules matters (as with sub-L-systems), its brackets do not match,
+// or errors must be reported in the order of the string.
 std::optional<DrawnString> draw_divided(DrawingJob& job, ParameterRange const& parameters)
 {
     if (job.string.size() < 4 * job.options.long_branch || !is_divisible(job.model)
@@ -147,7 +150,7 @@ Result<DrawnString> draw_at_once(DrawingJob& job)
     return DrawnString { std::move(pieces) };
 }
 
-// Collects the warnings without duplicates, in the order of the string.
+// Collects the warnings of all pieces, each once, in the order of the string.
 std::vector<std::string> gather_warnings(Model const& model, std::vector<Piece> const& pieces)
 {
     std::vector<TurtleDrawing::Warning> all;
@@ -199,7 +202,8 @@ Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString con
     DrawingJob job { model, string, options };
     if (model.subsystems.empty())
         return draw_string(job);
-    // Each sub-L-system has its own homomorphism.
+    // Each sub-L-system has its own homomorphism rules, so these are applied to the whole string
+    // first.
     HomomorphismOptions how;
     how.limit.modules = options.max_modules;
     how.limit.bytes = options.max_memory_bytes;

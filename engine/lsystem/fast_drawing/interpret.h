@@ -13,7 +13,7 @@ namespace tractus::lsystem {
 
 struct TurtlePlant {
     Plant plant;
-    // Warnings about unsupported symbols and organs and about skipped steps, without duplicates.
+    // Warnings, each once, about unsupported symbols and organs and about skipped steps.
     std::vector<std::string> warnings;
 };
 
@@ -38,21 +38,21 @@ struct TurtlePlant {
 // and textures are not drawn, back faces look like front faces, and models cannot run programs.
 // Other symbols draw nothing. Reference: the CPFG User's Manual.
 //
-// Axes: consecutive segments form one axis. What is drawn inside brackets, or after a step that
-// draws nothing, begins an axis of its own, attached to the last segment. Steps of zero length draw
-// nothing. Inside { }, steps set vertices of the polygon, inside {(1) }(1) control points, and draw
-// nothing. A generalised cylinder is an axis of its own whose rings are nodes; with a contour they
-// have sections (NodeSection). The first segment after a control point has the colour set there;
-// the others up to the next point have that point's colour.
+// Axes: consecutive segments form one axis. A segment drawn inside brackets, or after a step that
+// draws nothing, begins a new axis, attached to the last segment. Steps of zero length draw
+// nothing. Steps inside { } set vertices of the polygon, steps inside {(1) }(1) set control points;
+// they draw nothing. A generalised cylinder is a separate axis whose nodes are the rings; with a
+// contour the nodes have sections (NodeSection). The first segment after a control point has the
+// colour of that point, the further segments that of the next control point.
 //
-// Radii are half the line width. A node has the width of the segment that starts there; an axis'
-// tip has the width set after its last segment, or else the segment's own. With `radii: pipe` in
-// the view they follow from the pipe model.
+// Radii are half the line width. A node has the width of the segment that starts there. The tip of
+// an axis has the width that was set after its last segment, or that segment's width if none was
+// set. With `radii: pipe` in the view, radii follow from the pipe model instead.
 //
-// Materials are the view's, by turtle colour; a colour without a material is bark.
+// Turtle colours select the materials of the view; a colour without a material is bark.
 //
-// Fails with a user error if a limit in the options is exceeded or if the homomorphism does not
-// end.
+// Fails with a user error if a limit in the options is exceeded or if a loop in a homomorphism rule
+// does not end.
 Result<TurtlePlant> interpret_with_warnings(Model const& model, ModuleString const& string,
                                             TurtleOptions const& options = {});
 

@@ -8,11 +8,11 @@
 
 namespace tractus::lsystem {
 
-// Number of modules drawn between two checks of the limits.
+// Number of modules to draw between two checks of the limits.
 static constexpr std::size_t kDrawnBatch = 1024;
 
-// Maximum number of copies of the drawing in memory at the same time: an array, the array of twice
-// the size into which it grows, and the copy from which the plant is assembled.
+// Maximum memory of a drawing, as a multiple of its size: the array itself, the array of twice the
+// size into which it grows, and the copy from which the plant is assembled.
 static constexpr std::size_t kHeldTimes = 4;
 
 PieceTurtle::PieceTurtle(DrawingJob& job, BranchIndex const* index)
@@ -91,7 +91,7 @@ void PieceTurtle::draw(std::vector<PlannedPiece> const& plan, std::size_t index,
     end(piece);
 }
 
-// Draws the modules up to `end`; false if a limit is reached.
+// Draws the modules before index `end`. Returns false if a limit is reached.
 bool PieceTurtle::draw_to(std::size_t end)
 {
     while (at_ < end) {
@@ -110,8 +110,8 @@ void PieceTurtle::count()
     job_.bytes += bytes - std::exchange(counted_bytes_, bytes);
 }
 
-// Draws a run of modules that need nothing but the turtle: up to `end`, up to the first other
-// module, or up to a maximum number.
+// Draws a run of modules that need nothing but the turtle. The run ends at index `end`, at the
+// first other module, or after kDrawnBatch modules.
 void PieceTurtle::draw_plain(std::size_t end, std::array<bool, 256> const& stops)
 {
     if (!job_.is_finite)
@@ -125,7 +125,7 @@ void PieceTurtle::draw_plain(std::size_t end, std::array<bool, 256> const& stops
     parameter_ = static_cast<std::size_t>(parameters - string_.parameters.data());
 }
 
-// Draws the next module, of any kind; false if a limit is reached.
+// Draws the next module, of any kind. Returns false if a limit is reached.
 bool PieceTurtle::draw_next()
 {
     pass(draw_one());
@@ -137,7 +137,7 @@ bool PieceTurtle::draw_next()
     return !job_.is_over_limit() && !machine_.has_stopped();
 }
 
-// Draws the next module or its homomorphic image; returns the number of modules read.
+// Draws the next module or its homomorphic image. Returns the number of modules read.
 std::size_t PieceTurtle::draw_one()
 {
     auto const kind = string_.kinds[at_];
@@ -152,7 +152,8 @@ std::size_t PieceTurtle::draw_one()
                                 parameter_, at_ + 1,        parameter_ + parameter_counts_[kind] };
     auto const read = homomorphism_.expand(rest, around, [&](Modules const& modules) {
         ++drawn_;
-        // A single module may expand to more modules than the limit allows.
+        // A single module may expand to more modules than the limit allows, so the limits are
+        // checked here.
         if (drawn_ >= kDrawnBatch) {
             count();
             if (job_.is_over_limit())
@@ -163,7 +164,7 @@ std::size_t PieceTurtle::draw_one()
     return std::max<std::size_t>(read, 1);
 }
 
-// Leaves the branch that begins here to another piece if it is long.
+// Leaves the branch that begins at the next module to another piece if it is long.
 bool PieceTurtle::leave_out(Piece& piece)
 {
     if (!turtle_.may_skip_branch())
@@ -189,7 +190,7 @@ bool PieceTurtle::leave_out(Piece& piece)
     return true;
 }
 
-// Leaves the branch that begins here to the piece planned for it.
+// Leaves the branch that begins at the next module to the piece planned for it.
 void PieceTurtle::leave_out(PlannedPiece const& planned, std::size_t index, Piece& branch)
 {
     drawing_.gaps.push_back({ index, 0, drawing_.organs.size(), drawing_.polygons.size() });

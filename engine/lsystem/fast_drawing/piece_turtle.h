@@ -16,34 +16,36 @@
 
 namespace tractus::lsystem {
 
-// A part of the string, without the branches left to other pieces, and its drawing.
+// A part of the string without the branches that are left to other pieces, and its drawing.
 struct Piece {
     std::size_t begin = 0;
     std::size_t end = 0;
-    std::size_t parameter = 0; // Index of the first module's first parameter.
-    // Bracket depth of the first module, counted from the beginning of the string.
+    std::size_t parameter = 0; // Index of the first parameter of the piece's first module.
+    // Bracket depth at the first module, counted from the beginning of the string.
     std::int64_t depth = 0;
     Turtle::Start start;
-    // Destination of a planned piece's first axis and first segment.
+    // For a planned piece, where its first axis and first segment are written.
     TurtleDrawing::Target target;
     DrawnPiece drawn;
-    std::vector<Piece> branches; // Branches left to other pieces, in the order of the string.
+    // Pieces for the branches that are left out, in the order of the string.
+    std::vector<Piece> branches;
     // True if the turtle reached the end of the piece with all brackets and polygons closed.
     bool is_complete = true;
 };
 
-// Data shared by all pieces of a string.
+// Data that all pieces of a string share.
 struct DrawingJob {
     Model const& model;
     ModuleString const& string;
     TurtleOptions const& options;
-    bool is_expanded = false; // True if the homomorphism has already been applied.
+    bool is_expanded = false; // True if homomorphism rules have already been applied to the string.
     bool is_finite = false;   // True if all parameters of the string are finite.
-    Branches branches {};     // Matching brackets; filled if homomorphism rules have contexts.
-    Arena memory {};          // Memory for what the pieces have drawn.
+    // Matching brackets of the string; only filled if homomorphism rules have contexts.
+    Branches branches {};
+    Arena memory {}; // Memory for the drawings of the pieces.
     std::atomic<std::size_t> drawn { 0 };
     std::atomic<std::size_t> parts { 0 };
-    std::atomic<std::size_t> bytes { 0 }; // Memory used by the pieces' drawings.
+    std::atomic<std::size_t> bytes { 0 }; // Memory that the pieces' drawings use.
 
     bool is_over_limit() const
     {
@@ -52,16 +54,16 @@ struct DrawingJob {
     }
 };
 
-// Draws pieces one after another. Each thread needs a turtle of its own.
+// Draws pieces one after another. Each thread needs its own turtle.
 class PieceTurtle {
 public:
-    // `index` is nullptr if no branches are to be left out, or if a plan says which.
+    // `index` is nullptr if no branches are left out, or if a plan lists those that are.
     PieceTurtle(DrawingJob& job, BranchIndex const* index);
 
     void draw(Piece& piece);
 
-    // Draws a planned piece to its place in the plant, and sets where the pieces that fill its gaps
-    // begin.
+    // Draws a planned piece to its place in the plant, and sets the beginnings of the pieces that
+    // fill its gaps.
     void draw(std::vector<PlannedPiece> const& plan, std::size_t index, std::vector<Piece>& pieces);
 
     VirtualMachine const& machine() const { return machine_; }
@@ -92,13 +94,14 @@ private:
     TurtleDrawing drawing_; // Drawing of the current piece; its memory is reused for the next one.
     std::array<bool, 256> has_rules_ {};
     std::array<bool, 256> opens_ {};
-    std::array<bool, 256> stops_ {}; // True for kinds of modules that need more than drawing.
+    // True for kinds of modules that the turtle cannot draw by itself.
+    std::array<bool, 256> stops_ {};
     std::array<std::uint8_t, 256> parameter_counts_ {};
     std::size_t at_ = 0;
     std::size_t parameter_ = 0;
-    // Branches that begin before this module are drawn as part of the piece.
+    // Index of a module; branches that begin before it are drawn as part of the piece.
     std::size_t look_from_ = 0;
-    std::size_t drawn_ = 0; // Modules drawn since the last check of the limits.
+    std::size_t drawn_ = 0; // Number of modules drawn since the last check of the limits.
     std::size_t counted_parts_ = 0;
     std::size_t counted_bytes_ = 0;
 };

@@ -25,14 +25,15 @@ enum class Effect : std::uint8_t {
     Pop,
     BeginPolygon,
     EndPolygon,
-    Long,   // A symbol of several modules; it may have no effect.
+    Long,   // A symbol of several modules, which may have no effect.
     Unclear // A symbol whose effect is too complicated to count.
 };
 
-// Plain: all steps have non-zero lengths and stay within the turtle's bounds.
+// Plain: all steps of the string have non-zero lengths and stay within the turtle's bounds. Any:
+// some may not.
 enum class StepLengths { Plain, Any };
 
-// Limit on the turtle's distance, slightly less than its bounds.
+// Maximum distance of the turtle from its start for a plan; slightly less than the turtle's bounds.
 constexpr double kMaxReachMm = 0.9e12;
 
 Effect effect_of(ModuleKind const& kind)
@@ -46,7 +47,7 @@ Effect effect_of(ModuleKind const& kind)
         return Effect::Push;
     case SymbolAction::Pop:
         return Effect::Pop;
-    case SymbolAction::BeginPath: // A `{` with parameters may begin a generalised cylinder.
+    case SymbolAction::BeginPath: // A `{` with a parameter may begin a generalised cylinder.
         return kind.parameter_count == 0 ? Effect::BeginPolygon : Effect::Unclear;
     case SymbolAction::EndPath:
         return kind.parameter_count == 0 ? Effect::EndPolygon : Effect::Unclear;
@@ -61,7 +62,7 @@ Effect effect_of(ModuleKind const& kind)
     }
 }
 
-// Returns true if the modules draw no segments and do not move the turtle, whatever follows them.
+// Returns true if these modules draw no segments and do not move the turtle, whatever follows them.
 bool are_plain(Alphabet const& alphabet, std::span<KindId const> kinds)
 {
     while (!kinds.empty()) {
@@ -79,7 +80,7 @@ bool are_plain(Alphabet const& alphabet, std::span<KindId const> kinds)
     return true;
 }
 
-// Counts the segments of pieces, one after another. Each thread needs a counter of its own.
+// Counts the segments of pieces, one piece after another. Each thread needs its own counter.
 class SegmentCounter {
 public:
     SegmentCounter(Model const& model, ModuleString const& string, TurtleOptions const& options,
@@ -101,35 +102,37 @@ public:
         }
     }
 
-    // Returns false if the piece cannot be counted. Branches left out of the piece are appended to
-    // `branches` and recorded as its gaps. Step lengths are checked only if some may be 0 or too
-    // long.
+    // Returns false if the piece cannot be counted. Branches that are left out of the piece are
+    // appended to `branches` and recorded as its gaps. With StepLengths::Any, the length of each
+    // step is checked.
     bool count(PlannedPiece& piece, StepLengths lengths, std::vector<PlannedPiece>& branches);
 
-    // Upper bound of the turtle's distance from its start, if step lengths were checked.
+    // Returns an upper bound of the turtle's distance from its start; 0 if step lengths were not
+    // checked.
     double reach_mm() const { return reach_mm_; }
 
 private:
-    // Marks that the next segment begins a new axis.
+    // Value of Walk::axis if the next segment begins a new axis.
     static constexpr std::uint32_t kClosed = kNone;
 
     struct Step {
         Effect effect = Effect::None;
         std::uint8_t parameters = 0;
-        bool is_bare_at = false; // True for @ without parameters.
+        bool is_bare_at = false; // True for an @ without parameters.
     };
 
-    // State of a count. It is a local variable while counting, because in memory each module would
-    // wait for the writes of the one before it.
+    // State of a count. It is a local variable while modules are counted, since in memory each
+    // module would have to wait for the writes of the one before it.
     struct Walk {
         std::size_t at = 0;
-        // Index of the module's first parameter; maintained only if step lengths are checked.
+        // Index of the module's first parameter; only maintained if step lengths are checked.
         std::size_t parameter = 0;
         std::size_t axis_count = 0; // Number of axes in the piece so far.
-        std::size_t depth = 0;      // Bracket depth of the current module.
+        // Bracket depth at the module, counted from the beginning of the piece.
+        std::size_t depth = 0;
         std::size_t open_polygons = 0;
         double reach_mm = 0;
-        std::uint32_t axis = kClosed; // Axis that the next segment continues.
+        std::uint32_t axis = kClosed; // Axis that the next segment continues, or kClosed.
     };
 
     template<StepLengths kLengths>
@@ -148,11 +151,12 @@ private:
     BranchIndex const& index_;
     BranchCutter cutter_;
     std::array<Step, 256> steps_ {};
-    // True, for each kind, if an @ followed by this kind is a two-module symbol without effect on
-    // segments.
+    // For each kind, whether it makes a symbol of two modules without effect on segments if it
+    // follows an @.
     std::array<bool, 256> is_plain_second_ {};
     Column<std::uint32_t> lengths_; // Number of segments of each axis of the piece.
-    Column<std::uint32_t> stack_;   // Axes to continue after closing brackets.
+    // For each open bracket, the axis to continue after its closing bracket.
+    Column<std::uint32_t> stack_;
     double reach_mm_ = 0;
 };
 
@@ -160,7 +164,7 @@ bool SegmentCounter::count(PlannedPiece& piece, StepLengths lengths,
                            std::vector<PlannedPiece>& branches)
 {
     lengths_.clear();
-    // Upper bound of the sizes of both arrays.
+    // The number of modules is an upper bound of the sizes of both arrays.
     lengths_.reserve(piece.end - piece.begin);
     stack_.reserve(piece.end - piece.begin);
     cutter_.begin(piece.begin, piece.end);
@@ -180,7 +184,7 @@ bool SegmentCounter::count_modules(PlannedPiece& piece, std::vector<PlannedPiece
         if (effect == Effect::None) {
             pass<kLengths>(1, walk);
         } else if (effect == Effect::Long) {
-            // A fast path for the most frequent case.
+            // Fast path for the most frequent case.
             bool const is_quick = steps_[string_.kinds[walk.at]].is_bare_at
                 && walk.at + 1 < string_.size() && is_plain_second_[string_.kinds[walk.at + 1]];
             auto const length = is_quick ? 2 : plain_length(walk.at);
@@ -203,7 +207,8 @@ bool SegmentCounter::count_modules(PlannedPiece& piece, std::vector<PlannedPiece
     return walk.depth == 0 && walk.open_polygons == 0 && walk.at == piece.end;
 }
 
-// Returns the number of modules of an organ or other long symbol; 0 if it may affect segments.
+// Returns the number of modules of an organ or another symbol of several modules; 0 if it may
+// affect segments.
 std::size_t SegmentCounter::plain_length(std::size_t at) const
 {
     auto const kinds = string_.kinds.span().subspan(at);
@@ -245,7 +250,7 @@ template<StepLengths kLengths> bool SegmentCounter::apply(Effect effect, Walk& w
     }
 }
 
-// Updates the counts as Turtle::step() would change the drawing.
+// Counts what Turtle::step() would draw.
 template<StepLengths kLengths> void SegmentCounter::step(bool draws, Walk& walk)
 {
     if (kLengths == StepLengths::Any) {
@@ -270,8 +275,8 @@ template<StepLengths kLengths> void SegmentCounter::step(bool draws, Walk& walk)
     }
 }
 
-// Leaves a long branch that begins at module `at` to another piece, which is appended to
-// `branches`.
+// Leaves a branch that begins at module `at` to another piece, which is appended to `branches`.
+// Returns false if the branch is not long enough.
 bool SegmentCounter::leave_out(PlannedPiece& piece, std::size_t at, std::size_t depth,
                                std::vector<PlannedPiece>& branches)
 {
@@ -301,7 +306,7 @@ bool has_plain_homomorphism(Model const& model)
     });
 }
 
-// Decides whether step lengths must be checked: a step of zero length, or beyond the turtle's
+// Decides whether step lengths must be checked, since a step of zero length, or beyond the turtle's
 // bounds, draws nothing.
 StepLengths step_lengths(Model const& model, ModuleString const& string,
                          TurtleOptions const& options, ParameterRange const& range)
@@ -313,7 +318,7 @@ StepLengths step_lengths(Model const& model, ModuleString const& string,
                                                                          : StepLengths::Any;
 }
 
-// Appends the branches left out by each piece of a generation to the end of `pieces`.
+// Appends the branches that each piece from `first` on has left out to the end of `pieces`.
 void append_branches(std::vector<PlannedPiece>& pieces, std::size_t first,
                      std::vector<std::vector<PlannedPiece>>& branches)
 {
@@ -341,7 +346,7 @@ void add_totals(std::vector<PlannedPiece>& pieces)
 
 ParameterRange parameter_range(ModuleString const& string)
 {
-    // Magnitudes of floats compare like their bit patterns; NaN compares greatest.
+    // The magnitudes of floats compare like their bit patterns; NaN is greater than all.
     std::atomic<bool> has_zero = false;
     std::atomic<std::int32_t> greatest = 0;
     parallel_for(string.parameters.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
@@ -365,7 +370,7 @@ std::optional<std::vector<PlannedPiece>>
 plan_segments(Model const& model, ModuleString const& string, TurtleOptions const& options,
               BranchIndex const& index, ParameterRange const& parameters)
 {
-    // Surfaces move the turtle, so strings with surfaces are not counted.
+    // Surfaces move the turtle, so strings of models with surfaces are not counted.
     if (!parameters.are_finite() || !model.view.surfaces.empty() || !has_plain_homomorphism(model))
         return std::nullopt;
     auto const lengths = step_lengths(model, string, options, parameters);

@@ -11,17 +11,18 @@
 
 namespace tractus::lsystem {
 
-// Range of the magnitudes of a string's parameters.
+// Range of the magnitudes of all parameters of a string.
 struct ParameterRange {
     bool has_zero = false;
-    float greatest = 0; // Largest magnitude of a parameter; infinite if one is infinite or NaN.
+    // Greatest magnitude of a parameter; infinite if a parameter is infinite or not a number.
+    float greatest = 0;
 
     bool are_finite() const { return greatest <= std::numeric_limits<float>::max(); }
 };
 ParameterRange parameter_range(ModuleString const& string);
 
-// A part of the string, without the branches left to other pieces, and the number of segments that
-// it draws.
+// A part of the string without the branches that are left to other pieces, and the number of
+// segments that it draws.
 struct PlannedPiece {
     // A branch that another piece draws.
     struct Gap {
@@ -29,11 +30,12 @@ struct PlannedPiece {
         std::size_t piece = 0;
     };
 
-    std::size_t begin = 0; // First module of the piece; the piece is [begin, end) of the string.
+    // First module of the piece, which is the range [begin, end) of the string.
+    std::size_t begin = 0;
     std::size_t end = 0;
     // Index of the first parameter of module `end`; not set for the first piece.
     std::size_t end_parameter = 0;
-    std::int64_t depth = 0; // Bracket depth of the first module.
+    std::int64_t depth = 0; // Bracket depth at the first module.
     std::vector<Gap> gaps;
     // Number of segments of each axis, in the order in which the axes begin.
     std::vector<std::uint32_t> axis_lengths;
@@ -42,10 +44,10 @@ struct PlannedPiece {
     std::size_t segment_count = 0;
 };
 
-// Counts the axes and segments of each part of a long string before any is drawn. Any thread can
-// then draw each part directly to its place in the plant. The first piece is the outermost; the
-// others come after the piece whose gap they fill. No value for strings whose symbols are as hard
-// to count as to draw, or that cannot be drawn in parallel.
+// Counts the axes and segments of each part of a long string before any is drawn, so that any
+// thread can then draw a part directly to its place in the plant. The first piece is the outermost;
+// each other piece comes after the piece whose gap it fills. Returns no value for strings that
+// cannot be drawn in parallel, or whose symbols are as hard to count as to draw.
 std::optional<std::vector<PlannedPiece>>
 plan_segments(Model const& model, ModuleString const& string, TurtleOptions const& options,
               BranchIndex const& index, ParameterRange const& parameters);

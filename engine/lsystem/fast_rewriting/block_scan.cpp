@@ -8,7 +8,7 @@
 
 namespace tractus::lsystem {
 
-// Branch-free: processors could not predict which modules change.
+// Without branches, since processors could not predict which modules change.
 void BlockScan::find(Kinds const& kinds, std::span<KindId const> modules)
 {
     CHECK(modules.size() <= kMax);

@@ -7,7 +7,8 @@
 
 namespace tractus::lsystem {
 
-// Maximum number of bits of a kind: keeps tables about as small as a processor's level 1 cache.
+// Maximum number of bits of a kind. It limits the table to 64 kB, about the size of a processor's
+// level 1 cache.
 static constexpr unsigned kMaxKindBits = 5;
 
 static bool is_plain(Model const& model, Rule const& rule)
@@ -40,7 +41,7 @@ std::optional<ContextTable> ContextTable::create(Model const& model)
     bool const has_contexts = std::any_of(rules.begin(), rules.end(), [](Rule const& rule) {
         return !rule.left.empty() || !rule.right.empty();
     });
-    // Brackets delimit branches in right contexts unless both are ignored.
+    // Right contexts see brackets as the limits of branches unless both brackets are ignored.
     auto const is_ignored = [&](char symbol) {
         auto const kind = find_kind(model.alphabet, { symbol, 0 });
         return kind && model.ignored[*kind];
@@ -99,7 +100,7 @@ ContextTable::ContextTable(Model const& model)
 void ContextTable::find_right_neighbours(Task const& task)
 {
     auto const size = task.in.size();
-    // Extra room, so that a growing string does not reallocate at every step.
+    // Reserves more than needed, so that a growing string does not reallocate at every step.
     if (right_.capacity() < size + 1)
         right_.reserve(size + size / 2 + 1);
     pieces_.resize(task.piece_count);
@@ -121,7 +122,7 @@ template<bool kIsRow, bool kIsOneToOne>
 void ContextTable::write(Task const& task, std::size_t number, Column<KindId>& waiting,
                          Column<KindId>& out) const
 {
-    constexpr std::size_t kBlock = 4096; // Number of modules between two checks of the capacity.
+    constexpr std::size_t kBlock = 4096; // Number of modules for which room is reserved at a time.
     auto const size = task.in.size();
     auto const first = number * task.piece;
     auto const last = std::min(first + task.piece, size);
@@ -182,7 +183,8 @@ void ContextTable::write_piece(Task const& task, std::size_t number, Column<Kind
                           : write<false, false>(task, number, stack, out);
 }
 
-// Rewrites several pieces at a time, each into its own buffer, and then concatenates the results.
+// Rewrites kPiecesAtATime pieces in parallel, each into its own buffer, appends the results to
+// `out`, and continues with the next pieces.
 void ContextTable::write_in_parallel(Task const& task, Column<KindId>& out)
 {
     constexpr std::size_t kPiecesAtATime = 32;
@@ -217,7 +219,7 @@ void ContextTable::rewrite(Column<KindId> const& in, Column<KindId>& out, std::s
     if (!is_row_)
         find_right_neighbours(task);
     out.clear();
-    // The result is seldom shorter than the input; further growth does not copy.
+    // The result is seldom shorter than the input. If it is longer, growing does not copy it.
     out.reserve(std::min(in.size(), max_modules));
     if (task.piece_count > 2 && thread_count() > 1)
         return write_in_parallel(task, out);

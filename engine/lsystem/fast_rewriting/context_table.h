@@ -13,33 +13,33 @@
 
 namespace tractus::lsystem {
 
-// Rewrites by table lookup, for models whose rules have no parameters, no probabilities, and
-// contexts of at most one module, such as models of signals in plants. The successor of a module
-// then depends on three kinds: its own and those of its two neighbours. A string is scanned from
-// the right for right neighbours and rewritten from the left, each with a stack for branches, in
-// pieces.
+// Rewrites by table lookup. This is possible for models whose rules have no parameters, no
+// probabilities, and contexts of at most one module, such as models of signals in plants. The
+// successor of a module then depends on three kinds: its own and those of its two neighbours. A
+// string is scanned from the right to find right neighbours, then rewritten from the left. Both
+// passes use a stack for branches and treat the string in pieces.
 class ContextTable {
 public:
-    // Makes a table for a model; no value if the model has other rules or no context at all. The
-    // model must outlive the table.
+    // Makes a table for a model, which must outlive it. Returns no value if the model has other
+    // rules or no context at all.
     static std::optional<ContextTable> create(Model const& model);
 
     // Rewrites all of `in`, in parallel if it has more than two pieces of `piece` modules. Stops
-    // when `out` exceeds `max_modules`.
+    // when the size of `out` exceeds `max_modules`.
     void rewrite(Column<KindId> const& in, Column<KindId>& out, std::size_t max_modules,
                  std::size_t piece);
 
 private:
     using Role = NeighbourRoles::Role;
 
-    // One step's work on a string.
+    // The input and the limits of one step.
     struct Task {
         Column<KindId> const& in;
         std::size_t max_modules = 0;
         std::size_t piece = 0;
         std::size_t piece_count = 0;
     };
-    // Buffers for a piece that is written in parallel with others.
+    // Buffers for a piece that is written at the same time as others.
     struct Written {
         Column<KindId> out;
         Column<KindId> stack;
@@ -63,14 +63,15 @@ private:
     NeighbourRoles roles_;
     bool is_row_ = true;
     bool is_one_to_one_ = true; // True if every successor is a single module.
-    // Successor for each combination of a module's own kind and its neighbours', as an index into
-    // successors_.
+    // Successor for each combination of the kinds of a module and its two neighbours, as an index
+    // into successors_.
     std::vector<std::uint16_t> table_;
-    // Kind of the successor for each combination, if is_one_to_one_.
+    // Kind of the successor for each such combination; only filled if is_one_to_one_.
     std::vector<KindId> one_to_one_;
     std::vector<FixedSuccessor> successors_;
     std::size_t longest_ = 1;
-    // Reserved memory; only the part that is written is touched.
+    // The two columns below reserve more memory than they use; only memory that is written is
+    // touched.
     Column<KindId> right_; // Right neighbour of each module.
     std::vector<PieceNeighbours> pieces_;
     std::vector<Written> written_;

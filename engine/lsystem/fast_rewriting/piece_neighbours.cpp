@@ -6,8 +6,8 @@ namespace tractus::lsystem {
 
 using Role = NeighbourRoles::Role;
 
-// Scans a piece from the right. The end of a branch has no right neighbour; the module after a
-// branch is the right neighbour of the module that bears it.
+// Scans a piece from the right. The last module of a branch has no right neighbour. The module
+// after a branch is the right neighbour of the module before the branch.
 template<bool kSeesBranches>
 void PieceNeighbours::read_all(NeighbourRoles const& roles, KindId const* string, std::size_t begin,
                                std::size_t end, KindId* rights)
@@ -18,7 +18,7 @@ void PieceNeighbours::read_all(NeighbourRoles const& roles, KindId const* string
     waiting_.reserve(end - begin);
     auto* const waiting = waiting_.data();
     std::size_t depth = 0; // Closing brackets read so far whose opening bracket lies further left.
-    std::size_t left_depth = 0; // Depth at which the left neighbour is looked for.
+    std::size_t left_depth = 0; // Depth at which the next left neighbour is searched for.
     Neighbour taken = 0;
     Neighbour right = kOutside;
     for (auto i = end; i-- > begin;) {

@@ -7,11 +7,11 @@
 
 namespace tractus::lsystem {
 
-// Number of parameters copied in one move.
+// Number of parameters that are copied in one wide move.
 static constexpr std::size_t kWideRun = 8;
 
-// Copies values, if `is_wide` in moves of a fixed width that may exceed `count`, because most runs
-// are short. Advances `to` by `count`.
+// Copies `count` values and advances `to` by `count`. If `is_wide`, copies in moves of a fixed
+// width, which is faster for short runs but may write past the end.
 template<std::size_t width, typename T>
 static void copy_run(T const* from, std::size_t count, bool is_wide, T*& to)
 {
@@ -75,8 +75,8 @@ RulePlan::Way RulePlan::find_rewrite_mode(KindId kind)
     return Way::Fixed;
 }
 
-// Fills candidates_ if chance alone chooses among the kind's rules. A deterministic rule is the
-// only candidate.
+// Fills candidates_ and returns true if chance alone chooses among the kind's rules. In a
+// deterministic system the first rule is the only candidate.
 bool RulePlan::find_chances(KindId kind)
 {
     auto& candidates = candidates_[kind];
@@ -98,7 +98,7 @@ bool RulePlan::find_chances(KindId kind)
     return !candidates.empty();
 }
 
-// Fills sizes_ if all successors of the kind have the same size.
+// Fills sizes_ and returns true if all successors of the kind have the same size.
 bool RulePlan::find_size(KindId kind)
 {
     if (ways_[kind] == Way::Copy || ways_[kind] == Way::Fixed) {
@@ -119,8 +119,8 @@ bool RulePlan::find_size(KindId kind)
     });
 }
 
-// Selects the kinds whose modules may be collected and rewritten in batches, rule by rule. The
-// order of modules must not matter for that.
+// Marks the kinds whose modules may be collected and rewritten in batches, rule by rule. There are
+// none if the order of modules matters.
 void RulePlan::find_batches()
 {
     for (std::size_t i = 0; i < model_.alphabet.kinds.size(); ++i) {
@@ -137,8 +137,8 @@ void RulePlan::find_batches()
     }
 }
 
-// Returns the first candidate at which the cumulative weight exceeds `number` times the total.
-// Branch-free, because processors cannot predict chance.
+// Returns the rule of the first candidate at which the cumulative weight exceeds `number` times the
+// total weight. Without branches, since processors cannot predict chance.
 std::size_t RulePlan::choose(KindId kind, double number) const
 {
     auto const& candidates = candidates_[kind];
@@ -193,7 +193,7 @@ std::size_t RangeRewriter::rewrite_module(Task const& task, std::size_t at, std:
     return rewrite_one(rest, { in_, &branches_, at, parameter, at + 1, 0 });
 }
 
-// Rewrites a range block by block and reserves memory for a whole block at once.
+// Rewrites a range block by block; reserves memory for a whole block at once.
 void RangeRewriter::rewrite_bounded(Range const& range)
 {
     auto parameter = range.parameter;
@@ -209,7 +209,7 @@ void RangeRewriter::rewrite_bounded(Range const& range)
 }
 
 // Rewrites a range of at most BlockScan::kMax modules. Returns the index of the first parameter
-// after it.
+// after the range.
 std::size_t RangeRewriter::write_block(Range const& range, Room room, ModuleWriter& to)
 {
     auto const size = static_cast<std::uint32_t>(range.end - range.begin);
@@ -255,7 +255,8 @@ std::size_t RangeRewriter::write_block(Range const& range, Room room, ModuleWrit
     return end;
 }
 
-// Rewrites a range of any size block by block.
+// Rewrites a range of any size block by block. Returns the index of the first parameter after the
+// range.
 std::size_t RangeRewriter::write_blocks(Range const& range, Room room, ModuleWriter& to)
 {
     auto parameter = range.parameter;
@@ -274,8 +275,8 @@ void RangeRewriter::rewrite_to_place(ModuleString const& in, std::uint32_t step,
     constexpr std::size_t kLongTail = 64;
     in_ = &in;
     step_ = step;
-    // Wide moves write past the end of a run, where another thread may be writing. The last modules
-    // are therefore written to a buffer first.
+    // Wide moves write past the end of a run; after the range's end another thread may be writing.
+    // The successors of the last modules are therefore first written to a buffer.
     RulePlan::Size last;
     auto tail = range.end;
     while (tail > range.begin
@@ -331,7 +332,7 @@ void RangeRewriter::rewrite_any(Range const& range)
     }
 }
 
-// Appends the successor of the first module; returns the number of modules read.
+// Appends the successor of the first module of `rest`. Returns the number of modules read.
 std::size_t RangeRewriter::rewrite_one(Modules const& rest, Surroundings const& around)
 {
     auto const kind = rest.kinds[0];
@@ -393,14 +394,14 @@ void RangeRewriter::decompose_successor(Surroundings const& around, std::size_t 
         else
             append_one(rest);
         if (count == 0)
-            return; // The string has too many modules; the caller reports it.
+            return; // The string has too many modules, which the caller reports.
         for (std::size_t k = 0; k < count; ++k)
             parameter += model_.alphabet[rest.kinds[k]].parameter_count;
         i += count;
     }
 }
 
-// Records the branch cut off by a %(x), from the module after it.
+// Records the range of a branch that the %(x) before it has cut off.
 void RangeRewriter::keep(Range const& range)
 {
     auto const& cuts = in_->cuts;
@@ -415,7 +416,7 @@ void RangeRewriter::rewrite_kept(Task const& task)
 {
     begin(task);
     auto const kind = find_kind(model_.alphabet, { '%', 2 });
-    // The loop's bound may grow: kept branches may contain further cuts.
+    // The loop's bound may grow while it runs, since kept branches may contain further cuts.
     for (std::size_t i = 0; i < kept_.size() && !is_over(); ++i) {
         auto const [range, turtle] = kept_[i];
         CHECK(kind);

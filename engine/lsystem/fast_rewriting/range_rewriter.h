@@ -16,48 +16,51 @@
 
 namespace tractus::lsystem {
 
-// Properties of a model's rules that rewriting needs, computed once.
+// Properties of a model's rules that rewriting needs; computed once for a model.
 class RulePlan {
 public:
-    // Plans one L-system of the model, which must outlive the plan.
+    // Makes a plan for one L-system of the model. Both must outlive the plan.
     RulePlan(Model const& model, LSystem const& system);
 
     Model const& model() const { return model_; }
     LSystem const& system() const { return system_; }
 
-    // The way in which modules of a kind are rewritten.
+    // How modules of a kind are rewritten.
     enum class Way : std::uint8_t {
         Copy,  // The module stays as it is.
         Fixed, // The module always has the same successor.
-        // As Chance; in addition, the programs of all rules can run for many modules at once.
+        // Like Chance; in addition, the program of each rule can run for many modules at once.
         Batch,
-        Chance, // Chance alone chooses among rules without contexts and conditions.
-        Search, // Rules must be tried one after another.
+        Chance, // Chance alone chooses among the rules, which have no contexts or conditions.
+        Search, // The rules must be tried one after another.
     };
     Way way(KindId kind) const { return ways_[kind]; }
     FixedSuccessor const& fixed(KindId kind) const { return fixed_[kind]; }
 
-    // True if chance chooses among several rules; otherwise there is one candidate.
+    // True if chance chooses among several rules for the kind; otherwise one rule is used.
     bool has_chance(KindId kind) const { return candidates_[kind].size() > 1; }
-    // Returns the index in RuleSet::rules of the rule that a random number in [0, 1) selects.
+    // Returns the index in RuleSet::rules of the rule that a random number in [0, 1) selects for
+    // the kind.
     std::size_t choose(KindId kind, double number) const;
     BlockScan::Kinds const& scan_kinds() const { return scan_kinds_; }
 
-    // True if every kind is Copy or Fixed.
+    // True if every kind is rewritten as Copy or Fixed.
     bool is_fixed() const { return is_fixed_; }
-    // True if, for each kind, all successors have the same size, regardless of chance and
-    // parameters.
+    // True if all successors of a kind have the same size, whatever chance and parameters are, for
+    // every kind.
     bool has_known_sizes() const { return has_known_sizes_ && has_bounds_; }
     struct Size {
         std::size_t modules = 0;
         std::size_t parameters = 0;
     };
     Size size(KindId kind) const { return sizes_[kind]; }
-    // True if a string may be cut into ranges that different rewriters process in any order: no
-    // rule changes a global variable, prints, or reads more modules than its predecessor.
+    // True if a string may be divided into ranges that different rewriters process in any order: no
+    // rule has side effects, keeps local variables or replaces several modules at once, and nothing
+    // is cut off.
     bool is_divisible() const { return is_divisible_; }
-    // True if the size of each module's successor is bounded by longest() and most_parameters():
-    // the model has neither decomposition rules nor cuts.
+    // True if longest() and most_parameters() bound the size of every module's successor. This
+    // requires that the model has no decomposition rules, no cuts and no predecessors of several
+    // modules.
     bool has_bounds() const { return has_bounds_; }
     // True if some kind is rewritten as Batch.
     bool has_batches() const { return has_batches_; }
@@ -96,12 +99,12 @@ private:
     std::size_t most_parameters_ = 0;
 };
 
-// Rewrites a range of a string, module by module, from the left. Each thread needs a rewriter of
-// its own.
+// Rewrites a range of a string, module by module, from the left. Each thread needs its own
+// rewriter.
 class RangeRewriter {
 public:
-    // The arguments must outlive this object. `branches` describes the string to be rewritten; it
-    // is needed if rules have contexts.
+    // The arguments must outlive this object. `branches` are the matching brackets of the string to
+    // be rewritten; they are only needed if rules have contexts.
     RangeRewriter(RulePlan const& plan, VirtualMachine& machine, Branches const& branches);
 
     bool has_contexts() const { return rewriter_.has_contexts() || decomposition_.has_contexts(); }
@@ -109,10 +112,10 @@ public:
     struct Range {
         std::size_t begin = 0;
         std::size_t end = 0;
-        std::size_t parameter = 0; // Index of the first module's first parameter.
+        std::size_t parameter = 0; // Index of the first parameter of the range's first module.
     };
 
-    // Input and output of one rewriting step.
+    // Input and output of the rewriting of a string in one step.
     struct Task {
         ModuleString const& in;
         std::uint32_t step;
@@ -124,23 +127,23 @@ public:
     // machine stops.
     void rewrite(Task const& task, Range const& range);
 
-    // Writes the successors of the range's modules, whose sizes are known, to memory of exactly the
-    // required size. Stops early if the machine stops.
+    // Writes the successors of the range's modules, whose sizes must be known, to memory of exactly
+    // the required size. Stops early if the machine stops.
     void rewrite_to_place(ModuleString const& in, std::uint32_t step, Range const& range,
                           ModuleWriter to);
 
-    // Appends the branches cut off by %(x) in rewrite() since the last call. Each follows a module
-    // %(x,i), where i is the number of its turtle state.
+    // Appends the branches that a %(x) has cut off in rewrite() since the last call. Each follows a
+    // module %(x,i), where i is the number of the branch's turtle state.
     void rewrite_kept(Task const& task);
 
-    // Appends the successor of the module at index `at`, whose first parameter has index
-    // `parameter`. Returns the number of modules read: more than one for long predecessors and
-    // cuts.
+    // Appends the successor of the module with index `at`, whose first parameter has index
+    // `parameter`. Returns the number of modules read: more than one for a long predecessor or a
+    // cut.
     std::size_t rewrite_module(Task const& task, std::size_t at, std::size_t parameter);
 
 private:
-    // Room after the range: ForWideRuns if a wide move may write parameters past the end of the
-    // range.
+    // Room in the output after the range. With ForWideRuns, a wide move may write parameters past
+    // the range's end.
     enum class Room : std::uint8_t { Tight, ForWideRuns };
 
     void rewrite_bounded(Range const& range);
@@ -167,12 +170,14 @@ private:
     Rewriter rewriter_;
     Expander decomposition_;
     BlockScan scan_;
-    std::vector<RuleBatch> batches_; // One batch per rule; empty if no kind is rewritten as Batch.
+    // One batch for each rule; empty if no kind is rewritten as Batch.
+    std::vector<RuleBatch> batches_;
     std::uint32_t step_ = 0;
     ModuleString const* in_ = nullptr; // Not owned.
     ModuleString* out_ = nullptr;      // Not owned.
     StringLimit limit_;
-    ModuleString successor_; // Successor of one rule, before decomposition.
+    // Successor of one rule before decomposition; also a buffer for the end of a range.
+    ModuleString successor_;
     struct Kept {
         Range range;
         std::size_t turtle = 0;

@@ -43,7 +43,7 @@ void RuleBatch::finish()
     count_ = 0;
 }
 
-// Executes the most frequent operations of rules as vector operations.
+// Executes the operations that are most frequent in rules as vector operations.
 void RuleBatch::execute(Instruction const& instruction)
 {
     Lanes const left = registers_[instruction.left];

@@ -10,21 +10,20 @@
 
 namespace tractus::lsystem {
 
-// Applies one rule to several modules at once: each instruction runs for all of them before the
-// next one. Results are bit-identical to those of VirtualMachine.
+// Applies one rule to several modules at once: each instruction runs for all modules before the
+// next instruction. Results are bit-identical to those of VirtualMachine.
 class RuleBatch {
 public:
     // Returns true if the rule's program consists of arithmetic only, so that the same instructions
     // run for every module.
     static bool is_possible(Rule const& rule);
 
-    // Prepares a rule without contexts and conditions, for modules that match it. The rule must
-    // outlive the batch.
+    // Prepares a rule that has no contexts and conditions and that must outlive the batch.
     explicit RuleBatch(Rule const& rule);
 
-    // Adds a module, whose parameters are at `from`. Its successor's kinds are written to `to`
-    // immediately, the parameters no later than in finish(); both places must stay valid until
-    // then. `to` must have room for FixedSuccessor::kShort kinds.
+    // Adds a module whose parameters are at `from`. The kinds of its successor are written to `to`
+    // immediately, the parameters no later than in finish(). Both memory places must stay valid
+    // until then. `to` must have room for FixedSuccessor::kShort kinds.
     void add(float const* from, ModuleWriter& to)
     {
         if (count_ == kSize)
@@ -38,7 +37,7 @@ public:
 
 private:
     static constexpr std::size_t kSize = 16;
-    // One register for all modules of a batch.
+    // The values of one register for all modules of a batch.
     using Lanes = std::array<double, kSize>;
 
     void execute(Instruction const& instruction);
@@ -49,7 +48,7 @@ private:
     std::array<float const*, kSize> from_ {}; // Not owned.
     std::array<float*, kSize> to_ {};         // Not owned.
     std::vector<Lanes> registers_;
-    // Parameters of the successor, for all modules of a batch.
+    // Parameters of the successors, each for all modules of a batch.
     std::vector<std::array<float, kSize>> parameters_;
 };
 

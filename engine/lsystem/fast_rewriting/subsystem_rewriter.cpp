@@ -66,7 +66,7 @@ Result<void> SubsystemRewriter::rewrite(RangeRewriter::Task const& task, bool is
     auto const* parameters = in_->parameters.data();
     for (std::size_t i = 0; i < in_->size();) {
         auto const system = stack_.current();
-        // Most of a string consists of runs that stay unchanged.
+        // Runs that stay unchanged make up most of a string, so they are copied as a whole.
         if (auto const run = staying(system, i); run.modules > 0) {
             out_->kinds.append(in_->kinds.data() + i, run.modules);
             out_->parameters.append(parameters, run.parameters);
@@ -94,7 +94,7 @@ Result<void> SubsystemRewriter::rewrite(RangeRewriter::Task const& task, bool is
             parameters += model_.alphabet[kind].parameter_count;
         i += count;
     }
-    while (stack_.depth() > 0) // Sub-L-systems without a closing $ end here.
+    while (stack_.depth() > 0) // Sub-L-systems that no $ has ended end here.
         leave();
     return {};
 }

@@ -4,7 +4,7 @@
 
 namespace tractus::lsystem {
 
-// Returns true if an operation's result depends on its two operands only.
+// Returns true if the result of an operation depends only on its two operands.
 bool is_pure(Op op);
 
 // Evaluates a pure operation (is_pure()).

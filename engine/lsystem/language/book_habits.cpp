@@ -16,7 +16,8 @@ bool is_letter(char c)
     return std::isalpha(static_cast<unsigned char>(c)) != 0;
 }
 
-// Returns the text after a module's parameters, if it begins with parentheses that close.
+// Skips a module's parameters in parentheses, if `text` begins with them. Returns the text after
+// them; empty if the parentheses do not close.
 std::string_view behind_parameters(std::string_view text)
 {
     if (text.substr(0, 1) != "(")

@@ -63,8 +63,8 @@ SubsystemCall CallStack::leave()
              std::move(called.arrays) };
 }
 
-// Calls `pass` for each external name of the active L-system, with the variable or array of that
-// name in the nearest caller that has one.
+// Calls `pass` for each external name of the active L-system. Its arguments are the variable or
+// array of that name in the active L-system, and that in the nearest caller that has one.
 template<typename Pass> void CallStack::for_each_external(Pass const& pass)
 {
     auto const& inner = system(current());

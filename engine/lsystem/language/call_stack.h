@@ -11,15 +11,15 @@
 
 namespace tractus::lsystem {
 
-// The stack of active L-systems at a position in a string: the main one, and the sub-L-systems
-// called by a ?(...) whose $ has not been reached yet.
+// The stack of L-systems that are active at a position in a string: the main one, and each
+// sub-L-system whose call ?(...) comes before the position and whose $ has not been reached yet.
 class CallStack {
 public:
     // The model must outlive the stack. `main` runs the programs of the main L-system and must
     // outlive it, too.
     CallStack(Model const& model, VirtualMachine& main);
 
-    // Index of the active L-system: 0 for the main one, k for the subsystem k - 1.
+    // Returns the index of the active L-system: 0 for the main one, k for Model::subsystems[k - 1].
     std::size_t current() const { return at_work_.back(); }
     std::size_t depth() const { return at_work_.size() - 1; }
     VirtualMachine& machine(std::size_t system) { return *machines_[system]; }
@@ -28,16 +28,16 @@ public:
         return index == 0 ? static_cast<LSystem const&>(model_) : model_.subsystems[index - 1];
     }
 
-    // Returns the initial variables of a ?(...) that has not been rewritten yet.
+    // Returns a call with the initial values of its variables, for a ?(...) that has not been
+    // rewritten yet.
     static SubsystemCall new_call(Model const& model, std::uint16_t subsystem);
 
-    // Returns the index in Model::subsystems of the L-system with this id, the first parameter of a
-    // ?(...).
-    // Fails with a user error if the model has none or if it is already active.
+    // Returns the index in Model::subsystems of the L-system with this id, which is the first
+    // parameter of a ?(...). Fails with a user error if the model has no such L-system or if it is
+    // already active.
     Result<std::uint16_t> find(float id) const;
 
-    // is_call(): true if a module of this kind calls a sub-L-system; is_end(): true if it ends a
-    // call.
+    // is_call() is true if a module of this kind calls a sub-L-system, is_end() if it ends a call.
     bool is_call(KindId kind) const
     {
         auto const& module = model_.alphabet[kind];
@@ -45,9 +45,9 @@ public:
     }
     bool is_end(KindId kind) const { return model_.alphabet[kind].symbol == '$'; }
 
-    // Activates the L-system of a call, with the variables in `call`.
+    // Makes the L-system that is called the active one, with the variables stored in `call`.
     void enter(SubsystemCall const& call);
-    // Ends the innermost call and returns its variables. There must be one.
+    // Ends the innermost call and returns its variables. A call must be active.
     SubsystemCall leave();
 
 private:

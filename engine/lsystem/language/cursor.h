@@ -9,11 +9,11 @@
 
 namespace tractus::lsystem {
 
-// A parser's reading position in a preprocessed text.
+// The reading position of a parser in a preprocessed text.
 //
-// As in cpfg, the end of a line ends a statement, except inside the braces of a block of
-// statements, if the next line begins with a tab, or if it begins with blanks and cannot be a
-// statement of its own.
+// As in cpfg, the end of a line ends a statement, with three exceptions: inside the braces of a
+// block of statements, if the next line begins with a tab, and if the next line begins with blanks
+// and is not a rule of its own.
 class Cursor {
 public:
     explicit Cursor(SourceText const& source)
@@ -30,21 +30,23 @@ public:
     bool at_end() { return peek() == '\0'; }
     bool at_line_end() { return at_end() || peek() == '\n'; }
 
-    // Returns true if `text` comes next after skip().
+    // Skips blanks, then returns true if `text` comes next.
     bool sees(std::string_view text);
-    // Returns true if --> comes next, or -o>, which cpfg uses for instances in its rayshade output.
+    // Returns true if an arrow comes next: --> or -o>, which cpfg uses for instances in its
+    // rayshade output.
     bool sees_arrow() { return sees("-->") || sees("-o>"); }
-    // Consumes `text` if it comes next.
+    // Consumes `text` and returns true if it comes next; otherwise returns false.
     bool take(std::string_view text);
     // Consumes one character. Must not be called at the end of the text.
     char take_character();
-    // Consumes the rest of the line.
+    // Consumes the rest of the line, and returns it.
     std::string_view take_line();
 
-    // Line ends have no meaning in a block of statements.
+    // Between these two calls, line ends have no meaning: the parser is in a block of statements.
     void enter_block() { ++block_depth_; }
     void leave_block() { --block_depth_; }
-    // If `seen` is true, an arrow on a line of its own begins another rule from here on.
+    // Sets whether the current rule already has its arrow. If so, a following line with an arrow
+    // begins another rule.
     void set_arrow_seen(bool seen) { arrow_seen_ = seen; }
 
     std::size_t position() const { return at_; }
@@ -52,9 +54,9 @@ public:
     std::string_view rest() const { return std::string_view(source_->text).substr(at_); }
     SourceText const& source() const { return *source_; }
 
-    // Makes the error "FILE:LINE:COLUMN: found ..., expected ..." for the current position.
+    // Returns the error "FILE:LINE:COLUMN: found ..., expected ..." for the current position.
     tl::unexpected<Error> unexpected(std::string_view expected);
-    // Makes the error "FILE:LINE:COLUMN: ...".
+    // Returns the error "FILE:LINE:COLUMN: ..." for the current position.
     tl::unexpected<Error> error(std::string_view what) const { return error_at(at_, what); }
     tl::unexpected<Error> error_at(std::size_t position, std::string_view what) const;
 

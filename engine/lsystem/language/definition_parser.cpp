@@ -10,7 +10,7 @@
 namespace tractus::lsystem {
 
 static constexpr double kMaxArraySize = 1e6;
-// Maximum number of elements of all arrays of a file together.
+// Maximum number of elements in all arrays of a file together.
 static constexpr std::size_t kMaxArrayElements = 10'000'000;
 
 Result<double> constant_value(Cursor& cursor, Names& names)
@@ -48,7 +48,7 @@ Result<void> DefinitionParser::block(LSystem& system)
     return {};
 }
 
-// Defines an array and reads its sizes, which follow in brackets.
+// Defines an array, whose sizes in brackets come next, and reads these.
 Result<void> DefinitionParser::new_array(LSystem& system, std::string const& name)
 {
     Names::Array array { name, {} };

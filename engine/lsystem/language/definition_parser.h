@@ -13,7 +13,7 @@ namespace tractus::lsystem {
 // Reads a constant expression and evaluates it.
 Result<double> constant_value(Cursor& cursor, Names& names);
 
-// Reads the define: statements of a file, whose arrays share a size limit.
+// Reads the define: statements of a file. The arrays that these define share a size limit.
 class DefinitionParser {
 public:
     DefinitionParser(Cursor& cursor, Names& names)
@@ -22,8 +22,8 @@ public:
     {
     }
 
-    // Reads a block of an L-system: { array NAME[size]... = { values }, ...; external NAME,
-    // NAME[size]..., ...; }.
+    // Reads the block of a define: statement and adds its arrays and external names to `system`.
+    // The block is { array NAME[size]... = { values }, ...; external NAME, NAME[size]..., ...; }.
     Result<void> block(LSystem& system);
 
 private:

@@ -25,7 +25,7 @@ constexpr int kAndLevel = 1;
 constexpr int kFirstBinaryLevel = 2;
 constexpr int kUnaryLevel = 7;
 
-// Longer operators come first, because the first match is taken.
+// Longer operators come before their prefixes, because the first match is taken.
 constexpr std::array kBinaryOperators {
     BinaryOperator { "==", Op::Equal, 2 },        BinaryOperator { "!=", Op::NotEqual, 2 },
     BinaryOperator { "<>", Op::NotEqual, 2 },     BinaryOperator { "<=", Op::LessEqual, 3 },
@@ -105,7 +105,8 @@ Result<Register> ExpressionCompiler::conditional(Program& program)
     return result;
 }
 
-// Compiles || and &&. The right operand is evaluated only if the left one does not decide.
+// Compiles || and &&. The right operand is evaluated only if the left one does not decide the
+// result.
 Result<Register> ExpressionCompiler::logical(Program& program, int level)
 {
     auto const operand = [&]() -> Result<Register> {
@@ -309,7 +310,7 @@ Result<Register> ExpressionCompiler::derivation_length(std::string const& functi
     constexpr auto kIndex = static_cast<std::uint16_t>(GlobalIndex::DerivationLength);
     bool const sets = function.front() == 'S';
     auto target = sets ? TRY(expression(program)) : TRY(frame_.temporary());
-    if (!sets && cursor_.peek() != ')') // The argument that cpfg requires here is ignored.
+    if (!sets && cursor_.peek() != ')') // cpfg requires an argument here; its value is ignored.
         frame_.release(TRY(expression(program)));
     if (!cursor_.take(")"))
         return cursor_.unexpected("')'");
@@ -321,7 +322,7 @@ Result<Register> ExpressionCompiler::derivation_length(std::string const& functi
     return target;
 }
 
-// Compiles a call of printf: its values go to consecutive registers.
+// Compiles a call of printf. The values to print go to consecutive registers.
 Result<Register> ExpressionCompiler::print_call(std::size_t position, Program& program)
 {
     constexpr std::size_t kMaxFormats = 10000;
@@ -370,7 +371,7 @@ Result<Register> ExpressionCompiler::text()
     return frame_.constant(static_cast<double>(number));
 }
 
-// Reads a text in double quotes, including escapes: a backslash and the character after it.
+// Reads a text in double quotes. A backslash and the character after it are kept as they are.
 Result<std::string> ExpressionCompiler::quoted_text()
 {
     auto const begin = cursor_.position();
@@ -413,7 +414,7 @@ Result<Register> ExpressionCompiler::missing_call(MissingFunction const& functio
         if (cursor_.peek() == '"') {
             TRY(quoted_text());
         } else {
-            cursor_.take("&"); // Skips the address operator of an argument of fscanf.
+            cursor_.take("&"); // Skips the address operator before an argument of fscanf.
             auto const argument = TRY(expression(program));
             if (!first && function.which == MissingFunction::Value::FirstArgument)
                 first = argument;
@@ -427,7 +428,7 @@ Result<Register> ExpressionCompiler::missing_call(MissingFunction const& functio
     return first ? *first : frame_.constant(function.value);
 }
 
-// Compiles the number of a function or curve; it may also be given by its name in the view file.
+// Compiles the number of a function or curve, which may also be given by a name in `tables`.
 Result<Register> ExpressionCompiler::table_id(std::vector<std::string> const& tables,
                                               Program& program)
 {

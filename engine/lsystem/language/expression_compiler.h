@@ -15,13 +15,13 @@
 
 namespace tractus::lsystem {
 
-// Compiles cpfg's C-like expressions to programs over one frame.
+// Compiles cpfg's C-like expressions to programs that share one frame of registers.
 //
 // Operators from lowest to highest precedence: ?: || && == != (or <>) < <= >= > + - * / % ^ - !.
 // All binary operators are left-associative, so -2^2 is 4 and 2^3^2 is 64.
 class ExpressionCompiler {
 public:
-    // Scope of new variables created by assignments: global in an L-system's blocks, local in
+    // Scope of the variables that assignments create: global in the blocks of an L-system, local in
     // rules.
     enum class NewNames { Global, Local };
 
@@ -33,7 +33,7 @@ public:
     {
     }
 
-    // Adds a formal parameter of the rule; no value if the name is already used.
+    // Adds a formal parameter of the rule; returns no value if the name is already used.
     std::optional<Register> add_parameter(std::string const& name);
 
     // Compiles an expression; returns the register of its value.
@@ -41,11 +41,12 @@ public:
     // Compiles a primary expression: an expression in parentheses, a number, a name or a call.
     Result<Register> primary(Program& program);
 
-    // Reads a string that is a parameter of a module; returns the register of the string's number
-    // in the model.
+    // Reads a quoted string that is a parameter of a module. Returns the register that contains the
+    // string's number in the model.
     Result<Register> text();
 
-    // An element of an array; element() reads its index after the array's name has been read.
+    // An element of an array. element() reads the element's index after the array's name has been
+    // read.
     struct Element {
         std::uint16_t array = 0;
         Register index = 0;
@@ -54,12 +55,12 @@ public:
 
     Result<void> assign(std::string const& variable, Register value, Program& program);
 
-    // A local variable of a rule.
+    // A local variable or a parameter of a rule.
     struct Local {
         Register value = 0;
         bool is_parameter = false;
         bool is_assigned = false;
-        // Position in the text at which the variable is first read.
+        // Position in the text at which the variable is first read; no value if it is never read.
         std::optional<std::size_t> first_read {};
     };
     std::map<std::string, Local, std::less<>> const& locals() const { return locals_; }
@@ -67,7 +68,7 @@ public:
     Cursor& cursor() { return cursor_; }
     FrameBuilder& frame() { return frame_; }
 
-    // Reads a name; no value if there is none.
+    // Reads a name; returns no value if none comes next.
     static std::optional<std::string> name(Cursor& cursor);
 
 private:

@@ -6,7 +6,8 @@
 
 namespace tractus::lsystem {
 
-// Limit on the numbers of registers and instructions: their indices have 16 bits.
+// Maximum number of registers in a frame and of instructions in a program: their indices have 16
+// bits.
 static constexpr std::size_t kMaxSize = 30000;
 
 Result<Register> FrameBuilder::add(double value)
@@ -24,7 +25,7 @@ Result<Register> FrameBuilder::constant(double value)
         return found->second;
     auto const reg = TRY(add(value));
     kinds_[reg] = Kind::Constant;
-    if (!std::isnan(value)) // NaN is not added, because a map cannot find it again.
+    if (!std::isnan(value)) // NaN is not stored, because a map cannot find it again.
         constants_.emplace(value, reg);
     return reg;
 }

@@ -10,9 +10,9 @@
 
 namespace tractus::lsystem {
 
-// Allocates registers in the frame shared by the programs of a rule or block, and appends
-// instructions to programs. Fails with a user error at the cursor's position if a frame or program
-// becomes too large.
+// Allocates registers in the frame that the programs of a rule or block share, and appends
+// instructions to these programs. Fails with a user error at the cursor's position if the frame or
+// a program becomes too large.
 class FrameBuilder {
 public:
     explicit FrameBuilder(Cursor const& cursor)
@@ -20,9 +20,9 @@ public:
     {
     }
 
-    // Allocates a permanent register.
+    // Allocates a register that is never freed.
     Result<Register> add(double value = 0);
-    // Returns the register of a constant.
+    // Returns the register of a constant, which is allocated if it is new.
     Result<Register> constant(double value);
     // Allocates a register for an intermediate result.
     Result<Register> temporary();
@@ -34,11 +34,11 @@ public:
 
     // Returns the index of the next instruction of `program`, as a jump target.
     Result<std::uint16_t> label(Program const& program) const;
-    // Appends an instruction and releases its operands; returns the register of its result.
-    // Operations on constants are evaluated at compile time.
+    // Appends an instruction and frees those of its operands that are temporary. Returns the
+    // register of the result. Operations on constants are evaluated at compile time.
     Result<Register> emit(Op op, Register left, Register right, Program& program);
 
-    // Returns the initial frame. To be called last.
+    // Returns the initial values of the registers. Must be the last call.
     RegisterFile take_frame() { return std::move(frame_); }
 
 private:
@@ -46,7 +46,7 @@ private:
 
     Cursor const& cursor_;
     RegisterFile frame_;
-    std::vector<Kind> kinds_; // Kind of each register.
+    std::vector<Kind> kinds_; // Kind of each register of the frame.
     std::map<double, Register> constants_;
     std::vector<Register> free_temporaries_;
 };

@@ -57,8 +57,8 @@ namespace {
 
 enum class Reaches { Read, End, Neither };
 
-// Determines what may be reached from the program's beginning before the variable is set: a read of
-// it, the end, or neither.
+// Determines what the program may reach before it sets the variable: an instruction that reads the
+// variable, the program's end, or neither.
 Reaches follow(Program const& program, Register variable)
 {
     std::vector<bool> seen(program.size() + 1);

@@ -4,8 +4,8 @@
 
 namespace tractus::lsystem {
 
-// Returns true if a rule may read this local variable before setting it, so that the value of the
-// rule's last match matters. Also true if the analysis would take too long.
+// Returns true if a rule may read this local variable before it sets it, so that the value from the
+// rule's previous match matters.
 bool is_read_before_set(Rule const& rule, Register variable);
 
 } // namespace tractus::lsystem

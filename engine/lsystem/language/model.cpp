@@ -24,7 +24,7 @@ constexpr int kMaxDepth = 1'000'000;
 constexpr std::size_t kMaxRules = 65'000;
 constexpr std::size_t kMaxSystems = 1'000;
 
-// Words that may begin a line; used to suggest corrections of misspelt ones.
+// First words of statements, of which one is suggested for a line that looks misspelt.
 constexpr std::array<std::string_view, 18> kStatements {
     "Lsystem:",       "Axiom:",       "derivation length:", "Seed:",
     "maximum depth:", "ignore:",      "consider:",          "ring L-system",
@@ -84,16 +84,16 @@ private:
     DefinitionParser definitions_parser_ { cursor_, names_ };
     LSystem system_; // The L-system being parsed.
     RuleSet* rules_ = &system_.rules;
-    SymbolList seen_; // Symbols of the ignore: or consider: statement of the L-system being parsed.
-    // Symbol lists of the L-systems parsed so far, the main one first.
+    SymbolList seen_; // Symbols in the ignore: or consider: statement of the L-system being parsed.
+    // Symbols in these statements of the L-systems parsed so far, the main one first.
     std::vector<SymbolList> ignored_;
     bool has_axiom_ = false;
     bool has_seed_ = false; // True if the L-system being parsed has a seed.
-    // Place of the first production with a probability in the L-system being parsed.
+    // Position of the first production with a probability in the L-system being parsed.
     std::optional<std::string> probability_place_;
 };
 
-// Consumes a word of the language, ignoring case; a blank in `word` matches any blanks.
+// Consumes a word of the language, ignoring case. A blank in `word` matches any number of blanks.
 bool Parser::take_word(std::string_view word)
 {
     cursor_.skip();
@@ -116,7 +116,7 @@ bool Parser::sees_word(std::string_view word)
 }
 
 // Parses a rule. If that fails and the line does not look like a rule, reports a misspelt statement
-// instead.
+// instead of the rule's error.
 Result<void> Parser::rule_or_misspelt_statement()
 {
     cursor_.skip();
@@ -143,7 +143,7 @@ Result<void> Parser::rule_or_misspelt_statement()
     return no_statement("a rule, which has -->, or a statement");
 }
 
-// Makes the error for a line that is not a statement of the language.
+// Returns the error for a line that is neither a rule nor a statement of the language.
 tl::unexpected<Error> Parser::no_statement(std::string_view expected)
 {
     auto const line = trimmed_line(cursor_.rest().substr(0, cursor_.rest().find('\n')));
@@ -171,7 +171,8 @@ Result<void> Parser::end_line()
     return {};
 }
 
-// Ends the current L-system; the next line does not continue this one, however it begins.
+// Ends the L-system being parsed. The next line does not continue the present line, however it
+// begins.
 Result<void> Parser::end_of_system()
 {
     if (!trimmed_line(cursor_.take_line()).empty())
@@ -218,8 +219,8 @@ Result<void> Parser::system()
     return finish_system();
 }
 
-// Parses "Lsystem:" and its label: the number by which ?(...) calls a sub-L-system. cpfg allows any
-// text.
+// Parses "Lsystem:" and the label after it, which is the number by which ?(...) calls a
+// sub-L-system. cpfg allows any text as the label.
 Result<void> Parser::header()
 {
     skip_blank_lines();
@@ -331,7 +332,7 @@ Result<bool> Parser::section()
     cursor_.take(":");
     if (!take_word("no warnings"))
         take_word("warnings");
-    // The line is a rule after all, for example one whose predecessor begins with an h.
+    // The line is a rule after all: for example, its predecessor begins with an h.
     if (!cursor_.at_line_end()) {
         cursor_.set_position(begin);
         return false;
@@ -416,7 +417,7 @@ Model Parser::finish()
                                 "sub-L-systems cannot keep it at the string's end",
                                 model_.name));
     model_.formats = std::move(names_.formats);
-    // Warnings about what changes the plant most come first.
+    // Warnings about what changes the plant most are listed first.
     auto& warnings = model_.warnings;
     warnings = std::move(names_.warnings);
     for (auto const& more : { names_.uses.warnings(cursor_.source()), model_.view.warnings,
@@ -440,7 +441,7 @@ Result<Model> compile_model(ModelSource const& source, IncludeReader const& incl
     auto view = TRY(parse_view(source.view_name, source.view_text, include));
     auto const text = TRY(preprocess(source.name, source.text, include));
     auto model = Parser(source, text, std::move(view)).parse();
-    // A warning of the preprocessor may explain the error: for example, a macro that swallowed a
+    // A warning of the preprocessor may explain the error, for example if a macro swallowed a
     // statement.
     if (!model)
         for (auto const& warning : text.warnings)

@@ -16,9 +16,9 @@
 
 namespace tractus::lsystem {
 
-// A growing array of trivially copyable values. Unlike std::vector, it leaves new elements
-// uninitialised and grows in place if the system can, because strings are large and are written
-// once, in order. Large arrays use huge pages.
+// A growing array of trivially copyable values, for strings, which are large and are written once,
+// in order. Unlike std::vector, it leaves new elements uninitialised and grows in place if the
+// system can. Large arrays use huge pages.
 template<typename T> class Column {
     static_assert(std::is_trivially_copyable_v<T>);
 
@@ -48,7 +48,7 @@ public:
     T const& operator[](std::size_t index) const { return data_.get()[index]; }
     std::span<T const> span() const { return { data(), size_ }; }
 
-    // Sets the size, at most to the capacity; new elements are uninitialised.
+    // Sets the size, which must not exceed the capacity; new elements are uninitialised.
     void set_size(std::size_t size) { size_ = size; }
     void clear() { size_ = 0; }
     void reserve(std::size_t capacity)
@@ -94,14 +94,14 @@ struct SubsystemCall {
     std::vector<std::vector<double>> arrays;
 };
 
-// A module %(x) of a string, which cuts off its branch in the next step: the turtle drawing the
-// branch then starts in the state ModuleString::turtles[turtle].
+// A module %(x) of a string, which cuts off the rest of its branch in the next step. From then on
+// the turtle draws the part that was cut off from the state ModuleString::turtles[turtle].
 struct KeptCut {
     std::size_t module = 0;
     std::size_t turtle = 0;
 };
 
-// State of the turtle at a %(x). In the plant's frame; lengths in turtle units.
+// State of the turtle at a module %(x). In the plant's frame; lengths in turtle units.
 struct CutTurtle {
     Vec3 position = Vec3::Zero();
     Vec3 heading = Vec3::UnitZ();
@@ -114,20 +114,21 @@ struct CutTurtle {
 };
 
 // A string of modules: one byte for the kind of each module, and the parameters of all modules in
-// sequence, as many for each module as its kind has.
+// sequence. Each module has as many parameters as its kind.
 struct ModuleString {
     Column<KindId> kinds;
     Column<float> parameters;
 
-    // Values of the main L-system's global variables and arrays after the last step; homomorphism
-    // rules may use them.
+    // Values of the main L-system's global variables and arrays after the last step, for use by
+    // homomorphism rules.
     std::vector<double> globals;
     std::vector<std::vector<double>> arrays;
-    // Calls of sub-L-systems, one for each ?(...) of the string, in order.
+    // Calls of sub-L-systems: one for each ?(...) of the string, in order.
     std::vector<SubsystemCall> calls;
-    std::vector<KeptCut> cuts;      // Cuts in the order of the string.
-    std::vector<CutTurtle> turtles; // Turtle states; %(x,i) continues with turtle i.
-    std::uint64_t seed = 0;         // Seed of the random numbers in homomorphism rules.
+    std::vector<KeptCut> cuts; // Cuts in the order of their modules in the string.
+    // Turtle states at cuts; after %(x,i) the turtle continues from state i.
+    std::vector<CutTurtle> turtles;
+    std::uint64_t seed = 0; // Seed of the random numbers in homomorphism rules.
 
     std::size_t size() const { return kinds.size(); }
     std::size_t byte_size() const
@@ -135,7 +136,7 @@ struct ModuleString {
         return kinds.size() * sizeof(KindId) + parameters.size() * sizeof(float);
     }
 
-    // Grows to these sizes; new elements are uninitialised.
+    // Enlarges the string to these sizes; new elements are uninitialised.
     void grow(std::size_t module_count, std::size_t parameter_count)
     {
         kinds.reserve_more(module_count - kinds.size());
@@ -145,8 +146,8 @@ struct ModuleString {
     }
 };
 
-// Writes past the end of a string that has enough capacity. finish() makes the written modules part
-// of the string.
+// Writes modules past the end of a string that has enough capacity. finish() then makes the written
+// modules part of the string.
 struct ModuleWriter {
     ModuleWriter(KindId* to_kinds, float* to_parameters)
         : kinds(to_kinds)

@@ -12,7 +12,8 @@ namespace tractus::lsystem {
 
 namespace {
 
-constexpr std::size_t kMaxNames = 1000; // Limit on the number of names, against hostile models.
+// Maximum number of names to collect, as a protection against hostile models.
+constexpr std::size_t kMaxNames = 1000;
 
 bool is_small_letter(char c)
 {
@@ -26,13 +27,13 @@ bool is_letter_or_digit(char c)
 {
     return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
-// True for bytes of a UTF-8 character after its first.
+// True for the bytes of a UTF-8 character other than its first byte.
 bool continues_character(std::size_t byte)
 {
     return (byte & 0xc0) == 0x80;
 }
 
-// Formats letters as "A, p and e".
+// Returns the letters as a list, such as "A, p and e".
 std::string listed_letters(std::string_view letters)
 {
     std::string text(1, letters.front());
@@ -43,7 +44,7 @@ std::string listed_letters(std::string_view letters)
     return text;
 }
 
-// Returns a message that a letter has no effect, and what to write for the symbols of books.
+// Returns a message that a letter has no effect and, for symbols of books, what to write instead.
 std::string describe_letter(std::string_view character)
 {
     if (character == "'")
@@ -60,7 +61,7 @@ std::string describe_letter(std::string_view character)
                        printable(character));
 }
 
-// Appends at most kMaxListed of these texts, then how many more there are.
+// Appends at most kMaxListed of these texts, then a text that counts the others.
 void append_listed(std::vector<std::string>& to, std::vector<std::string> texts, char const* what)
 {
     auto const told = std::min(texts.size(), ModuleUses::kMaxListed);
@@ -77,8 +78,8 @@ void ModuleUses::begin_string()
     prefix_.clear();
 }
 
-// Returns true for the organ's letter after ~, the letter of a query after ?, and the second and
-// third character of an @-symbol.
+// Returns true if a symbol that began earlier continues with this character: the organ's letter
+// after ~, the letter of a query after ?, and the second and third character of an @-symbol.
 bool ModuleUses::belongs_to_symbol_before(char symbol, bool has_parameters)
 {
     auto const before = std::exchange(prefix_, {});
@@ -106,7 +107,8 @@ void ModuleUses::add(char symbol, std::size_t position, bool has_parameters)
         string_.push_back({ symbol, position, has_parameters });
 }
 
-// Finds runs of letters and digits without blanks or parameters between them.
+// Finds the names in the axiom or successor: looks at runs of letters and digits without blanks or
+// parameters between them.
 void ModuleUses::end_string()
 {
     for (std::size_t begin = 0; begin < string_.size();) {
@@ -120,8 +122,9 @@ void ModuleUses::end_string()
     }
 }
 
-// Finds names in a run of letters and digits: a capital letter and at least two small ones, as in
-// "FLeaf", or at least three small letters and nothing else. Other letters are single modules.
+// Finds names in a run of letters and digits. A name is a capital letter with at least two small
+// letters, as in "FLeaf", or a run of at least three small letters and nothing else. All other
+// letters are single modules.
 void ModuleUses::add_run(std::size_t begin, std::size_t end)
 {
     bool const is_small = std::all_of(string_.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -163,8 +166,8 @@ void ModuleUses::add_predecessor(std::string_view written, std::size_t module_co
     while (size < written.size() && (is_letter_or_digit(written[size]) || written[size] == '_'))
         ++size;
     auto const word = written.substr(0, size);
-    // Several modules may also be replaced together, but are seldom written like a name: as three
-    // or more characters, or as a capital letter with an index.
+    // A predecessor may also consist of several modules, but these are seldom written like a name:
+    // as three or more characters, or as a capital letter with an index.
     bool const is_long = size > 2;
     bool const has_index = size == 2 && is_capital_letter(word[0]) && !is_capital_letter(word[1]);
     if (size == module_count && (is_long || has_index))
@@ -185,7 +188,8 @@ bool ModuleUses::is_whole_known(Name const& name) const
                        [&](char letter) { return is_known(letter); });
 }
 
-// Returns a free letter for a name, one of the name's own if possible; 0 if none is free.
+// Returns a capital letter that the model does not use, preferably one of the name; 0 if there is
+// none.
 char ModuleUses::free_letter(std::string_view name) const
 {
     auto const is_free = [&](char letter) {

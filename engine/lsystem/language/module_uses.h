@@ -11,10 +11,10 @@
 
 namespace tractus::lsystem {
 
-// The letters that a model's axioms and rules use, collected while they are parsed, for warnings of
-// letters that have no effect. Most of these come from another notation: the ' and $ of "The
-// Algorithmic Beauty of Plants" (ABoP), or names of several letters, which are read letter by
-// letter here. Positions are indices into the preprocessed text.
+// The letters that a model's axioms and rules use, collected while these are parsed, to warn of
+// letters that have no effect. Most such letters come from another notation: the ' and $ of "The
+// Algorithmic Beauty of Plants" (ABoP), or names of several letters, which cpfg's language reads
+// letter by letter. Positions are indices into the preprocessed text.
 class ModuleUses {
 public:
     // Begins an axiom or a successor.
@@ -23,19 +23,20 @@ public:
     void add(char symbol, std::size_t position, bool has_parameters);
     void end_string();
 
-    // Adds a letter that needs no effect of its own: some rule replaces it or has it as its
+    // Adds a letter that needs no effect of its own. Some rule replaces it or has it as its
     // context, a list of ignored or considered letters names it, or it is the whole successor of a
-    // rule, the state in which a module rests.
+    // rule: a module in a state of rest.
     void add_known(char symbol) { known_[index(symbol)] = true; }
-    // Notes that a rule has a context. Any letter then has an effect where it stands between
-    // others.
+    // Notes that a rule has a context. From then on any letter may have an effect, as it separates
+    // the modules beside it.
     void add_context() { has_contexts_ = true; }
-    // Adds a strict predecessor of `module_count` modules, as written at `position`.
+    // Adds a strict predecessor of `module_count` modules; `written` is the model's text from
+    // `position` on.
     void add_predecessor(std::string_view written, std::size_t module_count, std::size_t position);
 
-    // Returns warnings, with positions, of names and letters without effect: first names of several
-    // letters, then single letters in the order of the text. Lists that are longer than kMaxListed
-    // end in a count.
+    // Returns warnings, with positions, of names and letters without effect: first the names of
+    // several letters, then the single letters in the order of the text. Of each of the two lists
+    // at most kMaxListed are returned; a count of the others follows.
     std::vector<std::string> warnings(SourceText const& source) const;
 
     static constexpr std::size_t kMaxListed = 4;
@@ -61,13 +62,16 @@ private:
     char free_letter(std::string_view name) const;
     std::string describe_name(Name const& name) const;
 
-    std::vector<Use> string_; // The axiom or successor being parsed, without names of organs etc.
-    std::string prefix_;      // The @, @D, ~ or ? before the next module.
+    // The axiom or successor being parsed, without the characters of longer symbols.
+    std::vector<Use> string_;
+    // The first characters, @, @D, ~ or ?, of a symbol that the next module continues.
+    std::string prefix_;
     bool has_contexts_ = false;
-    bool calls_systems_ = false; // True if a ?(...) calls a sub-L-system, which a $ ends.
+    bool calls_systems_ = false; // True if a ?(...) calls a sub-L-system; a $ then ends the call.
     std::array<bool, 256> known_ {};
     std::array<bool, 256> used_ {};
-    std::array<std::optional<std::size_t>, 256> first_ {}; // First use of each letter.
+    // Position of the first use of each letter.
+    std::array<std::optional<std::size_t>, 256> first_ {};
     std::vector<Name> names_;
 };
 

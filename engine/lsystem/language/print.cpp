@@ -61,12 +61,12 @@ std::string to_string(Model const& model, ModuleString const& string)
 KindCounts count_kinds(std::span<KindId const> modules)
 {
     KindCounts result {};
-    // Largest count that fits into 32 bits, with a margin.
+    // Number of modules to count at a time, so that each count fits into 32 bits.
     constexpr std::size_t kMax = std::size_t { 1 } << 31;
     for (std::size_t begin = 0; begin < modules.size(); begin += kMax) {
         auto const part = modules.subspan(begin, std::min(kMax, modules.size() - begin));
-        // Four separate counters: neighbouring modules are often of the same kind, and each
-        // increment would wait for the one before it.
+        // Four separate counters, since neighbouring modules are often of the same kind: with one
+        // counter, each increment would wait for the one before it.
         std::array<std::array<std::uint32_t, 256>, 4> counts {};
         std::size_t i = 0;
         for (; i + 4 <= part.size(); i += 4)
@@ -81,7 +81,7 @@ KindCounts count_kinds(std::span<KindId const> modules)
     return result;
 }
 
-// Counts kinds in parallel if the string is long enough.
+// Counts the modules of each kind, in parallel if the string is long enough.
 static KindCounts count_kinds_of_all(std::span<KindId const> modules)
 {
     constexpr std::size_t kPiece = std::size_t { 1 } << 18;
@@ -99,7 +99,7 @@ static KindCounts count_kinds_of_all(std::span<KindId const> modules)
     return result;
 }
 
-// Counts the symbols of several modules and subtracts their modules from the counts of single ones.
+// Counts symbols that consist of several modules, and subtracts their modules from `single`.
 static void count_long_symbols(Alphabet const& alphabet, std::span<KindId const> kinds,
                                KindCounts& single, std::map<std::string, std::size_t>& counts)
 {
@@ -110,7 +110,7 @@ static void count_long_symbols(Alphabet const& alphabet, std::span<KindId const>
         may_begin[kind] = parameter_count == 0 && (symbol == '@' || symbol == '~' || symbol == '?');
         is_any |= may_begin[kind] && single[kind] > 0;
     }
-    // The last symbol and its count, cached because successive symbols are often equal.
+    // The symbol counted last and its count, cached because successive symbols are often equal.
     std::string before;
     std::size_t* count = nullptr;
     for (std::size_t i = 0; is_any && i < kinds.size();) {

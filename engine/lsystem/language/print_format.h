@@ -10,11 +10,11 @@
 
 namespace tractus::lsystem {
 
-// A format string of printf, parsed when the model is compiled, so that printing cannot fail.
+// A format string of printf. It is parsed when the model is compiled, so that printing cannot fail.
 struct PrintFormat {
     struct Piece {
-        std::string text; // Literal text, printed first.
-        // Conversion of a number after the text, such as "%8.3g"; empty: none.
+        std::string text; // Literal text, which is printed before the number.
+        // Conversion of the number, such as "%8.3g"; empty: no number is printed.
         std::string conversion;
     };
     std::vector<Piece> pieces;
@@ -28,7 +28,7 @@ struct PrintFormat {
 // position.
 Result<PrintFormat> parse_print_format(std::string_view text);
 
-// Prints values by the format; missing values are 0.
+// Prints values by the format. Values that are missing count as 0.
 std::string print(PrintFormat const& format, std::span<double const> values);
 
 } // namespace tractus::lsystem

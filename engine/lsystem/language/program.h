@@ -9,8 +9,8 @@ namespace tractus::lsystem {
 // Index of a register in a program's frame.
 using Register = std::uint16_t;
 
-// Operation of an instruction on the registers `left` and `right`; the result goes to register
-// `target`. Angles are in degrees and comparisons give 0 or 1. As in cpfg, division by zero gives
+// Operation of an instruction on the registers `left` and `right`, whose result goes to register
+// `target`. Angles are in degrees; comparisons give 0 or 1. As in cpfg, a division by zero gives
 // the dividend.
 enum class Op : std::uint8_t {
     Halt,
@@ -19,7 +19,7 @@ enum class Op : std::uint8_t {
     Subtract,
     Multiply,
     Divide,
-    Remainder, // Remainder of the integer parts.
+    Remainder, // Remainder of the division of the operands' integer parts.
     Power,
     Less,
     LessEqual,
@@ -36,7 +36,7 @@ enum class Op : std::uint8_t {
     Asin,
     Acos,
     Atan,
-    Atan2, // The angle of the point (left, right).
+    Atan2, // Angle of the point (left, right), counter-clockwise from the first axis.
     Exp,
     Log,
     Floor,
@@ -45,23 +45,27 @@ enum class Op : std::uint8_t {
     Abs,
     Sign,
     Sqrt,
-    Random,   // Uniform distribution in [0, left).
-    Normal,   // Normal distribution with mean `left` and standard deviation `right`.
-    Beta,     // Beta distribution with the parameters left and right.
-    Binomial, // Binomial distribution: `left` trials that succeed with probability `right`.
+    Random, // Random number, uniformly distributed in [0, left).
+    Normal, // Random number, normally distributed with mean `left` and standard deviation `right`.
+    Beta,   // Random number of the beta distribution with the parameters `left` and `right`.
+    Binomial, // Random number of successes in `left` trials, each of probability `right`.
     SeedRandom,
-    Function, // Value at `right` of the model's function number `left`, from 1.
-    CurveX,   // X coordinate at parameter `right` of the model's curve number `left`, from 1.
+    Function, // Value at `right` of the model's function number `left`, counted from 1.
+    // X coordinate, at parameter `right`, of the model's curve number `left`, counted from 1.
+    CurveX,
     CurveY,
     CurveZ,
-    CurveLength, // Length of the model's curve number `left`, from 1.
-    Print,       // Prints `right` registers from `left` on by the model's format number `target`.
-    LoadGlobal,  // register target <- global left.
-    StoreGlobal, // global target <- register left.
-    LoadArray,   // register target <- array left at index right.
-    StoreArray,  // array target at index left <- register right.
-    Jump,        // Jumps to instruction `target`.
-    JumpIfZero,  // Jumps to instruction `target` if register `left` is 0.
+    CurveLength, // Length of the model's curve number `left`, counted from 1.
+    // Prints `right` registers, from register `left` on, by the model's format number `target`.
+    Print,
+    LoadGlobal,  // Register `target` = global variable number `left`.
+    StoreGlobal, // Global variable number `target` = register `left`.
+    // Register `target` = element, at the index in register `right`, of array number `left`.
+    LoadArray,
+    // Element, at the index in register `left`, of array number `target` = register `right`.
+    StoreArray,
+    Jump,       // Continues with instruction number `target`.
+    JumpIfZero, // Continues with instruction number `target` if register `left` is 0.
 };
 
 struct Instruction {
@@ -72,10 +76,11 @@ struct Instruction {
 };
 
 // Compiled code of a block of statements or of a part of a rule, such as its condition:
-// three-address code over a frame of registers. Empty if there is nothing to compute.
+// three-address code that works on a frame of registers. Empty if there is nothing to compute.
 using Program = std::vector<Instruction>;
 
-// Returns true if running the program has side effects, so that the order of programs matters.
+// Returns true if running the program has side effects, so that the order in which programs run
+// matters.
 inline bool has_effects(Program const& program)
 {
     return std::any_of(program.begin(), program.end(), [](Instruction const& instruction) {
@@ -86,7 +91,7 @@ inline bool has_effects(Program const& program)
 
 // Initial values of the registers that a rule's programs share. First come the parameters of the
 // matched modules, then constants, local variables and intermediate results. Constants never
-// change, so a frame is copied once and used for every match.
+// change, so one copy of these values serves for all matches.
 using RegisterFile = std::vector<double>;
 
 } // namespace tractus::lsystem

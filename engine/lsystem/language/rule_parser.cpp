@@ -26,7 +26,8 @@ Result<KindId> RuleParser::kind(char symbol, std::size_t parameter_count)
                         Alphabet::kMaxKinds));
     kinds.push_back(wanted);
     auto const result = static_cast<KindId>(kinds.size() - 1);
-    // The kind %(x,i) is also needed: rewriting puts it before a branch that %(x) cuts off.
+    // Rewriting puts a module of the kind %(x,i) before a branch that %(x) cuts off, so that kind
+    // is needed, too.
     if (wanted == ModuleKind { '%', 1 })
         TRY(kind('%', 2));
     return result;
@@ -65,7 +66,7 @@ Result<RuleParser::FormalModule> RuleParser::formal_module()
     return result;
 }
 
-// Parses zero or more modules; * stands for none.
+// Parses zero or more modules; a * stands for no modules.
 Result<std::vector<RuleParser::FormalModule>> RuleParser::formal_modules()
 {
     std::vector<FormalModule> result;
@@ -137,7 +138,7 @@ Result<void> RuleParser::condition(Rule& rule, ExpressionCompiler& compiler)
     return {};
 }
 
-// Parses modules with expressions as parameters, up to the end of the line or a colon.
+// Parses modules whose parameters are expressions, up to the end of the line or a colon.
 Result<void> RuleParser::modules(SuccessorTemplate& result, ExpressionCompiler& compiler,
                                  Program& program)
 {
@@ -180,8 +181,8 @@ Result<void> RuleParser::successor(Rule& rule, ExpressionCompiler& compiler)
     return {};
 }
 
-// Warns of undefined variables, and marks rules that depend on the values of their last match. As
-// in cpfg, local variables keep these values; the order of matches then matters.
+// Warns of undefined variables, and marks rules that depend on the values of their previous match.
+// As in cpfg, local variables keep these values, so that the order of matches matters.
 void RuleParser::check_locals(Rule& rule, ExpressionCompiler const& compiler)
 {
     for (auto const& [name, local] : compiler.locals()) {

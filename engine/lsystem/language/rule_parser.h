@@ -11,7 +11,8 @@
 
 namespace tractus::lsystem {
 
-// Parses rules and strings of modules, and adds the kinds that occur in them to the alphabet.
+// Parses rules and strings of modules, and adds the kinds of modules that occur in them to the
+// alphabet.
 class RuleParser {
 public:
     RuleParser(Cursor& cursor, Names& names, Alphabet& alphabet)
@@ -24,7 +25,7 @@ public:
     // Parses a rule up to the end of its line.
     Result<Rule> rule();
 
-    // Parses modules with expressions as parameters, up to the end of the line or a colon.
+    // Parses modules whose parameters are expressions, up to the end of the line or a colon.
     Result<void> modules(SuccessorTemplate& result, ExpressionCompiler& compiler, Program& program);
 
 private:

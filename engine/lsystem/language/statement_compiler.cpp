@@ -44,7 +44,7 @@ Result<void> StatementCompiler::statement(Program& program)
         frame_.release(TRY(expressions_.expression(program)));
     if (cursor_.take(";"))
         return {};
-    // These keywords are not followed by a condition.
+    // Keywords that are not followed by a condition.
     constexpr std::array<std::string_view, 2> kWords { "else", "do" };
     if (auto const meant = word ? nearest_word(*word, kWords) : ""; !meant.empty())
         return cursor_.error_at(begin,
@@ -57,8 +57,8 @@ Result<void> StatementCompiler::statement_or_block(Program& program)
     return cursor_.peek() == '{' ? block(program) : statement(program);
 }
 
-// Compiles a condition in parentheses and a jump that is taken if the condition is false. Returns
-// the index of the jump instruction, whose target is still to be set.
+// Compiles a condition in parentheses and a jump for the case that it is false. Returns the index
+// of the jump instruction, whose target the caller must set.
 Result<std::uint16_t> StatementCompiler::jump_unless_condition(Program& program)
 {
     if (cursor_.peek() != '(')
@@ -118,7 +118,8 @@ Result<void> StatementCompiler::do_statement(Program& program)
     return {};
 }
 
-// Compiles an assignment and returns true; if there is none, reads nothing and returns false.
+// Compiles an assignment and returns true. If the next statement is none, consumes nothing and
+// returns false.
 Result<bool> StatementCompiler::assignment(Program& program)
 {
     auto const begin = cursor_.position();

@@ -6,8 +6,8 @@
 
 namespace tractus::lsystem {
 
-// Table of the turtle's symbols, used for drawing, for counting segments before drawing, and for
-// printing strings. Their meaning is described in interpret.h.
+// Table of the turtle's symbols, used to draw and print strings and to count segments before
+// drawing. interpret.h describes what the symbols mean.
 
 enum class SymbolAction : std::uint8_t {
     Nothing,
@@ -25,8 +25,8 @@ enum class SymbolAction : std::uint8_t {
     BeginPath,   // Begins a polygon or a generalised cylinder.
     Dot,
     EndPath,
-    Organ,  // An organ, named by the next character.
-    At,     // A symbol of two or three characters, see AtSymbol.
+    Organ,  // Draws an organ, which the next character names.
+    At,     // Begins a symbol of two or three characters; see AtSymbol.
     Call,   // Calls a sub-L-system, or is a query, depending on the next character.
     Return, // Returns from a sub-L-system.
     Cut,
@@ -35,7 +35,7 @@ enum class SymbolAction : std::uint8_t {
 struct TurtleSymbol {
     char symbol = 0;
     SymbolAction does = SymbolAction::Nothing;
-    int sign = 1; // Sign of a turn or of a change.
+    int sign = 1; // Sign of the turn or of the change: 1 or -1.
     // True if the step sets a vertex of a polygon or a control point of a path.
     bool sets_vertex = false;
 };
@@ -70,7 +70,7 @@ inline constexpr std::array kTurtleSymbols {
 };
 
 enum class AtSymbolAction : std::uint8_t {
-    Unknown, // An @-symbol that is not known: it draws nothing and causes a warning.
+    Unknown, // Not a known @-symbol: it draws nothing and causes a warning.
     Level,   // Rolls until the left vector is horizontal.
     Position,
     Frame,
@@ -84,18 +84,18 @@ enum class AtSymbolAction : std::uint8_t {
     Sides,
     Patch,
     Cut,
-    Label, // Label, BackFace and RunProgram are not supported and cause a warning.
+    Label, // Label, BackFace and RunProgram are not supported: they cause a warning.
     BackFace,
     RunProgram,
-    Ignored, // An @-symbol meant for other programs.
+    Ignored, // An @-symbol that is meant for other programs.
 };
 
-// The second character of a symbol that begins with @.
+// An @-symbol: a symbol of two or three characters that begins with @.
 struct AtSymbol {
     char second = 0;
     AtSymbolAction does = AtSymbolAction::Unknown;
-    std::string_view thirds {}; // Possible third characters; empty: the symbol has two characters.
-    // True if it never draws segments or moves the turtle, whatever follows it.
+    std::string_view thirds {}; // Possible third characters; empty if the symbol has only two.
+    // True if the symbol never draws segments or moves the turtle, whatever follows it.
     bool is_plain = false;
 };
 
@@ -125,12 +125,13 @@ inline constexpr std::array kAtSymbols {
     AtSymbol { 'Y', AtSymbolAction::Ignored, {}, true },
 };
 
-// Characters after ? that make a query.
+// Characters that make a query if they follow a ?.
 inline constexpr std::string_view kQueryCharacters = "PHLUEQR";
 
 namespace detail {
 
-// Makes a table indexed by character; characters that are not in the list do nothing.
+// Makes a table indexed by character. The entry of a character that is not in the list does
+// nothing.
 template<typename Symbol, std::size_t kCount>
 constexpr std::array<Symbol, 256> by_character(std::array<Symbol, kCount> const& symbols,
                                                char Symbol::*character)

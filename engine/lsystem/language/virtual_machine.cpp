@@ -11,7 +11,8 @@ namespace tractus::lsystem {
 
 static constexpr std::uint64_t kMaxRounds = 10'000'000;
 
-// Combines two seeds, so that equal seeds from srand(), the model and the caller do not coincide.
+// Combines two seeds, so that equal seeds from srand(), from the model and from the caller give
+// different random numbers.
 static std::uint64_t mix(std::uint64_t seed, std::uint64_t other)
 {
     return seed + other * 0x9e3779b97f4a7c15u;
@@ -92,15 +93,16 @@ double VirtualMachine::uniform()
     return unit_number(high, low);
 }
 
-// Draws a normally distributed number by the Box-Muller transform.
+// Draws a number from the normal distribution with mean 0 and standard deviation 1, by the
+// Box-Muller transform.
 double VirtualMachine::normal()
 {
     double const radius = std::sqrt(-2 * std::log(1 - uniform()));
     return radius * std::cos(2 * kPi * uniform());
 }
 
-// Method of Marsaglia and Tsang, "A simple method for generating gamma variables", ACM TOMS 26(3),
-// 2000.
+// Draws a number from the gamma distribution with scale 1, by the method of Marsaglia and Tsang, "A
+// simple method for generating gamma variables", ACM TOMS 26(3), 2000.
 double VirtualMachine::gamma(double shape)
 {
     if (!(shape > 0))
@@ -156,7 +158,8 @@ double VirtualMachine::draw(Op op, double left, double right)
     }
 }
 
-// Returns an element of an array. As in cpfg, an index out of range selects the nearest element.
+// Returns an element of an array. As in cpfg, an index out of range selects the first or last
+// element.
 double& VirtualMachine::array_element(std::uint16_t array, double index)
 {
     auto& values = arrays[array];
@@ -190,7 +193,8 @@ void VirtualMachine::print(Instruction const& instruction, double const* frame) 
                                    { frame + instruction.left, instruction.right }));
 }
 
-// Evaluates an instruction that needs only its two operands.
+// Evaluates an instruction whose result depends on nothing but its operands, the model and random
+// numbers.
 double VirtualMachine::evaluate(Op op, double left, double right)
 {
     switch (op) {
@@ -263,7 +267,7 @@ void VirtualMachine::execute(Program const& program, double* frame)
     }
 }
 
-// Counts an iteration of a loop; returns false if the machine has stopped.
+// Counts an iteration of a loop. Returns false if the machine must stop.
 bool VirtualMachine::may_go_on(std::uint64_t rounds)
 {
     spend(1);

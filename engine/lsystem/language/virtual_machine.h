@@ -15,10 +15,10 @@
 
 namespace tractus::lsystem {
 
-// Position for random numbers that belong to a step rather than to a module.
+// Position of random numbers that belong to a derivation step instead of to a module.
 constexpr std::uint64_t kNoPosition = ~std::uint64_t { 0 };
 
-// Step number for random numbers drawn in homomorphism rules.
+// Step number for random numbers that are drawn in homomorphism rules.
 constexpr std::uint32_t kHomomorphismStep = 0xffffffff;
 
 // Converts two random words to a number in [0, 1), a multiple of 2^-53.
@@ -28,15 +28,15 @@ inline double unit_number(std::uint32_t high, std::uint32_t low)
     return static_cast<double>(bits) * 0x1p-53;
 }
 
-// Runs compiled programs and holds a derivation's variables and random numbers.
+// Runs compiled programs, and holds a derivation's variables and the state of its random numbers.
 //
-// A random number depends only on the seed, the step and the module's position in the string, so
-// the modules of a string may be rewritten in any order.
+// A random number depends only on the seed, the step and the position of the module in the string,
+// so that the modules of a string may be rewritten in any order.
 class VirtualMachine {
 public:
-    // Runs the programs of one L-system of the model.
+    // Makes a machine for the programs of one L-system of the model.
     VirtualMachine(Model const& model, LSystem const& system, std::uint64_t seed);
-    // Runs the programs of the main L-system.
+    // Makes a machine for the programs of the main L-system.
     VirtualMachine(Model const& model, std::uint64_t seed)
         : VirtualMachine(model, model, seed)
     {
@@ -44,19 +44,19 @@ public:
     // Continues with the variables and the seed that a derivation has stored in `string`.
     VirtualMachine(Model const& model, ModuleString const& string);
 
-    // Receives the output of printf; by default it is discarded. The printer must outlive the
-    // machine.
+    // Sets the function that receives the output of printf; by default the output is discarded. The
+    // printer must outlive the machine.
     using Printer = std::function<void(std::string_view)>;
     void set_printer(Printer const* printer) { printer_ = printer; }
-    // The time limit must outlive the machine.
+    // Sets the time limit, which must outlive the machine.
     void set_time_limit(TimeLimit const* limit) { time_limit_ = limit; }
     Printer const* printer() const { return printer_; }
     TimeLimit const* time_limit() const { return time_limit_; }
-    // Limits the memory used while rules rewrite each other's successors of one module.
+    // Limits the memory for the successor of one module while rules rewrite that successor further.
     void set_memory_limit(std::size_t bytes) { memory_limit_ = bytes; }
     std::size_t memory_limit() const { return memory_limit_; }
 
-    // Starts the sequence of random numbers for a module of a step.
+    // Starts the sequence of random numbers of one module in one step.
     void begin_module(std::uint32_t step, std::uint64_t position)
     {
         step_ = step;
@@ -72,15 +72,15 @@ public:
     }
     void run(Block const& block);
 
-    // Draws a random number, uniform in [0, 1).
+    // Draws a random number, uniformly distributed in [0, 1).
     double uniform();
 
-    // Reason why all programs must stop at once.
+    // Reason why all programs of a derivation must stop at once.
     enum class Stop : std::uint8_t {
         None,
-        Loop,   // A loop did not end within ten million iterations.
+        Loop,   // A loop has not ended within ten million iterations.
         Time,   // The time limit is exceeded.
-        Memory, // The memory limit is exceeded while rules rewrite each other's successors.
+        Memory, // The memory limit is exceeded while rules rewrite a module's successor further.
     };
     Stop stop() const { return stop_; }
     bool has_stopped() const { return stop_ != Stop::None; }
@@ -89,7 +89,7 @@ public:
     // Returns a user error if the machine has stopped.
     Result<void> check() const;
 
-    // Records work, in modules, and checks the time limit at intervals.
+    // Counts work, in modules, and checks the time limit every kWorkBetweenLooks.
     void spend(std::size_t work)
     {
         spent_ += work;
@@ -98,7 +98,7 @@ public:
     }
 
     double& global(GlobalIndex index) { return globals[static_cast<std::size_t>(index)]; }
-    // Copies the values shared by all L-systems: the steps, the derivation length and the seed.
+    // Copies the values that all L-systems share: the predefined variables and the seed.
     void share(VirtualMachine const& other);
 
     std::vector<double> globals;

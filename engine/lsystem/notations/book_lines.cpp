@@ -19,14 +19,14 @@ struct Spelling {
     std::string_view cpfg;
 };
 
-// Replacements of typographic characters, anywhere in modules and conditions.
+// Replacements of typographic characters anywhere in modules and conditions.
 constexpr std::array kTypeset {
     Spelling { "\u2212", "-" },  Spelling { "\u2013", "-" },  Spelling { "\u00a0", " " },
     Spelling { "\u2264", "<=" }, Spelling { "\u2265", ">=" }, Spelling { "\u2260", "!=" },
     Spelling { "\u2227", "&&" }, Spelling { "\u2228", "||" }, Spelling { "\u00ac", "!" },
     Spelling { "\u00b7", "*" },  Spelling { "\u00d7", "*" },
 };
-// Replacements of modules' symbols, outside parentheses only.
+// Replacements of the symbols of modules, outside parentheses only.
 constexpr std::array kModules {
     Spelling { "'", ";" },
     Spelling { "\u2019", ";" },
@@ -51,7 +51,8 @@ bool is_number_part(char c)
     return is_digit(c) || c == '.';
 }
 
-// Finds a character outside parentheses, from index `from` on; kNotFound if there is none.
+// Returns the index of a character outside parentheses, from index `from` on; kNotFound if there is
+// none.
 std::size_t find_outside(std::string_view text, char wanted, std::size_t from = 0)
 {
     int depth = 0;
@@ -73,8 +74,8 @@ std::string_view arrow_at(std::string_view text)
     return {};
 }
 
-// Finds the arrow between predecessor and successor. The predecessor is not empty: the line "-->+"
-// replaces the symbol - by +, so its arrow is ->.
+// Finds the arrow between predecessor and successor. Since the predecessor is not empty, the arrow
+// of the line "-->+", which replaces the symbol - by +, is ->.
 std::string_view dividing_arrow(std::string_view line)
 {
     for (std::size_t i = 0; i < line.size(); ++i)
@@ -84,7 +85,7 @@ std::string_view dividing_arrow(std::string_view line)
     return {};
 }
 
-// Removes a label such as "p1 :" or "p_12:".
+// Returns the text without a label such as "p1 :" or "p_12:".
 std::string_view without_label(std::string_view text)
 {
     if (text.empty() || !std::islower(static_cast<unsigned char>(text.front())))
@@ -100,7 +101,7 @@ std::string_view without_label(std::string_view text)
     return rest.empty() || rest.front() == '*' ? text : rest;
 }
 
-// Removes the probability that follows an arrow, .33 or (.33), and returns it; empty if there is
+// Removes the probability after an arrow, written .33 or (.33), and returns it; empty if there is
 // none.
 std::string_view take_probability(std::string_view& successor)
 {
@@ -119,8 +120,8 @@ std::string_view take_probability(std::string_view& successor)
     return number;
 }
 
-// Appends the table's replacement of the text at `at`; returns the number of bytes replaced, 0 if
-// the table has no entry for this text.
+// Appends the replacement that the table has for the text at index `at`. Returns the number of
+// bytes that are replaced; 0 if the table has no entry for them.
 template<std::size_t kCount>
 std::size_t append_spelling(std::array<Spelling, kCount> const& table, std::string_view text,
                             std::size_t at, std::string& to)
@@ -145,7 +146,8 @@ std::string with_typeset_characters(std::string_view text)
     return result;
 }
 
-// Returns true if the =, & or | at `at` is a complete operator, not a part of one such as == or <=.
+// Returns true if the =, & or | at index `at` is a complete operator, not a part of one such as ==
+// or <=.
 bool is_single(std::string_view text, std::size_t at)
 {
     char const c = text[at];
@@ -233,7 +235,7 @@ std::string_view book_without_comment(std::string_view line)
 {
     auto const trimmed = trimmed_line(line);
     if (trimmed.substr(0, 2) == "//") {
-        // In an indented line, // may be two rolls that continue a production.
+        // In an indented line, // may mean two rolls that continue a production.
         auto const behind
             = trimmed.substr(std::min(trimmed.find_first_not_of('/'), trimmed.size()));
         bool const is_module = !behind.empty()

@@ -6,11 +6,11 @@
 
 namespace tractus::lsystem {
 
-// Parts of models as books print them; read_book_model() describes the notation. Each function
-// takes a line without its end.
+// Parts of models as books print them. read_book_model() describes the notation. The functions take
+// a line without its line end.
 
 // A production as written, without its label: left < strict > right : condition -> successor. The
-// probability comes after the arrow, or after a colon as in cpfg.
+// probability is written after the arrow or, as in cpfg, after a colon.
 struct BookProduction {
     std::string_view predecessor;
     std::string_view condition;
@@ -19,25 +19,25 @@ struct BookProduction {
 };
 std::optional<BookProduction> book_production(std::string_view line);
 
-// Returns the modules of an axiom, which follow "ω:", "w:", "omega:" or "axiom:"; no value for
+// Returns the modules of an axiom, which follow "ω:", "w:", "omega:" or "axiom:". No value for
 // other lines.
 std::optional<std::string_view> book_axiom(std::string_view line);
 
-// Derivation length and angle increment in a line such as "n=5, δ=22.5°", as written; empty if not
-// given.
+// Derivation length and angle increment in a line such as "n=5, δ=22.5°", as written. A value that
+// the line does not give is empty.
 struct BookFigure {
     std::string steps;
     std::string angle;
 };
 std::optional<BookFigure> book_figure(std::string_view line);
 
-// True for statements of cpfg other than an axiom, and for directives.
+// True for preprocessor directives and for the statements of cpfg other than an axiom.
 bool is_cpfg_statement(std::string_view line);
 bool begins_with_word(std::string_view line, std::string_view lower_case_word);
 
 // Returns the line without a comment that begins with //.
 std::string_view book_without_comment(std::string_view line);
-// Returns the text with /* */ comments replaced by blanks; line ends in them are kept.
+// Returns the text with each /* */ comment replaced by blanks. Line ends in comments are kept.
 std::string without_block_comments(std::string_view text);
 
 // Translate modules and conditions to cpfg's notation.

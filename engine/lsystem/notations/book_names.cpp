@@ -15,7 +15,7 @@ bool is_name_character(char c)
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-// Returns the strict predecessor between the contexts.
+// Returns the strict predecessor, without the contexts around it.
 std::string_view strict_part(std::string_view predecessor)
 {
     if (auto const left = predecessor.find('<'); left != predecessor.npos)

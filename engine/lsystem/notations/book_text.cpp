@@ -43,7 +43,7 @@ private:
 
     BookNames names_;
     std::vector<std::string> lines_;
-    std::string steps_; // Derivation length from a caption, still to be written.
+    std::string steps_; // Derivation length from a caption; not yet written to the model.
     std::string angle_;
     bool has_head_ = false; // True if the text has "Lsystem:".
     bool has_seed_ = false;
@@ -54,7 +54,7 @@ private:
     long open_braces_ = 0;      // Number of open braces in cpfg's statements.
 };
 
-// Reads a line such as "n=5, δ=22.5°", as in the captions of figures; returns false for other
+// Reads a line such as "n=5, δ=22.5°", as in the captions of figures. Returns false for other
 // lines.
 bool BookReader::add_figure(std::string_view line)
 {
@@ -70,8 +70,8 @@ bool BookReader::add_figure(std::string_view line)
     return true;
 }
 
-// Reads #ignore, #consider and #include of a surface, which are statements of the book rather than
-// directives of a preprocessor.
+// Reads #ignore, #consider and #include of a surface, which are statements of the book and not
+// directives of the preprocessor.
 bool BookReader::add_directive(std::string_view line)
 {
     if (line.substr(0, 1) != "#")
@@ -168,7 +168,7 @@ BookModel BookReader::read(std::string_view text)
     result.text = has_head_ ? "" : "Lsystem: 1\n";
     if (!steps_.empty())
         result.text += fmt::format("derivation length: {}\n", steps_);
-    // Makes the following lines keep the line numbers of the book's text.
+    // Gives the following lines the line numbers of the book's text.
     if (!result.text.empty())
         result.text += "#line 1\n";
     for (auto const& line : lines_)

@@ -16,7 +16,8 @@ namespace tractus::lsystem {
 
 namespace {
 
-constexpr std::size_t kMaxLines = 5000; // Number of lines that are searched for a known notation.
+// Number of lines that are searched for a statement of a known notation.
+constexpr std::size_t kMaxLines = 5000;
 
 std::string_view name_of(Notation notation)
 {
@@ -62,7 +63,7 @@ bool begins_with_any(std::string_view line, std::initializer_list<std::string_vi
                        [&](std::string_view beginning) { return line.starts_with(beginning); });
 }
 
-// True for rules and axioms of Houdini: "rule 1 = A=FA", "rule1: ...", "premise = A".
+// True for rules and axioms of Houdini, such as "rule 1 = A=FA", "rule1: ..." and "premise = A".
 bool is_houdini_line(std::string_view line)
 {
     if (is_word_before(line, "premise", ":="))
@@ -109,8 +110,8 @@ std::string_view without_number_sign(std::string_view line)
     return trimmed_line(line.substr(0, line.find('#')));
 }
 
-// Recognises LParser's files. They begin with three numbers, one per line: recursion, angle and
-// thickness; in version 5 with keywords before them.
+// Recognises LParser's files by their beginning: three numbers, one per line, for recursion, angle
+// and thickness; in version 5 with keywords before them.
 class LParserSigns {
 public:
     bool sees(std::string_view line)
@@ -130,7 +131,7 @@ public:
 
 private:
     int numbers_ = 0;
-    bool is_over_ = false; // True after a line that is not a number.
+    bool is_over_ = false; // True after a line that does not give a number.
 };
 
 // Recognises Fractint's files by lines such as "Koch1 { ; Adrian Mariano" and "Angle 6".
@@ -176,7 +177,7 @@ public:
 private:
     LParserSigns lparser_;
     FractintSigns fractint_;
-    bool is_first_ = true; // True before the first line.
+    bool is_first_ = true; // True before the first line has been read.
 };
 
 // A line that is neither empty nor a // comment.

@@ -17,12 +17,12 @@ struct ForeignText {
     std::string sign;       // The text that identifies the notation, for a message.
 };
 
-// Recognises a model in another program's language by statements that only that language has. No
+// Recognises a model in another program's language, by statements that only that language has. No
 // value for models in cpfg's language and for all other texts.
 std::optional<ForeignText> find_foreign_notation(std::string_view text);
 
-// Returns one sentence that begins with "FILE:LINE:" and says which language this is and what to
-// do.
+// Returns a sentence that begins with "FILE:LINE:", and says in which language the model is and
+// what to do.
 std::string describe_foreign_text(std::string_view file, ForeignText const& foreign);
 
 } // namespace tractus::lsystem

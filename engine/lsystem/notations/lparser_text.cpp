@@ -20,7 +20,8 @@ namespace {
 
 constexpr std::string_view kLetters = "ABCDEHIJKLMNOPQRSTUVWXYZabcdehijklmnopqrstuvwxyz0123456789";
 
-// Maximum depth of branches with factors of their own; deeper branches share their factors.
+// Maximum depth of branches with their own factors; deeper branches share the factors of this
+// depth.
 constexpr int kMaxNesting = 2000;
 
 struct LParserModule {
@@ -41,7 +42,7 @@ bool is_number_text(std::string_view text)
     return std::from_chars(text.data(), end, value).ptr == end && !text.empty();
 }
 
-// Returns a file's name without its folders and without *, so that it cannot end a comment.
+// Returns the name of a file without its folders and without *, so that it cannot end a comment.
 std::string comment_name(std::string_view name)
 {
     auto result = shown(name.substr(name.rfind('/') + 1));
@@ -82,7 +83,7 @@ private:
     std::size_t number_count_ = 0;
     std::optional<LParserString> axiom_;
     std::vector<LParserRule> rules_;
-    std::map<char, char> letters_; // cpfg's letter for each letter that the model uses.
+    std::map<char, char> letters_; // Letter in cpfg's language for each letter that the model uses.
     char reset_ = 0;               // Letter of the module that sets the factors.
     char push_ = 0;                // Letter of the module that copies the factors for a branch.
     char pop_ = 0;                 // Letter of the module that restores the factors after a branch.
@@ -134,7 +135,7 @@ Result<void> LParserReader::read_rule(std::string_view line)
     return {};
 }
 
-// Reads a line that begins with a keyword of version 5; returns false for other lines.
+// Reads a line that begins with a keyword of version 5. Returns false for other lines.
 Result<bool> LParserReader::read_keyword(std::string_view line)
 {
     auto const word = first_name(line);
@@ -159,7 +160,7 @@ Result<bool> LParserReader::read_keyword(std::string_view line)
     return true;
 }
 
-// Reads a line; returns false at the end of the model.
+// Reads a line. Returns false at the end of the model.
 Result<bool> LParserReader::read_line(std::string_view written)
 {
     auto const line = trimmed_line(written.substr(0, written.find('#')));
@@ -178,7 +179,8 @@ Result<bool> LParserReader::read_line(std::string_view written)
     return true;
 }
 
-// Chooses cpfg's letters: letters that can be modules in cpfg stay, all others get a free letter.
+// Chooses the letters in cpfg's language: those that can be modules in cpfg stay, all others get a
+// free letter.
 Result<void> LParserReader::choose_letters()
 {
     auto next = kLetters.begin();
@@ -215,8 +217,8 @@ std::string LParserReader::text_of(LParserString const& string) const
     return text;
 }
 
-// Writes a rule in cpfg's language. Parameters are text in LParser, so the parameter of a replaced
-// letter follows its successor.
+// Writes a rule in cpfg's language, for the letter without and with a parameter. In LParser
+// parameters are text, so the parameter of a replaced letter follows its successor.
 std::string LParserReader::rule_text(LParserRule const& rule) const
 {
     char const letter = letters_.at(rule.letter);

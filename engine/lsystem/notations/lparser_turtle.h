@@ -5,10 +5,10 @@
 
 namespace tractus::lsystem {
 
-// How LParser's turtle draws a letter, without a parameter and with a parameter x: condition and
-// successor of a homomorphism rule. The arrays `len`, `turn` and `wide` hold length, angle and
-// width; their index d is the depth of the branch. Source: the list of commands in LParser's
-// manual.
+// How LParser's turtle draws a letter without a parameter and with a parameter x, each as the
+// condition and successor of a homomorphism rule. The arrays `len`, `turn` and `wide` contain
+// length, angle and width; their index d is the depth of the branch. Source: the list of commands
+// in LParser's manual.
 struct LParserCommand {
     char letter = 0;
     std::string_view plain;
@@ -46,7 +46,8 @@ inline constexpr std::array kLParserCommands {
                      "{wide[d] = wide[d] * x;} 1 --> *" },
 };
 
-// Statements for the view that define LParser's colour indices, close to the colours of its viewer.
+// Statements for the view that define LParser's colour numbers, with colours close to those of its
+// viewer.
 inline constexpr std::string_view kLParserColors
     = "color: 1 0.1,0.1,0.1\ncolor: 2 0.8,0.1,0.1\n"
       "color: 3 0.85,0.8,0.1\ncolor: 4 0.2,0.65,0.15\n"

@@ -8,12 +8,12 @@
 
 namespace tractus::lsystem {
 
-// Rewrites a module repeatedly until no rule matches or the set's maximum depth is reached, as
-// decomposition and homomorphism rules do. Contexts are matched around the module in the original
-// string.
+// Rewrites a module, and the modules of its successor, repeatedly until no rule matches or the
+// maximum depth of the rule set is reached: the way in which decomposition and homomorphism rules
+// are applied. Contexts are matched around the module in the original string.
 class Expander {
 public:
-    // Expands with rules of one L-system of the model; by default of the main one.
+    // Makes an expander for rules of one L-system of the model; by default of the main one.
     Expander(Model const& model, LSystem const& system, RuleSet const& rules,
              VirtualMachine& machine)
         : model_(model)
@@ -31,10 +31,10 @@ public:
 
     bool has_contexts() const { return rewriter_.has_contexts(); }
 
-    // Expands the first of `modules` and passes the result to `sink`: a callable that takes
-    // Modules, reads one turtle symbol or module of them, and returns how many it has read. Returns
-    // how many of `modules` were read, which is more than one for long predecessors; 0 if the sink
-    // has returned 0 or the machine has stopped.
+    // Expands the first of `modules` and passes the result to `sink`. The sink is a callable that
+    // takes Modules, reads one turtle symbol or module of them, and returns the number of modules
+    // that it has read. Returns the number of `modules` that were read: more than one for a long
+    // predecessor, and 0 if the sink has returned 0 or the machine has stopped.
     template<typename Sink>
     std::size_t expand(Modules const& modules, Surroundings const& around, Sink&& sink)
     {
@@ -78,8 +78,8 @@ public:
     }
 
 private:
-    // The successor of one rule, stored in buffer_; a level is removed after its last module is
-    // read.
+    // The successor of one rule, stored in buffer_. A level is removed when its last module has
+    // been read.
     struct Level {
         std::size_t begin = 0;
         std::size_t begin_parameters = 0;

@@ -10,8 +10,8 @@
 
 namespace tractus::lsystem {
 
-// The successor of a module if it is known in advance: its parameters are constants or parameters
-// of the module. Short successors are copied in one move.
+// The successor of a module if it is known in advance: each of its parameters is a constant or a
+// parameter of the module. A short successor, of at most kShort modules, is copied in one move.
 struct FixedSuccessor {
     static constexpr std::size_t kShort = 16;
 
@@ -20,7 +20,8 @@ struct FixedSuccessor {
     std::uint32_t parameter_count = 0;      // Number of parameters of the successor.
     std::uint32_t read_parameter_count = 0; // Number of parameters of the replaced module.
     KindId const* kinds = nullptr;
-    // Registers of the successor's parameters; nullptr: the module's parameters, in order.
+    // Registers of the successor's parameters; nullptr if these are the module's parameters, in
+    // order.
     Register const* parameters = nullptr;
     double const* frame = nullptr;
 
@@ -35,7 +36,7 @@ struct FixedSuccessor {
         return result;
     }
 
-    // Makes the successor of a rule that needs no program. The rule must outlive it.
+    // Makes the successor for a rule without a program, which must outlive this object.
     static FixedSuccessor of(Rule const& rule)
     {
         FixedSuccessor result;
@@ -50,7 +51,8 @@ struct FixedSuccessor {
         return result;
     }
 
-    // Writes the kinds; `to` must have room for at least kShort kinds.
+    // Writes the kinds of the successor and advances `to`, which must have room for at least kShort
+    // kinds.
     void write_kinds(KindId*& to) const
     {
         if (length <= kShort)
@@ -60,7 +62,7 @@ struct FixedSuccessor {
         to += length;
     }
 
-    // Writes the successor of a module whose parameters are at `from`; `to` must have room for at
+    // Writes the successor of a module whose parameters are at `from`. `to` must have room for at
     // least kShort kinds.
     void write(float const* from, ModuleWriter& to) const
     {
@@ -68,7 +70,7 @@ struct FixedSuccessor {
         write_parameters(from, to.parameters);
     }
 
-    // Writes the successor into memory of exactly the required size.
+    // Like write(), for `to` with room for exactly this successor.
     void write_exact_size(float const* from, ModuleWriter& to) const
     {
         to.kinds = std::copy_n(length <= kShort ? first_kinds.data() : kinds, length, to.kinds);

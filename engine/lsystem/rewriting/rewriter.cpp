@@ -95,7 +95,7 @@ Rule const* Rewriter::find(Modules const& modules, Surroundings const& around, b
     return nullptr;
 }
 
-// Chooses at random among all rules that match, by their weights.
+// Chooses at random among all rules that match, in proportion to their weights.
 Rule const* Rewriter::choose(Modules const& modules, Surroundings const& around, bool adjacent)
 {
     candidates_.clear();
@@ -151,8 +151,9 @@ bool Rewriter::matches(std::uint16_t index, Modules const& modules, Surroundings
     return !rule.has_condition || values[rule.condition_result] != 0;
 }
 
-// Returns the first module from `at` on that a context can match. Skips ignored modules, and
-// branches unless the context contains their bracket; stops before a %(...).
+// Returns the first module from `at` on that a context can match, or no value if there is none.
+// Skips ignored modules, and whole branches if `brackets` is PassBranches. Does not go past a
+// %(...).
 std::optional<Rewriter::Place> Rewriter::next_right(Place at, int& rounds,
                                                     Surroundings const& around,
                                                     OpeningBrackets brackets) const
@@ -183,7 +184,8 @@ std::optional<Rewriter::Place> Rewriter::next_right(Place at, int& rounds,
     }
 }
 
-// Matches the right context; the symbol `=` in it matches the rest of the branch.
+// Matches the right context of a rule. The symbol `=` in the context matches the rest of the
+// branch.
 bool Rewriter::matches_right(Rule const& rule, double* parameters, Surroundings const& around)
 {
     auto const& string = *around.string;
@@ -215,9 +217,9 @@ bool Rewriter::matches_right(Rule const& rule, double* parameters, Surroundings 
     return true;
 }
 
-// Returns the last module before `at` that a context can match. Skips ignored modules and complete
-// branches; from the beginning of a branch it continues to the module that bears it. Stops after a
-// %(...).
+// Returns the last module before `at` that a context can match, or no value if there is none. Skips
+// ignored modules and complete branches. From the beginning of a branch it continues to the parent
+// axis. Does not go past a %(...).
 std::optional<Rewriter::Place> Rewriter::next_left(Place at, int& rounds,
                                                    Surroundings const& around) const
 {
@@ -248,7 +250,7 @@ std::optional<Rewriter::Place> Rewriter::next_left(Place at, int& rounds,
     }
 }
 
-// Matches the left context and fills the parameters that end at `parameters`.
+// Matches the left context of a rule and fills its parameters, which end at `parameters`.
 bool Rewriter::matches_left(Rule const& rule, double* parameters, Surroundings const& around)
 {
     auto const& string = *around.string;

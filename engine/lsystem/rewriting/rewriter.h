@@ -13,62 +13,64 @@
 
 namespace tractus::lsystem {
 
-// The modules from some position to the end of their string.
+// Consecutive modules, from some position to the end of their string.
 struct Modules {
     KindId const* kinds = nullptr;
     float const* parameters = nullptr;
     std::size_t count = 0;
 };
 
-// Matching brackets of a string, so that contexts can skip branches at once.
+// Matching brackets of a string, by which contexts skip whole branches at once.
 struct Branches {
-    // Index of the matching bracket for each bracket; the string's size if there is none.
+    // For each bracket, the index of the matching bracket; the string's size if there is none.
     std::vector<std::uint32_t> partner;
-    // Index of each module's first parameter; empty for strings without parameters.
+    // For each module, the index of its first parameter; empty for strings without parameters.
     std::vector<std::uint32_t> parameters;
 };
 
-// Returns the index of the bracket that closes the branch containing module `from`, or of the $
-// that ends its sub-L-system, whichever comes first; the string's size if there is neither.
+// Returns the index of the bracket that closes the branch of module `from`, or of the $ that ends
+// its sub-L-system, whichever comes first. Returns the string's size if there is neither.
 std::size_t branch_end(Model const& model, ModuleString const& string, std::size_t from);
 
-// Returns the end of the part that a cut before module `from` removes: the end of the branch or, as
-// in cpfg, the next %(x) or %(x,i) of the branch.
+// Returns the end of the part that a cut before module `from` removes. This is the end of the
+// branch or, as in cpfg, the next %(x) or %(x,i) of the branch.
 std::size_t cut_end(Model const& model, ModuleString const& string, std::size_t from);
 
 // Fills `branches` for a string of fewer than 2^32 modules and parameters.
 void find_branches(Model const& model, ModuleString const& string, Branches& branches);
 
-// The positions at which contexts are matched: to the left from before module `left`, to the right
-// from module `right`, with the indices of their first parameters.
+// Where the contexts of a module are matched: the left context leftwards from before module `left`,
+// the right context rightwards from module `right`. The other two members are the indices of the
+// first parameters of these modules.
 struct Surroundings {
     ModuleString const* string = nullptr;
-    Branches const* branches = nullptr; // May be null if Rewriter::has_contexts() is false.
+    // Matching brackets of the string; may be null if Rewriter::has_contexts() is false.
+    Branches const* branches = nullptr;
     std::size_t left = 0;
     std::size_t left_parameters = 0;
     std::size_t right = 0;
     std::size_t right_parameters = 0;
 };
 
-// Finds and applies the rules of one set. Owns the frames in which their programs run.
+// Finds and applies the rules of one set. Owns the frames in which the rules' programs run.
 class Rewriter {
 public:
-    // Rewrites with rules of one L-system of the model.
+    // Makes a rewriter for a set of rules of one L-system of the model.
     Rewriter(Model const& model, LSystem const& system, RuleSet const& rules,
              VirtualMachine& machine);
 
-    // Finds the rule that rewrites the first of `modules`; nullptr if there is none. With
-    // `adjacent` the right context begins directly after the predecessor in the string, otherwise
-    // at `around.right`. The rule's frame then holds the parameters and the results of the
-    // condition's block.
+    // Finds the rule that rewrites the first of `modules`; nullptr if there is none. If `adjacent`
+    // is true, the right context begins directly after the predecessor in the string, otherwise at
+    // `around.right`. The rule's frame then holds the parameters and the results of the rule's
+    // condition.
     Rule const* find(Modules const& modules, Surroundings const& around, bool adjacent);
 
-    // Fills the rule's frame with the predecessor's parameters. Replaces find() for a rule without
-    // contexts that is known to apply.
+    // Fills the rule's frame with the predecessor's parameters. Replaces find() for a rule that has
+    // no contexts and is known to apply.
     void load_predecessor(Rule const& rule, float const* parameters);
 
-    // Runs the block after the condition and appends the successor. A ModuleWriter must have room
-    // for it and for at least FixedSuccessor::kShort kinds.
+    // Runs the block after the rule's condition and appends the successor. A ModuleWriter must have
+    // room for the successor and for at least FixedSuccessor::kShort kinds.
     void apply(Rule const& rule, ModuleString& out);
     void apply(Rule const& rule, ModuleWriter& to);
 
@@ -81,7 +83,8 @@ private:
         std::size_t module = 0;
         std::size_t parameters = 0;
     };
-    // The module next to the predecessor, looked up once for all rules. No value: there is none.
+    // The module that contexts see next to the predecessor, searched for once for all rules.
+    // `place` has no value if there is none.
     struct Neighbour {
         bool is_known = false;
         std::size_t from = 0;
@@ -91,7 +94,7 @@ private:
         None,
         Open,
         Close,
-        Keep // A %(...): the branch after it is, or will be, separate.
+        Keep // A %(...): the branch after it is, or will be, a separate one.
     };
     enum class OpeningBrackets { PassBranches, Stop };
 
@@ -131,7 +134,7 @@ private:
     bool has_contexts_ = false;
     std::array<Bracket, 256> brackets_ {};
     std::array<std::uint8_t, 256> parameter_counts_ {};
-    Neighbour right_; // Right neighbour of the modules that find() is matching.
+    Neighbour right_; // Right neighbour of the modules for which find() tries rules.
     Neighbour left_;
 };
 

@@ -22,7 +22,7 @@ struct Operator {
     std::string_view symbol;
     int strength; // Precedence: operators with a higher strength bind more tightly.
 };
-// Operators; longer ones come before their prefixes.
+// Operators of C. Longer ones come before their prefixes.
 constexpr std::array kOperators {
     Operator { "||", 1 }, Operator { "&&", 2 }, Operator { "==", 6 }, Operator { "!=", 6 },
     Operator { "<=", 7 }, Operator { ">=", 7 }, Operator { "<<", 8 }, Operator { ">>", 8 },
@@ -31,7 +31,7 @@ constexpr std::array kOperators {
     Operator { "/", 10 }, Operator { "%", 10 },
 };
 
-// A value of C's intmax_t or uintmax_t. An operation with one unsigned operand is unsigned.
+// A value of C's type intmax_t or uintmax_t. An operation is unsigned if one of its operands is.
 struct Value {
     std::int64_t number = 0;
     bool is_unsigned = false;
@@ -47,7 +47,7 @@ bool is_less(Value const& a, Value const& b)
     return a.is_unsigned || b.is_unsigned ? bits(a) < bits(b) : a.number < b.number;
 }
 
-// Bitwise shifts. As in gcc, a negative shift count shifts in the other direction.
+// Bitwise shifts. As in gcc, a negative count shifts in the other direction.
 std::int64_t shifted_left(Value const& value, Value const& by);
 
 std::int64_t shifted_right(Value const& value, Value const& by)
@@ -113,7 +113,8 @@ private:
     ErrorAt const& error_;
     std::size_t at_ = 0;
     int depth_ = 0;
-    // False in operands of && || ?: that are not evaluated and may contain errors such as 1/0.
+    // False while operands of && || ?: are parsed that are not evaluated and may contain errors
+    // such as 1/0.
     bool is_evaluated_ = true;
 };
 
@@ -140,7 +141,7 @@ Result<Value> ConditionParser::conditional()
     return result;
 }
 
-// Consumes the next operator if it binds at least this tightly.
+// Consumes the next operator if it binds at least as tightly as `strength`.
 std::optional<Operator> ConditionParser::take_operator(int strength)
 {
     skip();
@@ -213,7 +214,7 @@ Result<Value> ConditionParser::divide(Operator const& op, Value const& left, Val
         auto const value = is_quotient ? bits(left) / bits(right) : bits(left) % bits(right);
         return Value { static_cast<std::int64_t>(value), true };
     }
-    // The smallest integer has no negative counterpart; this case would overflow.
+    // The smallest integer has no negative counterpart, so dividing it by -1 would overflow.
     if (right.number == -1)
         return Value { is_quotient ? static_cast<std::int64_t>(0 - bits(left)) : 0, false };
     return Value { is_quotient ? left.number / right.number : left.number % right.number, false };
@@ -277,8 +278,8 @@ Result<Value> ConditionParser::number()
     return Value { static_cast<std::int64_t>(value), is_unsigned };
 }
 
-// Parses an escape sequence; `at` is the position after the backslash. Returns the character and
-// the end position.
+// Parses an escape sequence whose backslash is just before index `at`. Returns the character and
+// the index after the sequence.
 std::pair<unsigned, std::size_t> escaped_character(std::string_view text, std::size_t at)
 {
     constexpr std::string_view kLetters = "abfnrtv";

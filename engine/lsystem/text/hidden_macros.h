@@ -8,9 +8,9 @@
 
 namespace tractus::lsystem {
 
-// Numbered sets of macros, each stored once: the "hide sets" of Prosser's algorithm. A token's set
-// contains the macros it came from, which must not replace it again. Operations give no value if
-// there are too many sets, or too many macros in one set, as in hostile models.
+// Numbered sets of macros, each stored once: the "hide sets" of Prosser's algorithm. The set of a
+// token contains the macros that the token came from, which must not replace it again. Operations
+// return no value if there are too many sets, or too many macros in a set, as in hostile models.
 class HiddenMacros {
 public:
     using Id = std::uint32_t; // Number of a set.

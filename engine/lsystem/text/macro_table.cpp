@@ -9,7 +9,7 @@
 
 namespace tractus::lsystem {
 
-// Limits against hostile models whose macros double in size with each use.
+// Limits as a protection against hostile models whose macros double in size with each use.
 static constexpr std::size_t kMaxTextSize = std::size_t { 16 } << 20;
 static constexpr std::size_t kMaxWork = std::size_t { 64 } << 20;
 static constexpr std::size_t kTokenCost = 16;
@@ -21,7 +21,7 @@ static bool is_blank_token(std::string const& characters)
     return characters.size() == 1 && (is_blank(characters[0]) || characters[0] == '\n');
 }
 
-// Appends text with the escapes that a string literal needs.
+// Appends a text with the escapes that it needs in a string literal.
 static void append_escaped(std::string& string, std::string_view text)
 {
     for (char const c : text) {
@@ -69,7 +69,7 @@ Result<std::string_view> MacroTable::set_parameters(Macro& macro, PlacedText con
         auto parameter = written;
         macro.is_variadic
             = parameter.size() >= 3 && parameter.substr(parameter.size() - 3) == "...";
-        if (macro.is_variadic) // A name for the variable arguments is allowed, as in gcc.
+        if (macro.is_variadic) // As in gcc, the variable arguments may have a name.
             parameter = trimmed_line(parameter.substr(0, parameter.size() - 3));
         if (macro.is_variadic && parameter.empty())
             parameter = "__VA_ARGS__";
@@ -84,8 +84,8 @@ Result<std::string_view> MacroTable::set_parameters(Macro& macro, PlacedText con
     return rest.substr(close + 1);
 }
 
-// Sets a macro's replacement list. Blanks around ## are removed, because it joins the tokens next
-// to it.
+// Sets a macro's replacement list. Blanks around ## are removed, because it joins the tokens on
+// both sides.
 Result<void> MacroTable::set_body(Macro& macro, PlacedText const& line, std::string_view text)
 {
     PlacedText body { std::string(trimmed_line(text)), {} };
@@ -147,7 +147,7 @@ MacroTable::Macro const* MacroTable::macro_for(Token const& token) const
     return hidden_.has(token.hidden, macro->second.number) ? nullptr : &macro->second;
 }
 
-// Replaces __LINE__ or __FILE__ by its value; returns true if the token was one of them.
+// Replaces __LINE__ or __FILE__ by its value. Returns true if the token was one of them.
 bool MacroTable::expand_place_macro(Token& token) const
 {
     if (!is_place_macro(token.characters) || macros_.find(token.characters) != macros_.end())
@@ -158,12 +158,12 @@ bool MacroTable::expand_place_macro(Token& token) const
     return true;
 }
 
-// Checks, without replacing macros if possible, whether the text ends inside a macro call: this is
-// cheaper than an expansion that is then discarded.
+// Returns true if the text seems to end inside a macro call. Replaces no macros: an expansion that
+// is then discarded would take longer.
 bool MacroTable::ends_in_call(PlacedText const& text) const
 {
     std::string_view const characters = text.characters;
-    int depth = 0; // Depth of parentheses, from the beginning of a call.
+    int depth = 0; // Depth of parentheses, counted from the beginning of a call.
     bool follows_macro = false;
     for (std::size_t i = 0; i < characters.size();) {
         auto const end = token_end(characters, i);
@@ -235,7 +235,7 @@ Result<void> MacroTable::expand(PlacedText const& text, PlacedText& out)
     }
     auto rest = tokens_of(text);
     std::reverse(rest.begin(), rest.end());
-    std::string last; // The last token: the next one must not merge with it.
+    std::string last; // The last token, with which the next one must not merge.
     return expand(rest, 0, [&](Token const& token) -> Result<void> {
         if (out.size() > kMaxTextSize)
             return error(token.place, "macros make more than 16 MB of text here");
@@ -253,8 +253,8 @@ Result<void> MacroTable::expand(PlacedText const& text, PlacedText& out)
     });
 }
 
-// Dave Prosser's algorithm, which the C standard describes in words. `rest` holds the text in
-// reverse, because a macro's replacement is put in front of it.
+// Replaces macros by Dave Prosser's algorithm, which the C standard describes in words. `rest` is
+// the text in reverse, because a macro's replacement is put in front of it.
 template<typename Sink> Result<void> MacroTable::expand(Tokens& rest, int depth, Sink const& sink)
 {
     while (!rest.empty()) {
@@ -284,7 +284,8 @@ template<typename Sink> Result<void> MacroTable::expand(Tokens& rest, int depth,
     return {};
 }
 
-// Reads the arguments of a call. Returns false if no parenthesis follows the name.
+// Reads the arguments of a call from `rest`. Returns false if no parenthesis follows the macro's
+// name.
 Result<bool> MacroTable::take_call(Macro const& macro, Token const& name, Tokens& rest, Call& call,
                                    HiddenMacros::Id& hidden)
 {
@@ -340,7 +341,8 @@ Result<void> MacroTable::check_arguments(Macro const& macro, Token const& name, 
     return {};
 }
 
-// Returns the index of a macro's parameter; the number of parameters if the token is not one.
+// Returns the index of the macro's parameter that the token names; the number of parameters if it
+// names none.
 std::size_t MacroTable::parameter_index(Macro const& macro, Token const& token)
 {
     return static_cast<std::size_t>(
@@ -383,8 +385,9 @@ Result<MacroTable::Tokens> MacroTable::substitute(Macro const& macro, Call& call
     return result;
 }
 
-// Appends the replacement of one token of a macro's body: the token itself, or the argument. An
-// argument next to ## is not expanded; if it is empty, it becomes one empty token.
+// Sets `result` to the replacement of one token of a macro's body: the token itself, or the
+// argument if it names a parameter. An argument next to ## is not expanded; if it is empty, the
+// result is one empty token.
 Result<void> MacroTable::substitute_token(Macro const& macro, Call& call, std::size_t at,
                                           Tokens& result)
 {
@@ -428,7 +431,8 @@ Result<void> MacroTable::expand_argument(Call& call, std::size_t index)
     });
 }
 
-// Makes a string literal of an argument, as # does; runs of blanks become single blanks.
+// Makes a string literal of an argument, as the operator # does. Runs of blanks become single
+// blanks.
 std::string MacroTable::quoted(Tokens const& argument)
 {
     std::string result = "\"";
@@ -446,8 +450,8 @@ std::string MacroTable::quoted(Tokens const& argument)
     return result + '"';
 }
 
-// Handles a comma before ## and the variable arguments: returns true if the operands are such a
-// pair, which is not joined. The comma is removed if the call has no variable arguments.
+// Handles a comma before ## and the variable arguments. Returns true for this pair, which is not
+// joined, and removes the comma if the call has no variable arguments.
 bool MacroTable::takes_comma(Macro const& macro, Call const& call, std::size_t at, Tokens& result)
 {
     if (!macro.is_variadic || result.empty() || result.back().characters != ","
@@ -459,8 +463,8 @@ bool MacroTable::takes_comma(Macro const& macro, Call const& call, std::size_t a
     return true;
 }
 
-// Joins the last token of `result` and the first of `next` if together they form one token;
-// otherwise appends them unchanged.
+// Joins the last token of `result` and the first of `next` if the two form one token together;
+// otherwise appends `next` unchanged.
 void MacroTable::paste(Tokens& result, Tokens const& next)
 {
     auto from = next.begin();

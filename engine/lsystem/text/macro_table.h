@@ -14,21 +14,22 @@
 
 namespace tractus::lsystem {
 
-// The table of macros defined by #define, with and without parameters, and their replacement as in
-// C11 6.10.3: `#` and `##`, macros in arguments, and rescanning together with the following text.
-// __LINE__ and __FILE__ give their own position, or, in a macro, the start of the outermost call. A
-// `#` that no parameter follows stands for itself, because it is a turtle symbol. As in gcc, the
-// variable arguments may have a name, and a comma before ## __VA_ARGS__ is removed if the call has
-// none. Errors are user errors that give the position.
+// The table of macros that #define defines, with and without parameters, and their replacement as
+// in C11 6.10.3: `#` and `##`, macros in arguments, and rescanning together with the following
+// text. __LINE__ and __FILE__ give their own position or, inside a macro call, the position at
+// which the outermost call begins. A `#` without a parameter after it stands for itself, because it
+// is a turtle symbol. As in gcc, the variable arguments may have a name, and a comma before ##
+// __VA_ARGS__ is removed if the call has no variable arguments. Errors are user errors that give
+// the position.
 class MacroTable {
 public:
-    // `files` holds the names of the files for error positions; it must outlive the table.
+    // `files` contains the names of the files, for positions in errors; it must outlive the table.
     explicit MacroTable(std::vector<std::string> const& files)
         : files_(files)
     {
     }
 
-    // Parses `rest`, the part of `line` after #define.
+    // Defines a macro from `rest`, the part of `line` after #define.
     Result<void> define(PlacedText const& line, std::string_view rest);
     void undefine(std::string_view name);
     bool is_defined(std::string_view name) const
@@ -36,12 +37,11 @@ public:
         return macros_.find(name) != macros_.end() || is_place_macro(name);
     }
 
-    // Appends the text with macros replaced.
+    // Appends a text to `out`, with its macros replaced.
     Result<void> expand(PlacedText const& text, PlacedText& out);
 
-    // Expands a text like expand(), unless it ends inside a macro call or possibly before its
-    // parentheses. In that case the following text is needed: nothing is appended and the result is
-    // false.
+    // Like expand(), if the text is complete. If it ends inside a macro call, or after a name whose
+    // parentheses may follow, the following text is needed: returns false and appends nothing.
     Result<bool> expand_whole(PlacedText const& text, PlacedText& out);
 
 private:
@@ -49,8 +49,8 @@ private:
     struct Token {
         std::string characters;
         SourcePlace place; // Position of the token's first character.
-        // True if the token comes from a macro's body; all its characters then have the position of
-        // the call.
+        // True if the token comes from a macro's body. All its characters then have the position of
+        // the macro call.
         bool is_in_body = false;
         bool is_paste = false; // True for the operator ## in a macro's body.
         // Macros that the token came from, which must not replace it again.
@@ -71,7 +71,7 @@ private:
         std::vector<bool> is_expanded;
         SourcePlace place;
         int depth = 0; // Nesting depth of calls in arguments of calls.
-        // True if the call has no comma before the variable arguments.
+        // True if the call has no comma before its variable arguments.
         bool leaves_out_rest = false;
     };
 
@@ -115,7 +115,7 @@ private:
     std::uint32_t next_number_ = 0;
     HiddenMacros hidden_;
     std::size_t spent_ = 0;
-    // True if an expanded text ended inside a macro call, before or after its opening parenthesis.
+    // True if a text that was expanded ended inside a macro call, or before the call's parenthesis.
     bool ended_in_call_ = false;
 };
 

@@ -48,7 +48,7 @@ Result<bool> OpenConditions::is_defined(PlacedText const& line, std::string_view
 Result<void> OpenConditions::next_part(PlacedText const& line, std::string_view word,
                                        std::string_view rest)
 {
-    if (open_.size() == first_in_file_) // A condition of the including file must stay open.
+    if (open_.size() == first_in_file_) // A condition of the including file cannot end here.
         return error(line, 0, fmt::format("found #{} without #if", word));
     auto& open = open_.back();
     if (word == "endif") {
@@ -69,7 +69,8 @@ Result<void> OpenConditions::next_part(PlacedText const& line, std::string_view 
     return {};
 }
 
-// Replaces `defined` in the expression of an #if; this must happen before macro replacement.
+// Replaces each `defined` in the expression of an #if by 0 or 1. This must precede macro
+// replacement.
 Result<PlacedText> OpenConditions::without_defined(PlacedText const& text) const
 {
     PlacedText ready;
@@ -79,7 +80,7 @@ Result<PlacedText> OpenConditions::without_defined(PlacedText const& text) const
     };
     for (std::size_t i = 0; i < characters.size();) {
         auto const begin = i;
-        // Character constants must be skipped before macros can be replaced inside them.
+        // Character constants are skipped, so that macros are not replaced inside them.
         if (characters[begin] == '\'')
             if (auto const constant = character_constant(characters, begin)) {
                 i = constant->end;

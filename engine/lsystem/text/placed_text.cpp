@@ -37,7 +37,7 @@ static bool is_name_part(char c)
 {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
-// Returns true for a sign that belongs to the number before it, as in 1e-3.
+// Returns true if the sign at index `at` belongs to the number before it, as in 1e-3.
 static bool is_exponent_sign(std::string_view text, std::size_t at)
 {
     return (text[at] == '+' || text[at] == '-') && (text[at - 1] == 'e' || text[at - 1] == 'E');
@@ -51,8 +51,8 @@ bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-// Returns the end of the string literal that begins at `begin`, after its closing quote; no value
-// if the literal does not end in its line.
+// Returns the index after the closing quote of the string literal that begins at index `begin`. No
+// value if the literal does not end in its line.
 static std::optional<std::size_t> string_end(std::string_view text, std::size_t begin)
 {
     for (auto at = begin + 1; at < text.size() && text[at] != '\n'; ++at) {
@@ -81,8 +81,8 @@ std::size_t token_end(std::string_view text, std::size_t begin)
     return end;
 }
 
-// Returns true if only blanks follow in the line. As in gcc, a \ before them is the last character
-// of its line.
+// Returns true if only blanks follow in the line from index `at` on. As in gcc, a \ before such
+// blanks counts as the last character of its line.
 static bool ends_line(std::string_view source, std::size_t at)
 {
     while (at < source.size() && is_blank(source[at]))
@@ -96,7 +96,8 @@ PlacedText without_comments(std::string_view source, std::uint32_t file,
     PlacedText result;
     SourcePlace place { file, 1, 1 };
     std::size_t i = 0;
-    // After a failed search for a closing quote, the rest of the line is not searched again.
+    // Set after a failed search for a closing quote, so that the rest of the line is not searched
+    // again.
     std::size_t no_string_before = 0;
     auto const advance = [&] {
         if (source[i++] == '\n') {

@@ -18,21 +18,23 @@ namespace tractus::lsystem {
 
 namespace {
 
-// Limit against hostile models whose files include themselves.
+// Maximum nesting of includes, as a protection against hostile models whose files include
+// themselves.
 constexpr int kMaxIncludeNesting = 64;
-// Limit on files, since nested includes can double in number at each level.
+// Maximum number of files, since nested includes can double in number at each level.
 constexpr std::size_t kMaxFiles = 1000;
 
-// Returns the path of a file in the folder of another file.
+// Returns the path of the file `name` in the folder of the file `file`.
 std::string beside(std::string const& file, std::string const& name)
 {
     return file.substr(0, file.rfind('/') + 1) + name;
 }
 
-// File and line numbers that a #line directive sets for the lines after it.
+// File and line numbers that a #line directive gives to the lines after it.
 struct Presumed {
     std::uint32_t file = 0;
-    std::uint32_t added_lines = 0; // Difference to the actual line number; may wrap around.
+    // Difference between these line numbers and the actual ones; may wrap around.
+    std::uint32_t added_lines = 0;
 };
 
 class Preprocessor {
@@ -68,7 +70,7 @@ private:
     MacroTable macros_ { files_ };
     OpenConditions conditions_ { macros_, files_ };
     std::string name_;           // Name of the current file.
-    std::set<std::string> once_; // Files that are not to be included again.
+    std::set<std::string> once_; // Files that are not included again, because of #pragma once.
     std::optional<Presumed> presumed_;
     std::vector<std::string> warnings_;
     PlacedText out_;
@@ -79,12 +81,13 @@ bool is_directive(std::string_view line)
     return trimmed_line(line).substr(0, 1) == "#";
 }
 
-// Directives other than conditions.
+// Directives other than conditional ones.
 constexpr std::array<std::string_view, 7> kWords { "define",  "undef", "include", "error",
                                                    "warning", "line",  "pragma" };
 
-// Returns the directive that a word after # is probably a misspelling of. A # may also be a turtle
-// symbol, so only separate, longer words in lower case are considered.
+// Returns the directive that a word after # is probably a misspelling of; empty if there is none. A
+// # may also be a turtle symbol, so only separate words of three or more small letters are
+// considered.
 std::string_view meant_word(std::string_view word, std::string_view behind)
 {
     bool const is_alone = behind.empty() || is_blank(behind.front());
@@ -96,8 +99,8 @@ std::string_view meant_word(std::string_view word, std::string_view behind)
     return condition.empty() ? nearest_word(word, kWords) : condition;
 }
 
-// Returns true for "#define NAME(x)" and nothing else: its replacement is on the next line, after a
-// \.
+// Returns true if the line is "#define NAME(x)" and nothing else. With a \ at its end, its
+// replacement is then on the next line.
 bool is_bare_definition(std::string_view line)
 {
     auto rest = trimmed_line(line);
@@ -149,8 +152,8 @@ Result<void> Preprocessor::add_file(std::string const& name, std::string_view so
     return {};
 }
 
-// Adds lines with macros replaced. As in C, a line with a macro call continues to the end of the
-// call, but never past a directive.
+// Adds lines with their macros replaced. As in C, a line that ends inside a macro call continues to
+// the end of the call, but never past a directive.
 Result<void> Preprocessor::add_lines(PlacedText const& text, int nesting)
 {
     constexpr int kMaxCallLines = 1000;
@@ -190,8 +193,8 @@ PlacedText Preprocessor::take_line(PlacedText const& text, std::size_t& begin)
     return line;
 }
 
-// Reads a line, joined with the next ones if it is a definition that ends in a backslash; elsewhere
-// \ is a turtle symbol.
+// Reads a line. If it is a directive that ends in a backslash, the next lines are joined to it;
+// elsewhere a \ is a turtle symbol.
 PlacedText Preprocessor::take_written_line(PlacedText const& text, std::size_t& begin)
 {
     auto const line_end
@@ -218,8 +221,8 @@ PlacedText Preprocessor::take_written_line(PlacedText const& text, std::size_t& 
     return line;
 }
 
-// Warns of a definition that ends in the turtle symbol \ and is therefore, as in C, joined with the
-// next line; this is seldom intended.
+// Warns of a definition that ends in the turtle symbol \ and to which, as in C, the next line is
+// therefore joined. This is seldom intended.
 void Preprocessor::warn_of_joined_line(PlacedText const& definition, PlacedText const& line)
 {
     auto const rest = trimmed_line(line.characters);
@@ -237,7 +240,7 @@ void Preprocessor::warn_of_joined_line(PlacedText const& definition, PlacedText 
         files_[at.file], at.line, at.column, next));
 }
 
-// Executes a directive; returns false if the line is not a directive.
+// Executes a directive. Returns false if the line is not a directive.
 Result<bool> Preprocessor::directive(PlacedText const& line, int nesting)
 {
     auto rest = trimmed_line(line.characters);
@@ -283,7 +286,7 @@ Result<void> Preprocessor::execute_directive(PlacedText const& line, std::string
     } else if (word == "pragma") {
         if (rest == "once")
             once_.insert(name_);
-    } else { // The remaining directive is #warning.
+    } else { // The only directive that remains is #warning.
         auto const& at = line.places[line.characters.find('#')];
         warnings_.push_back(
             fmt::format("{}:{}:{}: #warning {}", files_[at.file], at.line, at.column, shown(rest)));
@@ -291,7 +294,7 @@ Result<void> Preprocessor::execute_directive(PlacedText const& line, std::string
     return {};
 }
 
-// Executes a #line directive, LINE or LINE "FILE". As in C, macros are replaced in it.
+// Executes a #line directive, LINE or LINE "FILE". As in C, its macros are replaced first.
 Result<void> Preprocessor::set_line(PlacedText const& line, std::string_view rest)
 {
     constexpr std::uint32_t kMaxLine = 2'147'483'647;
@@ -321,7 +324,7 @@ Result<void> Preprocessor::set_line(PlacedText const& line, std::string_view res
     return {};
 }
 
-// Adds a file name for error positions and returns its number.
+// Adds a file name for positions in errors. Returns the file's number.
 Result<std::uint32_t> Preprocessor::add_name(std::string const& name)
 {
     if (files_.size() == kMaxFiles)
@@ -334,7 +337,7 @@ Result<std::uint32_t> Preprocessor::add_name(std::string const& name)
 
 Result<void> Preprocessor::include_file(PlacedText const& line, std::string_view rest, int nesting)
 {
-    PlacedText expanded; // A macro may give the file's name.
+    PlacedText expanded; // The file's name after macro replacement, as a macro may give it.
     if (is_name_start(rest.empty() ? '"' : rest.front())) {
         TRY(macros_.expand(part_of(line, rest), expanded));
         rest = trimmed_line(expanded.characters);

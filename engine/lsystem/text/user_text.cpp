@@ -22,8 +22,8 @@ std::string shown(std::string_view text)
     return text.empty() ? result : result + "...";
 }
 
-// Edit distance: the least number of characters to add, remove, change or swap to turn one text
-// into the other.
+// Returns the edit distance of two texts: the least number of characters to add, remove, change or
+// swap to turn one into the other.
 static std::size_t distance(std::string_view a, std::string_view b)
 {
     std::vector<std::size_t> before(b.size() + 1);

@@ -6,15 +6,15 @@
 
 namespace tractus::lsystem {
 
-// Formats a user's text for a message, like printable(), and shortens long text.
+// Formats a text of the user's for a message, as printable() does, and shortens it if it is long.
 std::string shown(std::string_view text);
 
-// Returns the word that a text is probably a misspelling of, ignoring case; empty if none is
+// Returns the word that a text is probably a misspelling of, ignoring case. Empty if no word is
 // similar or the text is one of the words.
 std::string_view nearest_word(std::string_view text, std::span<std::string_view const> words);
 
-// Returns the words that the beginning of a line is probably a misspelling of; empty if none are
-// similar or the line begins with one of them.
+// Returns the entry of `words` that the beginning of a line is probably a misspelling of. Empty if
+// none is similar or the line begins with one of them.
 std::string_view nearest_beginning(std::string_view line, std::span<std::string_view const> words);
 
 } // namespace tractus::lsystem

@@ -40,7 +40,7 @@ Vec3 unit_or(Vec3 const& v, Vec3 const& otherwise)
     return length > 1e-9 ? Vec3(v / length) : otherwise;
 }
 
-// Parallel transport of a normal from the direction `from` to the direction `to`.
+// Moves a normal by parallel transport from the direction `from` to the direction `to`.
 Vec3 parallel_transport(Vec3 const& normal, Vec3 const& from, Vec3 const& to)
 {
     Vec3 const turned = rotation_between(from, to) * normal;
@@ -52,8 +52,8 @@ double angle_about(Vec3 const& axis, Vec3 const& from, Vec3 const& to)
     return std::atan2(axis.dot(from.cross(to)), from.dot(to));
 }
 
-// Coefficients of the cubic (share of the path, radius) between two control points, in ascending
-// powers of t.
+// Returns the coefficients, in ascending powers of t, of the cubic (share of the path, radius)
+// between two control points.
 std::array<Vec2, 4> radius_curve(CylinderPoint const& from, CylinderPoint const& to,
                                  double tangent_mm)
 {
@@ -72,10 +72,11 @@ std::array<Vec2, 4> radius_curve(CylinderPoint const& from, CylinderPoint const&
 
 } // namespace
 
-// The path of one piece and the rotation of its sections.
+// The path of one piece and the rotation of its sections about it.
 struct CylinderCourse {
     Cubic path;
-    double twist_rad = 0; // Total rotation from one end to the other.
+    // Total rotation of the sections about the path, from one end of the piece to the other.
+    double twist_rad = 0;
     int rings = 1;
 };
 
@@ -92,7 +93,8 @@ Cylinder::Piece Cylinder::make_piece(CylinderPoint const& to, CylinderCourse con
         double const r = static_cast<double>(i) / course.rings;
         Vec2 const at = ((radii[3] * r + radii[2]) * r + radii[1]) * r + radii[0];
         CylinderSection section;
-        double const t = std::clamp(at.x(), -1.0, 2.0); // Tangents may lead beyond the ends.
+        // The tangents may lead beyond the ends of the path.
+        double const t = std::clamp(at.x(), -1.0, 2.0);
         section.share = std::clamp(t, 0.0, 1.0);
         section.position_mm = value(course.path, t);
         Vec3 const heading = unit_or(slope(course.path, t), from.heading);
@@ -171,7 +173,7 @@ Cylinder::Piece Cylinder::add_to_bspline(CylinderPoint const& point, int rings)
 std::vector<Cylinder::Piece> Cylinder::finish()
 {
     std::vector<Piece> pieces;
-    if (count_ > first_.size()) // A shorter path has nothing to close.
+    if (count_ > first_.size()) // A path with fewer points has nothing to close.
         for (auto const& point : std::exchange(first_, {}))
             pieces.push_back(add(point));
     return pieces;

@@ -5,7 +5,7 @@
 
 namespace tractus::lsystem {
 
-// Finds an organ by its letter; nullptr if the view does not define it.
+// Finds the definition of an organ by its letter; nullptr if the view does not define it.
 static OrganDefinition const* find_organ(View const& view, char letter)
 {
     auto const found = std::find_if(view.organs.begin(), view.organs.end(),
@@ -73,7 +73,8 @@ void OrganCatalogue::add_materials(View const& view, std::span<DrawnPiece const>
                 = static_cast<MaterialId>(materials_.size());
             materials_.push_back(defined->second);
         }
-    // Surfaces are mostly leaves, so bark would be a poor default for them.
+    // Surfaces are mostly leaves, so those without a material get a leaf's material instead of
+    // bark.
     for (auto const& piece : pieces)
         for (auto const& key : piece.drawing.shape_keys)
             if (key.kind == OrganShape::Kind::Surface && material(key.color) == 0
@@ -92,8 +93,8 @@ MaterialId OrganCatalogue::add_leaf(std::string const& name)
     return static_cast<MaterialId>(materials_.size() - 1);
 }
 
-// Makes the shape of a surface: patches in millimetres, and their bounding box in turtle units as
-// for other shapes.
+// Makes the shape of a surface: its patches in millimetres, and their bounding box in turtle units,
+// as for other shapes.
 OrganShape OrganCatalogue::make_surface(View const& view, Identity const& identity) const
 {
     OrganShape shape;
@@ -101,7 +102,7 @@ OrganShape OrganCatalogue::make_surface(View const& view, Identity const& identi
     shape.material = identity.material;
     if (identity.patch > 0) {
         shape.name = "patch " + std::to_string(identity.patch);
-        // Strings with turtle-made patches are never divided, so there is only one piece.
+        // Strings whose turtle makes patches are never divided, so there is only one piece.
         shape.patches = { pieces_.front().drawing.patches[identity.patch - 1] };
     } else {
         shape.name = std::string("surface ") + identity.letter;

@@ -14,10 +14,10 @@ namespace tractus::lsystem {
 
 namespace {
 
-// Random stream that selects one of several leaves for an organ.
+// Random stream that selects one of several grown leaves for an organ.
 constexpr std::uint32_t kLeafStream = 0x6C66;
 
-// Numbers of elements, or offsets, in each of a plant's arrays.
+// For each array of a plant, a number of elements or an offset.
 struct Counts {
     std::size_t axes = 0;
     std::size_t segments = 0;
@@ -26,21 +26,22 @@ struct Counts {
     std::size_t polygon_vertices = 0;
 };
 
-// A run between two gaps of a piece: its offsets in the piece and in the plant.
+// What a piece draws between two of its gaps: its offsets in the piece and in the plant.
 struct Run {
     Counts from;
     Counts to;
 };
 
-// Destination of a piece in the plant.
+// Where a piece is placed in the plant.
 struct Target {
     std::vector<Run> runs;
-    // Number of segments before each axis of the piece, followed by the total.
+    // For each axis of the piece, the number of segments before it; then the total number.
     std::vector<std::uint32_t> segments_before;
     // Branching order of each axis relative to the lowest order in the piece.
     std::vector<std::uint32_t> orders;
     std::vector<AxisId> axis_ids;
-    std::vector<SegmentId> first_segments; // First segment of each axis.
+    // First segment of each axis, as its number in the plant.
+    std::vector<SegmentId> first_segments;
     SegmentId root_segment = kNone;
     AxisId root_axis = kNone;
     std::uint32_t lowest_order = 0;
@@ -102,7 +103,7 @@ private:
     void write_sections(std::size_t piece);
     void set_materials();
 
-    // Converts the number of a segment in a piece to its number in the plant.
+    // Converts the number of a segment in its piece to its number in the plant.
     SegmentId segment_id(std::size_t piece, std::uint32_t segment) const
     {
         auto const& target = targets_[piece];
@@ -117,7 +118,7 @@ private:
     View const& view_;
     std::span<DrawnPiece> pieces_;
     OrganCatalogue catalogue_;
-    std::vector<Target> targets_; // Destination of each piece.
+    std::vector<Target> targets_; // Where each piece is placed in the plant.
     Counts total_;
     // True if axes and segments are already in the plant, with turtle colours in place of
     // materials.
@@ -139,7 +140,8 @@ void Assembly::measure(std::size_t piece)
     }
 }
 
-// Counts what a piece has drawn before one of its gaps; past the last gap, in total.
+// Returns the numbers of elements that a piece has drawn before gap `gap`; after the last gap, in
+// total.
 Counts Assembly::counts_at(std::size_t piece, std::size_t gap) const
 {
     auto const& drawing = pieces_[piece].drawing;
@@ -157,12 +159,12 @@ Counts Assembly::counts_at(std::size_t piece, std::size_t gap) const
     return counts;
 }
 
-// Computes the destination of each run by visiting the pieces in the order of the string.
+// Computes the offsets of each run by visiting the pieces in the order of the string.
 void Assembly::lay_out()
 {
     struct Visit {
         std::size_t piece = 0;
-        std::size_t gap = 0; // Index of the next gap.
+        std::size_t gap = 0; // Index of the next gap of the piece to visit.
         Counts done;
     };
     std::vector<Visit> visits { {} };
@@ -339,7 +341,7 @@ void Assembly::set_materials()
 
 } // namespace
 
-// Initialising the arrays here spreads the work over several threads.
+// Initialises the arrays in several threads.
 void make_room(Plant& plant, std::size_t axis_count, std::size_t segment_count)
 {
     auto const nodes = segment_count + axis_count;

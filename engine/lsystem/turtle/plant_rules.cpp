@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRuledUnit_mm = 10;
 
-// Converts a vector to cpfg's space, as used in models.
+// Converts a vector from the plant's space to cpfg's space, which models use.
 Vec3 in_model(Vec3 const& v)
 {
     return { v.x(), v.z(), 0 - v.y() };
@@ -24,16 +24,17 @@ struct SegmentRow {
     Vec3 heading = Vec3::Zero();
     double length = 0; // Length in turtle units; widths have the same unit.
     double width = 0;  // Width of the segment at its base.
-    double tip = -1;   // Width at the tip of the axis; -1 if the axis continues.
-    // First segment of the first axis that is attached to this segment; -1: none.
+    double tip = -1;   // Width at the tip of the axis if the segment is its last; otherwise -1.
+    // First segment of the first axis that is attached to this segment; -1 if there is none.
     std::int64_t bears = -1;
-    // First segment of the next axis attached to the same parent segment; -1: none.
+    // First segment of the next axis that is attached to the same parent segment; -1 if there is
+    // none.
     std::int64_t other = -1;
-    int depth = 0; // Derivation steps until the segment is drawn.
+    int depth = 0; // Number of derivation steps until the segment is drawn.
 };
 
-// Links an axis to its parent segment or to the axis attached there before it. Returns the number
-// of derivation steps until the axis's first segment.
+// Links an axis to its parent segment, or to the previous axis that is attached to that segment.
+// Returns the number of derivation steps until the axis's first segment is drawn.
 int stand_on(Axis const& axis, std::vector<SegmentRow>& rows, std::vector<std::int64_t>& last)
 {
     if (axis.parent_segment == kNone)
@@ -49,7 +50,7 @@ int stand_on(Axis const& axis, std::vector<SegmentRow>& rows, std::vector<std::i
 std::vector<SegmentRow> rows_of(Plant const& plant)
 {
     std::vector<SegmentRow> rows(plant.segment_count());
-    // First segment of the last axis attached to each segment.
+    // For each segment, the first segment of the last axis attached to it so far.
     std::vector<std::int64_t> last(plant.segment_count(), -1);
     for (auto const& axis : plant.axes) {
         int const depth = stand_on(axis, rows, last);

@@ -114,8 +114,8 @@ std::size_t Turtle::draw(Modules const& modules, std::size_t place, bool in_homo
     return length;
 }
 
-// Returns true if all parameters of a symbol are finite. Otherwise warns: one that is not finite
-// would affect everything drawn after it.
+// Returns true if all parameters of a symbol are finite. Otherwise warns and returns false, since
+// an infinite parameter would affect everything drawn after it.
 bool Turtle::check(Symbol const& symbol)
 {
     for (std::size_t i = 0; i < symbol.count; ++i)
@@ -177,8 +177,8 @@ void Turtle::draw_symbol(Symbol const& symbol)
     }
 }
 
-// Interprets ?(id) and ?(id,scale). As in cpfg, the scale multiplies the caller's scale, whatever
-// @D has set, and the line width changes with it.
+// Interprets ?(id) and ?(id,scale). As in cpfg, the scale multiplies that of the calling L-system,
+// even if @D has changed the turtle's scale, and the line width changes with it.
 void Turtle::enter_subsystem(Symbol const& symbol)
 {
     if (model_.subsystems.empty() || symbol.count == 0 || symbol.name[1] != 0)
@@ -204,7 +204,7 @@ CutTurtle Turtle::kept() const
              state_.color };
 }
 
-// Interprets %(x,i): continues in the state that a cut has stored.
+// Interprets %(x,i): continues in the state that was stored at a cut.
 void Turtle::go_on_with(Symbol const& symbol)
 {
     double const number = symbol.parameter(1, -1);
@@ -278,14 +278,14 @@ void Turtle::draw_at_symbol(Symbol const& symbol)
 }
 
 // Interprets @Ts, @Ti and @Td (elasticity), @Tp (parallel transport of the sides), @Tf (start of
-// that transport) and @Tx (texture).
+// that transport) and @Tx (texture, not supported).
 void Turtle::draw_movement_symbol(Symbol const& symbol)
 {
     switch (symbol.name[2]) {
     case 's':
     case 'i':
     case 'd':
-    case '\0': // @T without a letter is treated as @Ti.
+    case '\0': // @T without a letter is treated like @Ti.
         return set_elasticity(symbol);
     case 'p':
         return state_.frame.transport_from(extras_.carried);
@@ -298,7 +298,7 @@ void Turtle::draw_movement_symbol(Symbol const& symbol)
     }
 }
 
-// Interprets a step: F and G draw a segment, F and f set vertices.
+// Interprets a step. F and G draw a segment; in a polygon or a path F and f set vertices instead.
 void Turtle::step(Symbol const& symbol)
 {
     auto const& what = turtle_symbol(symbol.name[0]);
@@ -370,8 +370,8 @@ void Turtle::close_polygon()
     polygons_.pop_back();
 }
 
-// Interprets @D(scale), @Di[(factor)] and @Dd[(factor)]. Does nothing without a scale or for a
-// factor of 0.
+// Interprets @D(scale), @Di[(factor)] and @Dd[(factor)]. Only warns if the scale is missing or the
+// factor is 0.
 void Turtle::set_scale(Symbol const& symbol)
 {
     double const value = symbol.parameter(0, view_.scale_step);
@@ -399,7 +399,7 @@ void Turtle::turn(Vec3& a, Vec3& b, Symbol const& symbol, double sign)
     TurtleFrame::rotate(a, b, sign * angle.sine, angle.cosine);
 }
 
-// Interprets @M(x,y[,z]).
+// Interprets @M(x,y[,z]): sets the position.
 void Turtle::set_position(Symbol const& symbol)
 {
     if (symbol.count < 2)
@@ -409,7 +409,8 @@ void Turtle::set_position(Symbol const& symbol)
     state_.place.is_open = false;
 }
 
-// Interprets @R(x,y[,z[,up]]). As in cpfg, a heading of zero length means straight up.
+// Interprets @R(x,y[,z[,up]]): sets the heading and the up vector. As in cpfg, a heading of zero
+// length means straight up.
 void Turtle::set_frame(Symbol const& symbol)
 {
     if (symbol.count < 2)
@@ -424,8 +425,8 @@ void Turtle::set_frame(Symbol const& symbol)
         state_.frame.set_up(direction(3));
 }
 
-// Interprets @Ts(tropism, value), @Ti(tropism[, step]) and @Td(tropism[, step]); tropisms are
-// numbered from 1.
+// Interprets @Ts(tropism, value), @Ti(tropism[, step]) and @Td(tropism[, step]): sets, increases
+// and decreases an elasticity. Tropisms are numbered from 1.
 void Turtle::set_elasticity(Symbol const& symbol)
 {
     double const number = symbol.parameter(0, 1);

@@ -19,37 +19,37 @@
 
 namespace tractus::lsystem {
 
-// Returns true if a model's strings may contain symbols for tropisms or for the appearance of
-// cylinders.
+// Returns true if the model's strings may contain symbols for tropisms or for the appearance of
+// generalised cylinders.
 bool uses_turtle_extras(Model const& model);
-// Returns true if strings may define surfaces by points of the turtle, which are numbered in
-// drawing order.
+// Returns true if the model's strings may define surfaces by points of the turtle. Such surfaces
+// are numbered in drawing order.
 bool uses_patches(Model const& model);
 
-// Interprets the symbols of a string, one after another, and draws into a TurtleDrawing. Each
-// symbol's effect is described in fast_drawing/interpret.h.
+// Interprets the symbols of a string one after another and draws into a TurtleDrawing.
+// fast_drawing/interpret.h describes the effect of each symbol.
 class Turtle {
 public:
     // The arguments must outlive the turtle.
     Turtle(Model const& model, TurtleOptions const& options);
 
-    // The state that brackets save.
+    // The state that an opening bracket saves.
     struct State {
         TurtleFrame frame;
         double width = 0; // Line width, a diameter in turtle units.
         double scale = 1;
         double elasticity = 0; // Elasticity of the older kind of tropism.
         std::uint8_t color = 0;
-        // How control points of an open generalised cylinder are set: OfSteps by steps and dots,
-        // OfSymbols by @Gc and dots.
+        // Which symbols set control points of an open generalised cylinder: OfSteps: steps and
+        // dots; OfSymbols: @Gc and dots; None: no cylinder is open.
         enum class Path : std::uint8_t { None, OfSteps, OfSymbols };
         Path path = Path::None;
         TurtleDrawing::Place place;
     };
-    // Additional state that brackets save if the model uses any of it.
+    // Further state that an opening bracket saves, if the model uses any of it.
     struct Extras {
         Elasticities elasticities {};
-        // The frame from which the sides are carried when a tropism bends the heading.
+        // Frame from which parallel transport carries the sides when a tropism bends the heading.
         TurtleFrame carried;
         CylinderStyle style;
     };
@@ -61,46 +61,47 @@ public:
     // Returns the initial state that the view specifies.
     Start start() const;
 
-    // Sets the turtle states with which %(x,i) continues; they must outlive the drawing.
+    // Sets the turtle states with which %(x,i) continues. They must outlive the drawing.
     void set_kept(std::span<CutTurtle const> turtles) { kept_ = turtles; }
-    // Returns the current state for a %(x) to store.
+    // Returns the current state, for a %(x) to store.
     CutTurtle kept() const;
 
-    // Sets the state and draws into `drawing` from now on.
+    // Sets the state; from now on draws into `drawing`.
     void begin(Start const& start, TurtleDrawing& drawing);
 
-    // Draws modules up to the first one for which `stops` is true, that is neither a single symbol
-    // nor an @-symbol, or that is a cut. All parameters must be finite. `place` is the index of the
-    // first module in the string, for warnings. Returns the number of modules drawn, and advances
-    // `parameters` past theirs.
+    // Draws modules up to the first one for which `stops` is true, or that is a cut or begins any
+    // symbol of several modules but an @-symbol. All parameters must be finite. `place` is the
+    // index in the string of the first module, for warnings. Returns the number of modules drawn,
+    // and advances `parameters` past theirs.
     std::size_t draw_plain(std::span<KindId const> kinds, float const*& parameters,
                            std::size_t place, std::array<bool, 256> const& stops);
 
-    // Draws the first symbol of `modules`; returns its number of modules.
+    // Draws the first symbol of `modules`. Returns the number of modules of that symbol.
     std::size_t draw(Modules const& modules, std::size_t place, bool in_homomorphism);
 
-    // Returns true if a cut was drawn since the last call: the rest of the branch must be skipped.
+    // Returns true if a cut was drawn since the last call. The caller must then skip the rest of
+    // the branch.
     bool take_cut() { return std::exchange(is_cut_, false); }
 
-    // Returns the initial state for a branch that is left out here, to be drawn by another turtle.
+    // Returns the initial state of a branch that begins here and that another turtle will draw.
     Start branch_start() const;
-    // The current frame, width, scale and colour.
+    // Returns the current frame, width, scale, colour and place.
     State const& state() const { return state_; }
     // Discards the drawing, for callers that need only the turtle's state.
     void drop_drawing();
-    // The segment at whose end the turtle is.
+    // Returns the segment at whose end the turtle is.
     std::uint32_t segment() const { return state_.place.segment; }
-    // Number of branches begun since begin() that are still open.
+    // Returns the number of brackets that have been opened since begin() and not closed.
     std::size_t depth() const { return depth_; }
-    // Returns true if a branch may be left out: no polygon or cylinder is open that would continue
-    // in it.
+    // Returns true if a branch that begins here may be left to another turtle: no polygon or
+    // cylinder is open that would continue in it.
     bool may_skip_branch() const { return polygons_.empty() && state_.path == State::Path::None; }
-    // Returns true if everything begun since begin() has ended, so that another turtle could
-    // continue.
+    // Returns true if all brackets and polygons that have begun since begin() have ended, so that
+    // another turtle could continue.
     bool is_complete() const { return depth_ == 0 && polygons_.empty() && !has_unpaired_; }
 
 private:
-    static constexpr double kMinWidth = 1e-7; // Minimum line width, the same as in cpfg.
+    static constexpr double kMinWidth = 1e-7; // Minimum line width, as in cpfg.
     static constexpr double kMaxReachMm = 1e12;
 
     // A symbol with its parameters.
@@ -120,21 +121,21 @@ private:
         std::uint8_t color = 0;
     };
 
-    // A generalised cylinder that is being drawn, and where it continues.
+    // A generalised cylinder that is being drawn, and the place at which it continues.
     struct OpenCylinder {
         Cylinder cylinder;
         TurtleDrawing::Place place;
         bool is_round = true; // True if the axis at `place` has round sections.
     };
 
-    // A surface whose points are being set by @PC.
+    // A surface whose points @PC sets.
     struct OpenPatch {
         PatchBasis basis = PatchBasis::Bezier;
         std::array<Vec3, 16> control;
-        std::uint32_t given = 0; // Bit set of the points given so far.
+        std::uint32_t given = 0; // Bit set of the points that have been set so far.
     };
 
-    // The cases that draw_quick() handles.
+    // Groups of symbols as draw_quick() distinguishes them.
     enum class Quick : std::uint8_t {
         Other, // A symbol that draw_quick() does not handle.
         Nothing,
@@ -145,15 +146,15 @@ private:
         Push,
         Pop,
         Width,
-        Level // A symbol that may be followed by v, which makes it @v.
+        Level // An @, which draw_quick() handles only if a v follows, as in the symbol @v.
     };
     struct Kind {
         char symbol = 0;
         std::uint8_t parameter_count = 0;
         bool is_single = false; // True for a symbol of one character that is not a cut.
-        bool draws = false;     // True for a step that draws or moves.
+        bool draws = false; // True for a step that draws a segment, not for one that only moves.
         Quick quick = Quick::Other;
-        double sign = 1; // Sign of a turn or of a change of width.
+        double sign = 1; // Sign of a turn or of a change of width: 1 or -1.
     };
 
     static Quick quick_case(SymbolAction does);
@@ -161,15 +162,16 @@ private:
     bool check(Symbol const& symbol);
     // Functions defined in turtle_plain.cpp.
     std::size_t name_at_symbol(std::span<KindId const> kinds, Symbol& symbol) const;
-    // Returns true if a step only moves or draws a segment, without bending or adding control
-    // points.
+    // Returns true if a step only moves the turtle or draws a segment, without bending or adding
+    // control points.
     static bool is_quick(State const& state)
     {
         return state.elasticity == 0 && state.path == State::Path::None;
     }
     std::size_t draw_quick(std::span<KindId const> kinds, float const*& parameters,
                            std::array<bool, 256> const& stops);
-    // Steps and returns true; if the step leads too far, returns false and changes nothing.
+    // Takes a step and returns true. If the step leads beyond kMaxReachMm, returns false and
+    // changes nothing.
     bool step_quickly(State& state, double length_mm, bool draws)
     {
         Vec3 const base_mm = state.frame.position_mm;
@@ -185,8 +187,8 @@ private:
             state.place.is_open = false;
         return true;
     }
-    // Pops the saved state and returns true; if draw_quick() cannot continue with it, returns false
-    // and changes nothing.
+    // Restores the saved state and returns true. If draw_quick() cannot continue with that state,
+    // returns false and changes nothing.
     bool restore_quickly(State& state)
     {
         if (depth_ == 0 || !is_quick(stack_[depth_ - 1]))
@@ -206,7 +208,8 @@ private:
     void push();
     void pop();
     void close_polygon();
-    // Sets the width to `value` if it is given; otherwise changes it by `value` steps.
+    // Sets the width to `value` if the symbol has a parameter; otherwise changes it by `value`
+    // steps.
     void set_width(State& state, bool is_given, double value)
     {
         double const change = value * view_.line_width_step * state.scale;
@@ -260,20 +263,21 @@ private:
     State state_;
     Extras extras_;
     bool has_extras_ = false;
-    std::vector<State> stack_; // Saved states; the first depth_ are in use.
+    std::vector<State> stack_; // Saved states; the first depth_ of them are in use.
     std::size_t depth_ = 0;
-    std::vector<Extras> extras_stack_; // Saved extras; used only if the model has extras.
+    std::vector<Extras> extras_stack_; // Saved extras; only used if the model has extras.
     std::vector<OpenPolygon> polygons_;
     std::span<CutTurtle const> kept_;
-    std::vector<double> call_scales_; // Scales of the open calls of sub-L-systems.
-    OpenCylinder cylinder_;           // The open cylinder; valid while state_.path is not None.
+    // Scales of the open calls of sub-L-systems, the innermost last.
+    std::vector<double> call_scales_;
+    OpenCylinder cylinder_; // The open cylinder; only valid while state_.path is not None.
     std::vector<OpenCylinder> cylinder_stack_;
     std::map<float, OpenPatch> patches_;
     std::map<std::array<std::int32_t, 48>, std::uint32_t> patch_numbers_;
     std::map<std::pair<std::uint32_t, std::uint8_t>, OrganShapeId> patch_shapes_;
     std::size_t place_ = 0;
     bool is_cut_ = false;
-    bool has_unpaired_ = false; // True after a ] or } without an opening one.
+    bool has_unpaired_ = false; // True after a ] or } whose opening symbol is missing.
 };
 
 } // namespace tractus::lsystem

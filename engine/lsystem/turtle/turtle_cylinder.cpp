@@ -8,14 +8,15 @@
 
 namespace tractus::lsystem {
 
-// Converts a parameter to a number of rings; 0 if it is missing.
+// Converts a parameter to a number of rings; a missing parameter is 0.
 static int ring_count(double value)
 {
     return static_cast<int>(std::clamp(value, 0.0, 1000.0));
 }
 
-// Interprets { (polygon), {(1) {(2) (open and closed Hermite path) and {(3) {(4) (open and closed
-// B-spline path). A second parameter sets the number of rings between two control points.
+// Interprets {: a polygon. With a parameter, it is a generalised cylinder instead: {(1) and {(2)
+// along an open and a closed Hermite path, {(3) and {(4) along an open and a closed B-spline path.
+// A second parameter sets the number of rings from one control point to the next.
 void Turtle::begin_path(Symbol const& symbol)
 {
     double const type = symbol.parameter(0, 0);
@@ -72,8 +73,8 @@ void Turtle::draw_cylinder_symbol(Symbol const& symbol)
         end_path();
 }
 
-// Interprets @Gr(factor): tangents are proportional to the distance if the factor is not 0; and
-// @Gr(angle, length[, angle, length]): tangents after and before the point.
+// Interprets @Gr(factor): radius tangents are proportional to the distance of the points if the
+// factor is not 0; and @Gr(angle, length[, angle, length]): tangents after and before the point.
 void Turtle::set_radius_tangents(Symbol const& symbol)
 {
     auto& style = extras_.style;
@@ -112,7 +113,7 @@ void Turtle::add_control_point(int rings)
     draw_piece(cylinder_.cylinder.add(std::move(point), rings));
 }
 
-// Draws segments between the sections; what is drawn next is attached to the last one.
+// Draws segments between the sections of the piece. What is drawn next is attached to the last one.
 void Turtle::draw_piece(Cylinder::Piece const& piece)
 {
     if (piece.sections.empty())
@@ -136,8 +137,8 @@ void Turtle::draw_piece(Cylinder::Piece const& piece)
     };
     Vec3 base_mm = from.position_mm;
     double radius_mm = from.radius_mm;
-    // The colour changes after the first section, as in cpfg: from there on it is the colour of the
-    // control point at the end of the piece.
+    // As in cpfg, the colour changes after the first section: further sections have the colour of
+    // the control point at the end of the piece.
     auto color = from.color;
     for (auto const& section : piece.sections) {
         drawing_->add_segment(place, base_mm, section.position_mm, static_cast<float>(radius_mm),
@@ -154,7 +155,7 @@ void Turtle::draw_piece(Cylinder::Piece const& piece)
     state_.place.is_open = false;
 }
 
-// Interprets @#(id): selects the view's contour with that number; without a number, a circle.
+// Interprets @#(id): selects the view's contour number `id`; without a parameter, a circle.
 void Turtle::set_contour(Symbol const& symbol)
 {
     double const id = symbol.parameter(0, 0);

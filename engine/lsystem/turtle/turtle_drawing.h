@@ -14,27 +14,28 @@ namespace tractus::lsystem {
 // The drawing of one piece of a string, in drawing order. Segments and axes are numbered within the
 // piece; plant_assembly.h assembles the pieces.
 //
-// A piece is attached to a segment of another piece (kBelow) or stands on the ground (kNone).
-// Branches that are left out, as pieces of their own, are its gaps.
+// A piece is attached to a segment of another piece (kBelow) or stands on the ground (kNone). Its
+// gaps are branches that are left out because other pieces draw them.
 struct TurtleDrawing {
     // Stands for the segment of another piece to which this piece is attached.
     static constexpr std::uint32_t kBelow = kNone - 1;
 
-    // Place where the next segment is attached: the end of `segment`, which belongs to `axis`.
+    // The place at which the next segment is attached: the end of `segment`, which belongs to
+    // `axis`.
     struct Place {
         std::uint32_t segment = kNone;
         std::uint32_t axis = kNone;
-        // True: the next segment continues the axis. False: it begins a new one.
+        // True: the next segment continues the axis. False: it begins a new axis.
         bool is_open = false;
     };
 
-    // Destination of axes and segments whose places in the plant were counted in advance
+    // Where axes and segments are written if their places in the plant were counted in advance
     // (segment_plan.h). Places, organs and polygons then refer to the plant's segments and axes.
     struct Target {
         Plant* plant = nullptr; // Not owned; nullptr: axes and segments stay in the drawing.
         AxisId next_axis = 0;
         SegmentId next_segment = 0;
-        // Number of segments of each axis still to be drawn.
+        // Number of segments of each axis that is still to be drawn.
         std::span<std::uint32_t const> axis_lengths {};
     };
 
@@ -53,12 +54,12 @@ struct TurtleDrawing {
         float tip_radius_mm = 0;
     };
 
-    // Shape of an organ: a shape of the view, given by its letter, or one of the turtle's own.
+    // Shape of an organ: a shape that the view defines for a letter, or one of the turtle's own.
     struct ShapeKey {
         OrganShape::Kind kind = OrganShape::Kind::Blade;
-        char letter = 0;        // Letter after ~; 0 for the turtle's own shapes.
-        std::uint8_t color = 0; // Colour of balls, discs and surfaces.
-        // Number in `patches`, from 1, of a surface made by the turtle; 0 for the view's surfaces.
+        char letter = 0;        // Letter after ~; 0 for a shape of the turtle's own.
+        std::uint8_t color = 0; // Colour of a ball, disc or surface.
+        // For a surface made by the turtle, its number in `patches`, counted from 1; otherwise 0.
         std::uint32_t patch = 0;
 
         auto operator<=>(ShapeKey const&) const = default;
@@ -72,8 +73,8 @@ struct TurtleDrawing {
         std::size_t polygon_count = 0;
     };
 
-    // Cross-section of an axis at a node where it is not round. Contours are numbered in the view's
-    // order.
+    // Cross-section of an axis at a node where it is not round. Contours are numbered in the order
+    // of the view.
     struct AxisSection {
         std::uint32_t axis = 0;
         std::uint32_t node = 0;
@@ -87,11 +88,12 @@ struct TurtleDrawing {
 
     std::pmr::vector<Segment> segments;
     std::pmr::vector<Axis> axes;
-    std::pmr::vector<Organ> organs; // Organs; their shapes are indices into shape_keys.
+    std::pmr::vector<Organ> organs; // Organs; each organ's shape is an index into shape_keys.
     std::vector<ShapeKey> shape_keys;
-    std::pmr::vector<Polygon> polygons; // Polygons; their materials are turtle colours.
+    std::pmr::vector<Polygon> polygons; // Polygons; each polygon's material is a turtle colour.
     std::pmr::vector<Vec3> polygon_vertices_mm;
-    std::array<bool, 256> has_color {}; // Colours used by segments and polygons.
+    // For each turtle colour, whether segments or polygons have it.
+    std::array<bool, 256> has_color {};
     std::vector<BezierPatch> patches {};
     std::vector<AxisSection> sections {};
     std::vector<Gap> gaps;
@@ -103,7 +105,7 @@ struct TurtleDrawing {
     // Discards the drawing but keeps its memory.
     void clear();
 
-    // Size of the arrays that grow with the string.
+    // Returns the size in bytes of the arrays that grow with the length of the string.
     std::size_t byte_size() const
     {
         return segments.size() * sizeof(Segment) + axes.size() * sizeof(Axis)
@@ -113,8 +115,8 @@ struct TurtleDrawing {
     }
     std::size_t part_count() const { return segments.size() + organs.size() + polygons.size(); }
 
-    // Draws a segment from `base_mm` at `place` and moves the place to its end. Inlined, so that
-    // places can be kept in registers.
+    // Draws a segment from `base_mm`, attached at `place`, and moves `place` to its end. Inlined,
+    // so that places can be kept in registers.
     [[gnu::always_inline]] void add_segment(Place& place, Vec3 const& base_mm, Vec3 const& tip_mm,
                                             float radius_mm, std::uint8_t color)
     {
@@ -132,7 +134,7 @@ struct TurtleDrawing {
         segments.push_back({ tip_mm, radius_mm, place.axis, axis.segment_count++, color });
     }
 
-    // Sets the radius at the current end of the axis at `place`.
+    // Sets the radius at the present end of the axis at `place`.
     void set_tip_radius(Place const& place, float radius_mm)
     {
         if (!place.is_open)
@@ -143,16 +145,17 @@ struct TurtleDrawing {
             axes[place.axis].tip_radius_mm = radius_mm;
     }
 
-    // Draws a polygon that moves with `segment`; nothing if it has fewer than three vertices.
+    // Adds a polygon that moves with `segment`. Does nothing if it has fewer than three vertices.
     void add_polygon(std::vector<Vec3> const& vertices_mm, std::uint32_t segment,
                      std::uint8_t color);
 
-    // Returns the index of a shape in shape_keys.
+    // Returns the index of a shape in shape_keys, and adds the shape if it is new.
     OrganShapeId shape(ShapeKey const& key);
 
 private:
-    // Writes a segment to the plant. The segments of an axis are consecutive; each earlier axis has
-    // one more node than segments, so a node's index is the sum of segment and axis index.
+    // Writes a segment to the plant. The segments of an axis are consecutive, and each axis has one
+    // more node than segments. The index of a segment's first node is therefore the sum of the
+    // segment's and the axis's index.
     [[gnu::always_inline]] void write_segment(Place& place, Vec3 const& base_mm, Vec3 const& tip_mm,
                                               float radius_mm, std::uint8_t color)
     {

@@ -58,7 +58,8 @@ void TurtleFrame::transport_from(TurtleFrame const& before)
     straighten();
 }
 
-// Rolls the frame so that its upper side turns towards the sum of the torques' directions.
+// Rolls the frame so that its upper side turns towards the sum of the torques' directions. Sets
+// `before` to the new frame.
 static void twist_by_torques(TurtleFrame& frame, TurtleFrame& before,
                              std::vector<Tropism> const& tropisms, Elasticities const& elasticities)
 {
@@ -68,7 +69,7 @@ static void twist_by_torques(TurtleFrame& frame, TurtleFrame& before,
             pull += elasticities[i] * from_model(tropisms[i].direction);
     Vec3 const across = pull - pull.dot(frame.heading) * frame.heading;
     if (!(across.norm() > 1e-4 * pull.norm()))
-        return; // The heading already points where the torque would turn it.
+        return; // The heading already points in the direction of the torques.
     Vec3 const torque = -frame.down.cross(across);
     double const length = torque.norm();
     if (length >= 1e-7) {
@@ -80,7 +81,7 @@ static void twist_by_torques(TurtleFrame& frame, TurtleFrame& before,
     before = frame;
 }
 
-// Returns the contribution of one tropism to the direction that pulls the heading.
+// Returns the contribution of one tropism to the vector towards which the heading turns.
 static Vec3 pull_of(Tropism const& tropism, double elasticity, TurtleFrame const& frame)
 {
     Vec3 const direction = from_model(tropism.direction);

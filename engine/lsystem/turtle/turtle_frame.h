@@ -12,13 +12,14 @@ namespace tractus::lsystem {
 
 struct Tropism;
 
-// Converts a vector from cpfg's space (x right, y up, z to the viewer) to the plant's (z up).
+// Converts a vector from cpfg's space (x right, y up, z towards the viewer) to the plant's space (z
+// up).
 inline Vec3 from_model(Vec3 const& v)
 {
     return { v.x(), -v.z(), v.y() };
 }
 
-// Caches sines and cosines of recent angles, because a model uses few different angles.
+// Caches sines and cosines of recently used angles, because a model uses few different angles.
 class AngleCache {
 public:
     struct Entry {
@@ -27,7 +28,7 @@ public:
         double cosine = 1;
     };
 
-    // Returns the sine and cosine of an angle, reduced modulo 360 degrees.
+    // Returns the sine and cosine of an angle, which is reduced modulo 360 degrees.
     Entry const& at(double angle_deg)
     {
         auto const bits = std::bit_cast<std::uint64_t>(angle_deg);
@@ -43,16 +44,16 @@ private:
     std::array<Entry, 32> entries_ {};
 };
 
-// Position and orientation of the turtle in the plant's frame; the three vectors are orthonormal.
+// Position and orientation of the turtle in the plant's frame. The three vectors are orthonormal.
 struct TurtleFrame {
     Vec3 position_mm = Vec3::Zero();
     Vec3 heading = Vec3::UnitZ();
     Vec3 left = -Vec3::UnitX();
-    // The vector that cpfg calls up. It points away from the turtle's upper side, so that heading x
-    // down = left.
+    // The vector that cpfg calls up. It points away from the turtle's upper side, so that the cross
+    // product of heading and down is left.
     Vec3 down = Vec3::UnitY();
 
-    // Rotates two vectors in their common plane, the first towards the second.
+    // Rotates two orthogonal vectors in their common plane, the first towards the second.
     static void rotate(Vec3& a, Vec3& b, double sine, double cosine)
     {
         Vec3 const turned = cosine * a + sine * b;
@@ -60,8 +61,8 @@ struct TurtleFrame {
         a = turned;
     }
 
-    // Rolls until the left vector is horizontal and the upper side faces up. Does nothing if the
-    // heading is vertical.
+    // Rolls the turtle until the left vector is horizontal and the upper side faces up. Does
+    // nothing if the heading is vertical.
     void roll_horizontal()
     {
         // Cross product of the vertical and the heading. Its z is 0, which saves half of the work.
@@ -73,23 +74,23 @@ struct TurtleFrame {
                  left.x() * heading.y() - left.y() * heading.x() };
     }
 
-    // Turns the heading to `new_heading` with the least rotation. Returns false and changes nothing
-    // for a vector of zero length.
+    // Turns the heading to `new_heading` by the rotation of smallest angle. Returns false and
+    // changes nothing if that vector has zero length.
     bool head_along(Vec3 const& new_heading);
-    // Rolls until the upper side faces away from `up`, cpfg's third vector, as far as the heading
-    // allows.
+    // Rolls the turtle until its upper side faces away from `up`, as far as the heading allows. In
+    // cpfg `up` is the third vector of the frame.
     void set_up(Vec3 const& up);
 
-    // Rotates about the vector `torque` by its length in radians, at most 1. The sides are carried
-    // by parallel transport from the frame `before`.
+    // Rotates the heading about the vector `torque`, by its length in radians, at most 1. Parallel
+    // transport carries the sides from the frame `before`.
     void bend_by(Vec3 const& torque, TurtleFrame const& before);
 
-    // The older kind of tropism in cpfg: pitches and turns towards `direction`, in proportion to
-    // its components across the heading.
+    // Applies the older kind of tropism in cpfg: pitches and turns the heading towards `direction`,
+    // in proportion to that vector's components across the heading.
     void bend_towards(Vec3 const& direction, double elasticity);
 
-    // Carries the sides by parallel transport from the frame `before` to this heading. Does nothing
-    // if the headings are equal.
+    // Carries the sides by parallel transport from the frame `before` to this frame's heading. Does
+    // nothing if the two headings are equal.
     void transport_from(TurtleFrame const& before);
 
 private:
@@ -101,11 +102,14 @@ private:
 constexpr std::size_t kMaxTropisms = 8;
 using Elasticities = std::array<double, kMaxTropisms>;
 
-// Bends the frame before a step. The heading H turns towards V = sum e (cos g T + sin g T x (H x T)
-// / |H x T|) over the tropisms with elasticity e, direction T and angle g: about H x V and by the
-// length of H x V in radians. Then torques roll the frame.
-// `before` is the frame after the last segment, or where @Tf was. cpfg carries the sides from
-// there, so rolls since then are lost where a tropism bends the heading. A torque changes `before`.
+// Bends the frame before a step. The heading H turns towards V, the sum of
+// e (cos g T + sin g T x (H x T) / |H x T|) over the tropisms with elasticity e, direction T and
+// angle g. It turns about H x V, by the length of H x V in radians. Then tropisms that are torques
+// roll the frame.
+//
+// `before` is the frame after the last segment, or at the last @Tf. As in cpfg, parallel transport
+// carries the sides from there, so rolls since then are lost where a tropism bends the heading. A
+// torque sets `before` to the new frame.
 void bend_by_tropisms(TurtleFrame& frame, TurtleFrame& before, std::vector<Tropism> const& tropisms,
                       Elasticities const& elasticities);
 

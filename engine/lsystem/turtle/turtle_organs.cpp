@@ -9,10 +9,10 @@ namespace tractus::lsystem {
 
 namespace {
 
-// Limit on placed surfaces: about the number of shapes that a plant can have.
+// Maximum number of placed surfaces, slightly less than the number of shapes that a plant can have.
 constexpr std::size_t kMaxPlacedPatches = 60'000;
 
-// An organ's frame: the turtle's right, its heading and its upper side.
+// Returns the axes of an organ's frame: the turtle's right, its heading and its upper side.
 Eigen::Matrix3d organ_axes(TurtleFrame const& frame)
 {
     Eigen::Matrix3d axes;
@@ -24,7 +24,7 @@ Eigen::Matrix3d organ_axes(TurtleFrame const& frame)
 
 } // namespace
 
-// Interprets ~X, ~X(scale) and ~X(across, along, thick).
+// Interprets ~X, ~X(scale) and ~X(across, along, thick): draws an organ or a surface.
 void Turtle::add_organ(char letter, Symbol const& symbol)
 {
     if (!has_organ(view_, letter))
@@ -50,7 +50,7 @@ void Turtle::add_organ(char letter, Symbol const& symbol)
     drawing_->organs.push_back(organ);
     if (!surface)
         return;
-    // The first scale applies to all three coordinates of the end point, as in cpfg.
+    // As in cpfg, the first scale applies to all three coordinates of the surface's end point.
     Vec3 const end_mm = static_cast<double>(organ.scale[0]) * options_.unit_mm * surface->end_point;
     Vec3 const position_mm = state_.frame.position_mm + axes * end_mm;
     if (end_mm.squaredNorm() > 0 && position_mm.cwiseAbs().maxCoeff() < 1e12) {
@@ -59,7 +59,8 @@ void Turtle::add_organ(char letter, Symbol const& symbol)
     }
 }
 
-// Returns the first parameter if there is one, otherwise the line width.
+// Returns the diameter that the symbol gives as its first parameter, or the line width if it has
+// none.
 double Turtle::diameter(Symbol const& symbol) const
 {
     double const given = symbol.count > 0 ? symbol.parameter(0, 0) * state_.scale
@@ -88,7 +89,7 @@ void Turtle::add_round(OrganShape::Kind kind, Symbol const& symbol)
     organ.scale = Vec3f::Constant(static_cast<float>(size));
     if (!is_ball) // A disc is flat, but just thick enough to keep its two sides apart.
         organ.scale.y() *= 2e-3f;
-    if (is_ball) // A ball's origin is on its surface.
+    if (is_ball) // The origin of a ball's shape is on its surface.
         organ.position_mm -= size / 2 * options_.unit_mm * frame.heading;
     drawing_->organs.push_back(organ);
 }
@@ -146,7 +147,7 @@ void Turtle::draw_patch_symbol(Symbol const& symbol)
     }
 }
 
-// Adds a surface; surfaces that differ only in position share one shape.
+// Places a surface. Surfaces that differ only in position share one shape.
 void Turtle::add_patch(OpenPatch const& open)
 {
     auto const axes = organ_axes(state_.frame);

@@ -76,8 +76,8 @@ std::size_t Turtle::draw_plain(std::span<KindId const> kinds, float const*& para
     return i;
 }
 
-// Returns the number of modules of the @-symbol at the beginning; 0 if there is none, if it is a
-// cut, or if it may continue past `kinds`.
+// Returns the number of modules of the @-symbol at the beginning of `kinds`. Returns 0 if there is
+// none, if it is a cut, or if it may continue past the end of `kinds`.
 std::size_t Turtle::name_at_symbol(std::span<KindId const> kinds, Symbol& symbol) const
 {
     if (turtle_symbol(kinds_[kinds[0]].symbol).does != SymbolAction::At
@@ -92,8 +92,8 @@ std::size_t Turtle::name_at_symbol(std::span<KindId const> kinds, Symbol& symbol
     return length;
 }
 
-// The state is a local variable here: in memory, each symbol would wait for the writes of the one
-// before it.
+// The turtle's state is copied to a local variable: in memory, each symbol would have to wait for
+// the writes of the one before it.
 std::size_t Turtle::draw_quick(std::span<KindId const> kinds, float const*& parameters,
                                std::array<bool, 256> const& stops)
 {

@@ -11,13 +11,14 @@ namespace {
 
 constexpr std::size_t kColors = 256;
 
-// Converts a byte of the file to a number from 0 to 1.
+// Returns the byte at index `at`, converted to a number from 0 to 1.
 double share(std::string_view bytes, std::size_t at)
 {
     return static_cast<unsigned char>(bytes[at]) / 255.0;
 }
 
-// Converts the exponent of a Phong highlight to a roughness with a highlight of the same width.
+// Converts the exponent of a Phong highlight to the roughness that gives a highlight of the same
+// width.
 double roughness_of(double exponent)
 {
     return std::sqrt(2 / (exponent + 2));

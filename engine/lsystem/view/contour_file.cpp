@@ -41,7 +41,8 @@ private:
     std::string const& name_;
     TextLines lines_;
     ControlPoints read_;
-    std::size_t lines_to_skip_ = 0; // Number of lines with an editor's markers still to be skipped.
+    // Number of lines with an editor's markers that are still to be skipped.
+    std::size_t lines_to_skip_ = 0;
 };
 
 Result<ControlPoints> ContourParser::parse()
@@ -77,8 +78,8 @@ Result<ControlPoints> ContourParser::parse()
     return std::move(read_);
 }
 
-// Reads the header COUNT DIMENSION open|closed. The count is ignored; the lines are counted
-// instead.
+// Reads the header of the older format, COUNT DIMENSION open|closed. The count is ignored: points
+// are read to the end of the file.
 Result<void> ContourParser::old_header(std::string_view line)
 {
     auto const blank = line.find_last_of(" \t");
@@ -103,7 +104,7 @@ Result<void> ContourParser::point(std::string_view line)
     return {};
 }
 
-// Samples the spline densely at equal steps of its parameter.
+// Returns points of the spline at equal steps of its parameter, kSamplesPerSpan for each span.
 std::vector<Vec3> sample(ControlPoints const& contour)
 {
     auto control = contour.points;
@@ -114,7 +115,7 @@ std::vector<Vec3> sample(ControlPoints const& contour)
                           { .ends = BSplineOptions::Ends::Uniform });
 }
 
-// Resamples a line at equal steps of arc length in the plane of the contour.
+// Resamples a line at equal steps of arc length, measured in the plane of the contour.
 std::vector<Vec3f> at_equal_steps(std::vector<Vec3> const& line)
 {
     std::vector<double> lengths(line.size(), 0);
@@ -142,8 +143,8 @@ double signed_area(std::vector<Vec3> const& outline)
     return twice / 2;
 }
 
-// Rotates an outline so that it begins on the x axis; blended contours then correspond point by
-// point.
+// Rotates an outline so that it begins on the x axis. Contours that are blended then correspond
+// point by point.
 void turn_to_x(std::vector<Vec3>& outline)
 {
     Vec2 const start = outline.front().head<2>();

@@ -17,9 +17,10 @@ constexpr std::size_t kMaxCurvePoints = 100'000;
 constexpr std::size_t kMaxSamples = 100'000;
 constexpr double kMaxCurveMultiplicity = 10;
 
-// A list of points in the file: the curve itself, or a list on which an editor moves a point.
+// A list of points in the file: the curve itself, or a nested list on which an editor moves a
+// point.
 struct PointList {
-    std::size_t missing = 0; // Number of lines still to be read.
+    std::size_t missing = 0; // Number of lines of points that are still to be read.
     std::size_t dimension = 2;
     std::string type = "bspline";
     std::vector<Vec3> points;
@@ -45,7 +46,7 @@ private:
 
     std::string const& name_;
     TextLines lines_;
-    std::vector<PointList> lists_; // The curve, and any nested lists that are incomplete.
+    std::vector<PointList> lists_; // The curve, then the nested lists that are incomplete.
 };
 
 Result<PointList> CurveParser::parse()
@@ -111,7 +112,7 @@ Result<void> CurveParser::point(std::string_view line)
     return {};
 }
 
-// Returns the curve's point at parameter t, from 0 to 1.
+// Returns the point of the curve at parameter t, from 0 to 1.
 Vec3 point_at(CurveTable const& curve, double t)
 {
     if (curve.kind != CurveTable::Kind::Bezier)
@@ -122,13 +123,13 @@ Vec3 point_at(CurveTable const& curve, double t)
     auto const pieces = (curve.control.size() - 1) / 3;
     double const along = t * static_cast<double>(pieces);
     auto const piece = std::min(static_cast<std::size_t>(along), pieces - 1);
-    // A Bézier cubic is a clamped B-spline of four points.
+    // A Bézier cubic is a clamped B-spline of four control points.
     return bspline_point(std::span(curve.control).subspan(3 * piece, 4),
                          along - static_cast<double>(piece));
 }
 
-// Sets the kind of curve and adds the control points that its type implies. Returns false for an
-// unknown type.
+// Sets the kind of the curve from the file's `type`, and adds the control points that this type
+// implies. Returns false for an unknown type.
 bool set_kind(CurveTable& curve, std::string_view type)
 {
     auto& points = curve.control;
@@ -139,7 +140,7 @@ bool set_kind(CurveTable& curve, std::string_view type)
     else if (type == "bspline-closed" && points.size() >= 3)
         points.insert(points.end(), { points[0], points[1], points[2] });
     else if (type == "bspline-phantom" && points.size() >= 2) {
-        // Mirrored neighbours make the curve begin and end at its end points.
+        // Control points mirrored at the end points make the curve begin and end there.
         Vec3 const first = 2 * points[0] - points[1];
         Vec3 const last = 2 * points.back() - points[points.size() - 2];
         points.insert(points.begin(), first);

@@ -15,7 +15,7 @@ namespace {
 
 struct Number {
     std::string_view key;
-    double value; // Default value of the parameter.
+    double value; // Value of the parameter if it is not given.
     double least;
     double most;
 };

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kMaxFunctionSamples = 100'000;
 constexpr double kMaxMultiplicity = 10;
 
-// A curve over [0, 1] with ascending x, searched by bisection. Points at midpoints are cached,
-// because all searches share them.
+// A curve over [0, 1] with ascending x, in which bisection finds the y of an x. Points at midpoints
+// of intervals are cached, because all searches share them.
 class HalvedCurve {
 public:
     explicit HalvedCurve(std::vector<Vec3> const& points)
@@ -26,13 +26,14 @@ public:
     {
     }
 
-    // Returns y at x by bisection, with cpfg's precision, so that the numbers agree with cpfg's.
+    // Returns y at x, found by bisection with cpfg's precision, so that the numbers agree with
+    // cpfg's.
     double value_at(double x)
     {
         constexpr double kPrecision = 0.001;
         double low = 0;
         double high = 1;
-        // Number of the interval as in a binary heap: its halves are 2 n and 2 n + 1.
+        // Number of the interval as in a binary heap: its halves have the numbers 2n and 2n + 1.
         std::size_t half = 1;
         Vec3 point = Vec3::Zero();
         for (int i = 0; i < 60; ++i) {
@@ -48,7 +49,7 @@ public:
     }
 
 private:
-    // Number of cached points: enough for ten bisections, which reach the precision.
+    // Number of cached points: enough for ten steps of bisection, which reach the precision.
     static constexpr std::size_t kKept = 1024;
 
     Vec3 at(std::size_t half, double middle)

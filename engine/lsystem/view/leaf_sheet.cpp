@@ -19,7 +19,8 @@ constexpr std::string_view kEnding = ".leaf-sheet";
 constexpr std::size_t kMaxLeaves = 64;
 constexpr std::size_t kMaxCorners = 64;
 
-// Reads lines of numbers that follow a keyword; the first number is a leaf's number of corners.
+// Reads lines of numbers that begin with a keyword. The first number is the number of corners of a
+// leaf.
 class SheetReader {
 public:
     SheetReader(std::string const& name, std::string_view text)
@@ -112,8 +113,9 @@ double leaf_age(LeafOrder const& order, int number)
 {
     if (order.spread <= 0)
         return order.age;
-    // Multiples of the golden ratio fill the range evenly for any number of leaves. The logistic
-    // distribution function is within 0.01 of the normal one.
+    // Multiples of the golden ratio, modulo 1, fill the range evenly for any number of leaves. They
+    // become normal deviates by the logistic distribution function, which is within 0.01 of the
+    // normal one.
     constexpr double kGolden = 0.6180339887498949;
     constexpr double kLogistic = 1.702;
     constexpr double kYoungest = 0.02;
@@ -137,7 +139,7 @@ MaterialTextures leaf_textures(LeafSheet const& sheet)
              .color = MaterialTextures::Color::Replaced };
 }
 
-// Returns the length of an organ's blade, which a grown leaf keeps when it replaces the shape.
+// Returns the length of an organ's blade, which is kept when a grown leaf replaces the shape.
 static double blade_length_mm(OrganShape const& organ)
 {
     double const tip = organ.cut ? box_of(*organ.cut).max().y() : 1;

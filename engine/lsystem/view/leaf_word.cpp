@@ -11,7 +11,8 @@ namespace tractus::lsystem {
 namespace {
 
 struct DamageNumber {
-    // Name of the parameter, which is a part of sheet names in sessions and must never change.
+    // Name of the damage parameter. It is part of the names of sheets in sessions and must never
+    // change.
     std::string_view name;
     double LeafDamage::*number;
     double most;
@@ -24,7 +25,8 @@ constexpr std::array<DamageNumber, 5> kDamageNumbers { { { "spots", &LeafDamage:
                                                          { "withered", &LeafDamage::withered,
                                                            1 } } };
 
-// Parses "spots=0.3" into the damage; returns false if it is not a damage parameter.
+// Parses a part such as "spots=0.3" and sets the damage. Returns false if the part is not a damage
+// parameter.
 bool take_number(std::string_view part, LeafDamage& damage)
 {
     auto const equals = part.find('=');

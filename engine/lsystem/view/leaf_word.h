@@ -7,10 +7,10 @@
 
 namespace tractus::lsystem {
 
-// Damage of a leaf; for several leaves, their average damage.
+// Damage of a leaf; for several leaves, the average damage.
 struct LeafDamage {
-    double spots = 0;  // Share of the leaf with brown spots, 0 to 1.
-    double mildew = 0; // Share of the leaf with white mildew, 0 to 1.
+    double spots = 0;  // Share of the leaf that brown spots cover, 0 to 1.
+    double mildew = 0; // Share of the leaf that white mildew covers, 0 to 1.
     double mines = 0; // Number of pale leaf mines, tunnels that larvae eat under the skin, 0 to 20.
     double larvae = 0;   // Number of larvae that have eaten holes, 0 to 20.
     double withered = 0; // Degree to which old leaves have taken the colour of dead ones, 0 to 1.
@@ -18,8 +18,8 @@ struct LeafDamage {
     bool operator==(LeafDamage const&) const = default;
 };
 
-// A grammar with damage, which an order (leaf_sheet.h) may name instead of a plain grammar: "oak",
-// "oak+spots=0.3+larvae=2".
+// A leaf grammar with damage, which an order (leaf_sheet.h) may name instead of a plain grammar:
+// "oak+spots=0.3+larvae=2" instead of "oak".
 struct LeafWord {
     std::string grammar {};
     LeafDamage damage {};
@@ -27,11 +27,11 @@ struct LeafWord {
     bool operator==(LeafWord const&) const = default;
 };
 
-// Formats a grammar with damage; parameters that are 0 are omitted.
+// Formats a grammar with its damage. Damage parameters that are 0 are omitted.
 std::string leaf_word(LeafWord const& wanted);
 
-// Parses a grammar with damage. Anything that is not a valid damage parameter is part of the
-// grammar's name.
+// Parses a grammar with its damage. Any part that is not a valid damage parameter counts as part of
+// the grammar's name.
 LeafWord parse_leaf_word(std::string_view word);
 
 // Checks the name of a grammar. Fails with a user error if it ends in an invalid damage parameter,

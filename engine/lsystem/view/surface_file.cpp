@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::size_t kMaxPatches = 4096;
 
-// A patch as parsed: its name, its neighbours' names and its coordinates.
+// A patch as parsed: its own name, the names of its neighbours, and its coordinates.
 struct NamedPatch {
     std::string name;
-    // Names of neighbours, indexed by BezierPatch::Side; "~" or empty: none.
+    // Names of the neighbours, by BezierPatch::Side; "~" or empty if there is none.
     std::array<std::string, 4> neighbors;
-    std::vector<double> numbers; // Coordinates of the patch's points; 48 when complete.
+    std::vector<double> numbers; // Coordinates of the patch's points; 48 numbers when complete.
 };
 
 struct Header {
@@ -28,7 +28,7 @@ struct Header {
     Vec3 end = Vec3::Zero();
     Vec3 heading = Vec3::UnitY();
     Vec3 up = -Vec3::UnitZ();
-    double size = 0; // Size of the surface; 0 until it has been read.
+    double size = 0; // Size of the surface; 0 until the header's SIZE has been read.
 };
 
 std::vector<std::string_view> words_of(std::string_view line)
@@ -89,7 +89,7 @@ Result<void> SurfaceParser::parse()
     return {};
 }
 
-// Parses "X: 0.10 Y: -1.38 Z: 0.00" in a line.
+// Parses the vector of a line such as "X: 0.10 Y: -1.38 Z: 0.00".
 Result<Vec3> SurfaceParser::labelled_vector(std::string_view line) const
 {
     std::vector<double> numbers;
@@ -121,7 +121,8 @@ Result<void> SurfaceParser::header_line(std::string_view line)
         if (!(left.norm() > 1e-6))
             return error("expected HEADING and UP in different directions");
     }
-    return {}; // The remaining lines (the extent, PRECISION and VERSION) are for an editor.
+    // The other lines of the header (the extent, PRECISION and VERSION) are for an editor.
+    return {};
 }
 
 Result<void> SurfaceParser::patch_line(std::string_view line)
@@ -137,7 +138,8 @@ Result<void> SurfaceParser::patch_line(std::string_view line)
         for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
             static constexpr std::array<std::string_view, 4> kSides { "A:", "B:", "L:", "R:" };
             auto const* const side = std::find(kSides.begin(), kSides.end(), words[i]);
-            // Neighbours at corners are ignored: they are connected through the sides.
+            // Neighbours at corners are ignored: they are connected through the neighbours at the
+            // sides.
             if (side != kSides.end())
                 patches_.back().neighbors[static_cast<std::size_t>(side - kSides.begin())]
                     = words[i + 1];
@@ -165,8 +167,8 @@ Result<BezierSurface> SurfaceParser::placed(double size) const
     Vec3 const heading = header_.heading.normalized();
     Vec3 const left = heading.cross(header_.up.normalized()).normalized();
     Vec3 const up = left.cross(heading);
-    // The frame's vectors are the columns of cpfg's matrix; cpfg's own frame is left, heading and
-    // up.
+    // The columns of cpfg's matrix are these vectors, left, heading and up, which are also the axes
+    // of cpfg's own frame.
     auto const place = [&](Vec3 const& point) -> Vec3 {
         Vec3 const offset = scale * (point - header_.contact);
         Vec3 const turned = offset.x() * left + offset.y() * heading + offset.z() * up;

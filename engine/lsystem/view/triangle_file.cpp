@@ -15,8 +15,8 @@ constexpr std::size_t kMaxTriangles = 20'000;
 
 using Triangle = std::array<Vec3, 3>;
 
-// Makes a degenerate patch of a triangle: each row ends at the third vertex, the first row begins
-// at the first vertex and the last row at the second.
+// Makes a degenerate patch of a triangle. Each row of the patch ends at the third vertex; the first
+// row begins at the first vertex, the last row at the second.
 BezierPatch patch_of(Triangle const& triangle)
 {
     BezierPatch patch;
@@ -72,7 +72,8 @@ private:
                 return error("expected a vertex: three coordinates, at most 1e6");
             position[static_cast<int>(i)] = *value * size_;
         }
-        // Converts from the turtle's left, heading and cpfg's up to the organ frame.
+        // Converts coordinates along the turtle's left, its heading and cpfg's up to the organ's
+        // frame.
         triangle_[vertex_++] = { -position.x(), position.y(), -position.z() };
         if (vertex_ < 3)
             return {};
@@ -86,7 +87,7 @@ private:
     TextLines lines_;
     double size_;
     Triangle triangle_;
-    std::size_t vertex_ = 3; // Index of the next vertex; 3 between triangles.
+    std::size_t vertex_ = 3; // Index of the next vertex of the triangle; 3 between triangles.
     BezierSurface surface_;
 };
 

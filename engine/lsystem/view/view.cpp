@@ -18,8 +18,9 @@ namespace {
 
 constexpr double kUnitsPerPixel = 0.05;
 
-// Reads the line width. Widths in pixels are meant for lines on a screen, but a plant needs some
-// thickness. As in cpfg, the last such statement decides the unit of widths.
+// Reads the line width. Widths in pixels, which are meant for lines on a screen, are converted,
+// since a plant needs some thickness. As in cpfg, the last statement with a unit decides the unit
+// of all widths.
 Result<void> read_line_width(ViewReader& reader, std::string_view value)
 {
     auto const parts = words(value);
@@ -32,7 +33,8 @@ Result<void> read_line_width(ViewReader& reader, std::string_view value)
     return {};
 }
 
-// Reads pixel, polygon or cylinder, or their numbers. All are drawn as cylinders.
+// Reads the line style: pixel, polygon or cylinder, or its number. All styles are drawn as
+// cylinders.
 Result<void> read_line_style(ViewReader& reader, std::string_view value)
 {
     bool const is_pixels = value.substr(0, 5) == "pixel" || value.substr(0, 1) == "1";
@@ -97,8 +99,8 @@ Result<void> read_torque(ViewReader& reader, std::string_view value)
     return read_movement(reader, value, true);
 }
 
-// Reads the first number of a statement whose other numbers concern the display. No value, and a
-// warning, if there is none: cpfg skips such a statement, too.
+// Reads the first number of a statement whose other numbers only concern the display. If there is
+// none, warns and returns no value, since cpfg skips such a statement, too.
 std::optional<double> first_number(ViewReader& reader, std::string_view value)
 {
     auto const parts = words(value, " \t,");
@@ -158,7 +160,7 @@ template<double View::*Target> Result<void> read_scale(ViewReader& reader, std::
     return {};
 }
 
-// Reads LEVEL, an older way to set the number of sides to 2^(LEVEL + 1).
+// Reads LEVEL, by which older views set the number of sides to 2^(LEVEL + 1).
 Result<void> read_polygonization_level(ViewReader& reader, std::string_view value)
 {
     if (auto const level = first_number(reader, value))
@@ -212,7 +214,7 @@ constexpr std::array kStatements {
     Statement { "polygonization level", read_polygonization_level },
     Statement { "twist of cylinders", read_switch<&View::twist_of_cylinders> },
     Statement { "surface", read_surface },
-    Statement { "line", read_surface }, // The statement `line:` also defines a surface, as in cpfg.
+    Statement { "line", read_surface }, // As in cpfg, the statement `line:` also defines a surface.
     Statement { "tsurface", read_triangle_surface },
     Statement { "color", read_color },
     Statement { "material", read_material },
@@ -223,7 +225,7 @@ constexpr std::array kStatements {
     Statement { "environment", read_environment },
 };
 
-// Statements for cpfg's display, which are ignored.
+// Statements that only concern cpfg's display; they are ignored.
 constexpr std::array<std::string_view, 34> kDisplayKeys { "viewpoint",
                                                           "view reference point",
                                                           "twist",
@@ -259,7 +261,7 @@ constexpr std::array<std::string_view, 34> kDisplayKeys { "viewpoint",
                                                           "shadow map",
                                                           "PS linecap" };
 
-// Statements that would affect the drawing but are not supported, and what happens instead.
+// A statement that would affect the drawing but is not supported, and what happens instead.
 struct MissingStatement {
     std::string_view key;
     std::string_view instead;
@@ -270,7 +272,7 @@ constexpr std::array kMissingStatements {
     MissingStatement { "blob", "inblob() is 0" },
 };
 
-// Ends a message about an unknown key with a suggestion.
+// Returns a suggestion to end a message about an unknown key with; empty if no key is similar.
 std::string meant_key(std::string_view key)
 {
     std::vector<std::string_view> keys(kDisplayKeys.begin(), kDisplayKeys.end());
@@ -295,7 +297,7 @@ Result<void> read_statement(ViewReader& reader, std::string_view key, std::strin
     if (missing == kMissingStatements.end())
         reader.warn(fmt::format("found '{}: {}', which is no statement of a view{}", shown(key),
                                 shown(value), meant_key(key)));
-    else if (reader.missing.insert(missing->key).second) // Warns only once per key.
+    else if (reader.missing.insert(missing->key).second) // Warns only once for each key.
         reader.warn(fmt::format("'{}:' is not supported; {}", key, missing->instead));
     return {};
 }

@@ -17,34 +17,36 @@
 
 namespace tractus::lsystem {
 
-// A tropism: a direction, in cpfg's space (+y up), that bends the turtle's heading before each
-// step.
+// A tropism: a direction in cpfg's space (+y up) towards which the turtle's heading bends before
+// each step.
 struct Tropism {
     // Direction of the tropism; its length is the intensity, at most 1.
     Vec3 direction = Vec3::UnitY();
-    // Angle between the preferred heading and the direction: 0 towards it, 90 perpendicular to it.
+    // Angle between the heading that the tropism prefers and its direction: 0 along it, 90
+    // perpendicular to it.
     double angle_deg = 0;
     double elasticity = 0;      // Initial elasticity of the tropism.
-    double elasticity_step = 0; // Change of the elasticity by @Ti and @Td.
+    double elasticity_step = 0; // Change of the elasticity by @Ti and @Td without a parameter.
     // True: the tropism rolls the turtle about its heading instead of bending the heading.
     bool is_torque = false;
 };
 
-// A tabulated function y(x), x from 0 to 1, from a function file of cpfg.
+// A tabulated function y(x), for x from 0 to 1, from a function file of cpfg.
 struct FunctionTable {
     std::string name;
     std::vector<double> values;
 
-    // Interpolates linearly between the samples; x is clamped to [0, 1].
+    // Returns the value at x, interpolated linearly between the samples. x is clamped to [0, 1].
     double at(double x) const;
 };
 
-// An organ's shape and the letter that follows ~ in its symbol.
+// The shape of an organ, and the letter after ~ in the organ's symbol.
 struct OrganDefinition {
     char letter = 'l';
-    // Shape with lengths in turtle units instead of millimetres; its material is a turtle colour.
+    // Shape of the organ. Its lengths are in turtle units instead of millimetres; its material is a
+    // turtle colour.
     OrganShape shape;
-    // Grown leaves that replace the shape, one per organ; usually empty.
+    // Grown leaves, one of which replaces the shape of each organ; usually empty.
     std::vector<OrganShape> leaves {};
 };
 
@@ -83,14 +85,14 @@ struct View {
     double angle_increment_deg = 45;
     double line_width = 0.1;
     double line_width_step = 0;
-    // Factor from widths to turtle units: less than 1 if widths are in pixels.
+    // Factor from line widths to turtle units: less than 1 if widths are in pixels.
     double width_unit = 1;
     double scale = 1;
     double scale_step = 1;      // Factor of @Di and @Dd without a parameter.
-    bool draws_past_cut = true; // True: draws what follows a % in the string.
+    bool draws_past_cut = true; // True: what follows a % in the string is drawn, too.
     int color = 0;
     int color_step = 1;
-    // The single tropism of the older kind; _ sets its elasticity.
+    // Direction of the single tropism of the older kind, whose elasticity _ sets.
     Vec3 tropism_direction = Vec3::UnitY();
     double elasticity = 0;
     double elasticity_step = 0;
@@ -111,8 +113,8 @@ struct View {
 };
 
 // Reads a view file. Fails with a user error of the form "FILE:LINE:COLUMN: ...". `include` also
-// provides the files that the view names. A file that cannot be read causes a warning, which says
-// what happens instead.
+// provides the files that the view names. If one of these cannot be read, a warning says what
+// happens instead.
 Result<View> parse_view(std::string const& name, std::string_view text,
                         IncludeReader const& include);
 

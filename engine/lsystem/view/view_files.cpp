@@ -20,7 +20,7 @@ std::string stem(std::string const& name)
 using ParseSurface
     = Result<BezierSurface> (*)(std::string const& name, std::string_view text, double size);
 
-// Reads a statement of the form LETTER FILE SIZE.
+// Reads the value of a statement of the form LETTER FILE SIZE.
 Result<void> define_surface(ViewReader& reader, std::string_view value, ParseSurface parse)
 {
     auto const parts = words(value);
@@ -29,7 +29,7 @@ Result<void> define_surface(ViewReader& reader, std::string_view value, ParseSur
     auto const letter = parts[0][0];
     auto const name = std::string(parts[1]);
     auto size = std::min(TRY(reader.number(parts[2])), 1e6);
-    if (!(size > 0)) // An invalid size counts as 1, as in cpfg.
+    if (!(size > 0)) // As in cpfg, an invalid size counts as 1.
         size = 1;
     if (reader.view.surfaces.count(letter) > 0)
         reader.warn(fmt::format("the surface {} is defined before; {} is left out", letter, name));

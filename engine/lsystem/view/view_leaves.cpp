@@ -11,7 +11,7 @@
 
 namespace tractus::lsystem {
 
-// Reads variants= or age= of a leaf: statement.
+// Reads the field variants= or age= of a leaf: statement.
 static Result<void> read_leaf_field(ViewReader const& reader, LeafOrder& order,
                                     std::string_view part)
 {
@@ -64,7 +64,7 @@ Result<void> read_leaf(ViewReader& reader, std::string_view value)
     return {};
 }
 
-// Finds the organ that a statement names by its letter; it must be defined above.
+// Finds the organ that a statement names by its letter. An earlier statement must define the organ.
 static Result<OrganDefinition*> defined_organ(ViewReader& reader, std::string_view letter)
 {
     auto& organs = reader.view.organs;

@@ -79,7 +79,7 @@ Result<int> color_index(ViewReader const& reader, std::string_view text)
     return static_cast<int>(index);
 }
 
-// Reads roughness= or translucency=; returns false for other fields.
+// Reads the field roughness= or translucency=. Returns false for other fields.
 Result<bool> read_share(ViewReader const& reader, Material& material, std::string_view part)
 {
     auto const equals = std::min(part.find('='), part.size() - 1);
@@ -124,14 +124,14 @@ Result<void> read_material(ViewReader& reader, std::string_view value)
                 "found '{}', expected kind=, color=, roughness=, translucency= or texture=", part));
         }
     }
-    // The texture is read last, because its layout depends on kind=, which may follow it.
+    // The texture is read last, because its layout depends on kind=, which may come after it.
     if (!texture.empty())
         TRY(read_texture(reader, material, texture));
     reader.view.materials.insert_or_assign(index, material);
     return {};
 }
 
-// Reads a material without a name or kind: opaque, or a leaf if it is translucent.
+// Reads a material without a name or kind. It is opaque, or a leaf's material if it is translucent.
 Result<void> read_color(ViewReader& reader, std::string_view value)
 {
     auto const parts = words(value);

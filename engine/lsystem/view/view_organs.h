@@ -4,7 +4,7 @@
 
 namespace tractus::lsystem {
 
-// Readers of the statements that cpfg does not have; view.h describes them.
+// Readers of the statements that cpfg does not have. view.h describes these statements.
 Result<void> read_material(ViewReader& reader, std::string_view value);
 Result<void> read_color(ViewReader& reader, std::string_view value);
 Result<void> read_organ(ViewReader& reader, std::string_view value);

@@ -12,39 +12,39 @@
 
 namespace tractus::lsystem {
 
-// State shared by the readers of a view file's statements: the view so far, the position for
-// messages, and the parsing of words.
+// What the readers of a view file's statements share: the view so far, the position for messages,
+// and the parsing of words.
 struct ViewReader {
     SourceText const& source;
     IncludeReader const& include;
     View view {};
     std::size_t at = 0; // Index of the statement's first character.
-    // Keys of unsupported statements that a warning has mentioned.
+    // Keys of those unsupported statements of which a warning has been given.
     std::set<std::string_view> missing {};
 
     void warn(std::string const& what);
     tl::unexpected<Error> error(std::string const& what) const;
 
-    // Parse one number, or three; otherwise fail with the text that was found.
+    // Parse one number, and three; fail with a user error that quotes the text.
     Result<double> number(std::string_view text) const;
     Result<Vec3> vector(std::string_view text) const;
 
-    // Reads a file of the model's folder. If it cannot be read, there is no value and a warning,
-    // for which `what` names the kind of file and `instead` says what happens instead.
+    // Reads a file of the model's folder. If it cannot be read, returns no value and adds a
+    // warning, in which `what` names the kind of file and `instead` says what happens instead.
     std::optional<std::string> file(std::string_view what, std::string const& name,
                                     std::string_view instead);
 };
 
-// Reads one statement's value into the reader's view. Fails with a user error that gives the
+// Reads the value of one statement into the reader's view. Fails with a user error that gives the
 // position.
 using ReadStatement = Result<void> (*)(ViewReader&, std::string_view value);
 
 std::string_view trimmed(std::string_view text);
 
-// Splits a text into words at runs of separators.
+// Splits a text into words at runs of the characters in `separators`.
 std::vector<std::string_view> words(std::string_view text, std::string_view separators = " \t");
 
-// Parses the whole text as a finite number.
+// Parses the whole text as a finite number; no value if it is not one.
 std::optional<double> number(std::string_view text);
 
 } // namespace tractus::lsystem

@@ -25,7 +25,7 @@ double srgb_of(double light)
     return light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
 }
 
-// Mean colour of a picture's visible pixels, sRGB; grey if none is visible.
+// Returns the mean colour of a picture's visible pixels, as sRGB; grey if no pixel is visible.
 Vec3f mean_of(PixelRows const& rows)
 {
     std::array<double, 256> light {};
@@ -52,7 +52,7 @@ bool has_holes(PixelRows const& rows)
     return false;
 }
 
-// Pictures on stems repeat, because stems are longer than their picture.
+// Pictures repeat on stems, because stems are longer than their picture.
 TexturePicture::Edges edges_of(Material::Kind kind)
 {
     bool const is_tube = kind == Material::Kind::Bark || kind == Material::Kind::Stem;

@@ -14,15 +14,15 @@ namespace tractus::lsystem {
 constexpr std::size_t kMaxTextureBytes = std::size_t { 16 } << 20;
 constexpr std::int64_t kMaxTexturePixels = 16'000'000;
 
-// Gives a material a picture. Its colour becomes the mean, in linear light, of the pixels with an
-// alpha of at least one half, for renderers that show no pictures. The rows of the material's
-// picture begin with the file's last one, because v is 0 at the base of organs
-// (engine/mesh/mesh.h). Fails with a user error for data that is not a PNG file and for too many
+// Gives a material a picture. For renderers that show no pictures, the material's colour becomes
+// the mean, in linear light, of the pixels with an alpha of at least one half. The rows are stored
+// in reverse order, the file's last row first, because v is 0 at the base of organs
+// (engine/mesh/mesh.h). Fails with a user error if the data are not a PNG file or have too many
 // bytes or pixels; the message does not name the file.
 Result<void> put_texture(Material& material, std::string_view png);
 
-// Gives a material the picture in a file of the model's folder, like put_texture(). A file that
-// cannot be read causes a warning.
+// Gives a material the picture in a file of the model's folder, as put_texture() does. If the file
+// cannot be read, only warns.
 Result<void> read_texture(ViewReader& reader, Material& material, std::string const& name);
 
 } // namespace tractus::lsystem

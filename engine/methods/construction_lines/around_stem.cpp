@@ -14,11 +14,12 @@ namespace {
 // Number of samples along a line from which its azimuth is computed.
 constexpr std::size_t kSamples = 200;
 
-// Minimum size of organs, as a share of the stem's length, the same as in models (line_rules.cpp).
+// Minimum size of organs, as a share of the stem's length. The rules of models use the same value
+// (line_rules.cpp).
 constexpr double kNothing = 1e-6;
 
 // Sizes are represented by their inverse squares: for an ellipse around the stem these have the
-// form a + b cos 2t + c sin 2t.
+// form a + b cos 2t + c sin 2t as a function of the azimuth t.
 double inverse_square(double size)
 {
     size = std::max(size, kNothing);
@@ -30,16 +31,16 @@ double sin_deg(double angle_deg)
     return std::sin(radians(angle_deg));
 }
 
-// Interpolates sizes, as inverse squares, along a quarter of an ellipse with these half-axes;
-// `share` is from 0 at the first axis to 1 at the second.
+// Returns the inverse square of the size on a quarter of an ellipse with these half-axes; `share`
+// is from 0 at the first half-axis to 1 at the second.
 double quarter_at(double first, double second, double share)
 {
     double const sine = sin_deg(90 * share);
     return (1 - sine * sine) * inverse_square(first) + sine * sine * inverse_square(second);
 }
 
-// Returns the inverse square of the size at the azimuth `turn_deg` on the ellipse through
-// boundaries at the azimuths -before_gap, 0 and gap, by Lagrange interpolation in sines.
+// Returns the inverse square of the size at the azimuth `turn_deg` on the ellipse through the
+// boundaries at the azimuths -before_gap_deg, 0 and gap_deg, by Lagrange interpolation in sines.
 double ellipse_at(SizesAside const& sizes, double turn_deg)
 {
     double const gap = sin_deg(sizes.gap_deg);
@@ -59,12 +60,12 @@ SizesAside reversed(SizesAside const& sizes)
              sizes.behind_gap_deg, sizes.before, sizes.before_gap_deg };
 }
 
-// Returns the correction of `quarter`, a value of quarter_at(), towards the ellipse that also
-// passes through the preceding boundary.
+// Returns the amount by which `quarter`, a value of quarter_at(), is corrected towards the ellipse
+// through the gap's two boundaries and the boundary before them.
 double towards_ellipse(SizesAside const& sizes, double share, double quarter)
 {
-    // The correction is applied fully if the three boundaries span less than half a turn by this
-    // angle or more.
+    // The correction is applied fully if the three boundaries span an angle that is smaller than
+    // half a turn by at least this much.
     constexpr double kWhole_deg = 60;
     double const room_deg = 180 - sizes.gap_deg - sizes.before_gap_deg;
     if (room_deg <= 0)
@@ -93,13 +94,14 @@ double depth_of(std::span<Vec3 const> line, std::span<Vec3 const> stem)
 
 std::optional<double> azimuth_of(std::span<Vec3 const> line, DrawnStem const& stem)
 {
-    // Minimum length of the offsets' vector sum, as a share of the sum of their lengths: below it,
-    // the azimuth is undefined.
+    // Minimum length of the vector sum of the points' offsets from the stem, as a share of the sum
+    // of the offsets' lengths: below it, the azimuth is undefined.
     constexpr double kMin = 0.01;
     // Minimum mean distance of the line from the stem, as a share of the stem's length: below it,
     // the line is the stem itself.
     constexpr double kOnStem = 1e-3;
-    constexpr double kBeyond = 1e-6; // Weight of points beyond the stem's ends.
+    // Weight of points beyond the stem's ends; all others have the weight 1.
+    constexpr double kBeyond = 1e-6;
     Vec2 sum = Vec2::Zero();
     double away = 0;
     double away_mm = 0; // Sum of the points' distances from the stem.
@@ -142,7 +144,7 @@ std::optional<double> reach_mm(OrganRay const& organ, DrawnStem const& stem,
     auto before = in_plane(boundary.front());
     for (auto const& point : boundary.subspan(1)) {
         auto const from = std::exchange(before, in_plane(point));
-        // Signed distances of a piece's two ends from the organ's ray.
+        // Signed distances of a segment's two ends from the organ's ray.
         double const off = cross(way, from);
         double const next_off = cross(way, before);
         if (off * next_off > 0 || off == next_off)

@@ -9,15 +9,15 @@
 
 namespace tractus::lines {
 
-// Geometry around a stem. Azimuths are degrees from 0 to below 360, in the turtle's sense of
-// rolling: 0 on the stem's left, 90 behind it, 180 on its right and 270 in front of it.
+// Geometry around a stem. Azimuths are degrees from 0 to below 360 and increase as a turtle rolls:
+// 0 is on the stem's left, 90 behind it, 180 on its right and 270 in front of it.
 
 // Angle between two azimuths: 0 to 180 degrees.
 double degrees_between(double azimuth_deg, double other_deg);
 
-// Maximum change in depth along a line, towards the viewer or away, relative to the stem's base and
-// as a share of the stem's length. A line with more than kFlat is considered drawn in space,
-// otherwise on the sheet.
+// depth_of() returns the greatest depth of a line relative to the stem's base, towards the viewer
+// or away, as a share of the stem's length. A line whose depth exceeds kFlat counts as drawn in
+// space, any other line as drawn on the sheet.
 constexpr double kFlat = 0.05;
 double depth_of(std::span<Vec3 const> line, std::span<Vec3 const> stem);
 
@@ -35,19 +35,22 @@ struct OrganRay {
     double angle_deg = 0; // Angle between organ and stem, 0 to 180.
 };
 
-// Returns the distance from the stem, in mm, at which the organ's direction meets a boundary. Both
-// are projected onto the half-plane through stem and organ. No value if they do not meet.
+// Returns the distance from the stem, in mm, at which the organ's direction meets a boundary. Organ
+// and boundary are projected onto the half-plane that is bounded by the stem and contains the
+// organ. No value if they do not meet.
 std::optional<double> reach_mm(OrganRay const& organ, DrawnStem const& stem,
                                std::span<Vec3 const> boundary);
 
-// The gap around a stem's cross-section between two neighbouring boundaries.
+// The gap in azimuth between two neighbouring boundaries around a stem, and the sizes of organs
+// there.
 struct SizesAside {
-    double low = 0; // Sizes of organs at the gap's two boundaries.
+    double low = 0; // Size of organs at the boundary where the gap begins; `high`: where it ends.
     double high = 0;
-    // Difference in azimuth between the two boundaries; above 0.
+    // Difference in azimuth between the gap's two boundaries; above 0.
     double gap_deg = 360;
-    // Sizes at the next boundaries around the stem, before `low` and behind `high`, and the gaps to
-    // them, above 0. If there are only two boundaries in all, these are `high` and `low` again.
+    // `before` is the size at the boundary that precedes the one of `low` around the stem, `behind`
+    // that at the boundary that follows the one of `high`. Both gaps to them are above 0. With only
+    // two boundaries around the stem, `before` equals `high` and `behind` equals `low`.
     double before = low;
     double before_gap_deg = 360;
     double behind = high;
@@ -55,11 +58,12 @@ struct SizesAside {
 };
 
 // Returns the size of organs at a share, 0 to 1, of the gap between two boundaries. For gaps up to
-// a right angle it follows a quarter of an ellipse whose half-axes are the two sizes. For half a
-// turn or more it follows two quarters, which meet in the middle of the gap at the mean of both
-// sizes, so two opposite boundaries give two half-ellipses. Gaps in between are interpolated. If
-// three boundaries are within less than half a turn, the curve blends into the ellipse about the
-// stem through all three, so that many boundaries reproduce any cross-section.
+// a right angle it follows a quarter of an ellipse whose half-axes are the two boundaries' sizes.
+// For half a turn or more it follows two quarter ellipses, which meet in the middle of the gap at
+// the mean of the two sizes, so that two opposite boundaries give two half-ellipses. For gaps in
+// between the two results are interpolated. If three boundaries lie within less than half a turn,
+// the curve blends into the ellipse about the stem through all three, so that many boundaries
+// reproduce any cross-section.
 double size_between(SizesAside const& sizes, double share);
 
 } // namespace tractus::lines

@@ -26,10 +26,10 @@ std::vector<Vec2> on_paper(Polyline const& line)
 // A line composed of one or more strokes.
 struct MadeLine {
     Polyline line;
-    std::vector<std::size_t> strokes; // Indices of the line's strokes, in drawing order.
+    std::vector<std::size_t> strokes; // Indices of the strokes of the line, in drawing order.
 };
 
-// One stroke's contribution to a composed line.
+// The part of a composed line that one stroke contributes.
 struct Drawn {
     std::size_t stroke = 0;
     Polyline line;
@@ -43,8 +43,8 @@ struct Across {
     MadeLine made;
 };
 
-// Extracts one side of a stroke that was drawn around the top of the stem: its longest run on that
-// side, including the points where it leaves the side.
+// Returns the part of a stroke, drawn around the top of the stem, that lies on one side of the stem
+// (1: left, -1: right): the longest run of consecutive points on that side.
 Polyline run_on_side(Polyline points, StemAxis const& axis, double side)
 {
     // Largest gap between the ends of a closed stroke, as a share of its length.
@@ -53,7 +53,7 @@ Polyline run_on_side(Polyline points, StemAxis const& axis, double side)
         = [&](Vec3 const& point) { return axis.place(point.head<2>()).beside * side > 0; };
     bool const is_closed
         = (points.front() - points.back()).norm() < kClosed * polyline_length_mm(points);
-    // Rotates the points of a closed stroke, so that its end and beginning do not divide a run.
+    // A closed stroke is made to begin on the other side, so that its ends do not divide a run.
     if (is_closed) {
         auto const other = std::find_if_not(points.begin(), points.end(), is_there);
         std::rotate(points.begin(), other, points.end());
@@ -72,7 +72,7 @@ Polyline run_on_side(Polyline points, StemAxis const& axis, double side)
     return best;
 }
 
-// Trims the ends of a boundary that reach across the stem.
+// Removes the ends of a boundary that reach across the stem.
 Polyline on_side(Polyline const& line, StemAxis const& axis, double side)
 {
     auto const is_over
@@ -198,8 +198,8 @@ private:
         return across;
     }
 
-    // Returns the position on the stem at which a half line that begins beside the stem would begin
-    // if extended to it.
+    // Returns the position on the stem at which a half line would begin if it were extended to the
+    // stem; half lines may begin beside the stem.
     double foot_of(Polyline const& half) const
     {
         auto const near = axis_.place(half.front().head<2>());
@@ -279,8 +279,8 @@ private:
         bring_together(all);
     }
 
-    // Finds the half line that complements a half on the other side of the stem, or replaces one
-    // half of a whole line.
+    // Finds, among `all`, the half line on the other side of the stem that complements the half
+    // line `across`. If `across` is a whole line, finds a half line that replaces one half of it.
     static std::vector<Across>::iterator nearest_half(std::vector<Across>& all,
                                                       Across const& across)
     {
@@ -297,8 +297,8 @@ private:
         return nearest;
     }
 
-    // Joins two half lines that begin near the same position on opposite sides of the stem. A half
-    // drawn where a whole line exists replaces that half of the line.
+    // Joins half lines that begin near the same position on opposite sides of the stem. A half line
+    // drawn where a whole line exists replaces that half of it.
     void bring_together(std::vector<Across> all)
     {
         while (!all.empty()) {
@@ -317,8 +317,8 @@ private:
             auto& left = is_left ? half : rest;
             auto& right = is_left ? rest : half;
             Polyline line(left.rbegin(), left.rend());
-            // The two halves begin beside the stem, at different places because the hand is not
-            // exact.
+            // The two halves begin at slightly different places on the stem, because the hand is
+            // not exact.
             if (is_half(across))
                 across.at = (across.at + other->at) / 2;
             Vec2 const foot = axis_.point(across.at);
@@ -344,8 +344,8 @@ private:
         return half;
     }
 
-    // Makes an inclination line cross the stem only once: repeated crossings become a straight
-    // piece.
+    // Makes an inclination line cross the stem only once. If it crosses several times, its points
+    // on the left come first, then those on the right.
     Polyline whole(Across const& across) const
     {
         int changes = 0;
@@ -364,7 +364,7 @@ private:
         return line;
     }
 
-    // Extends a half line slightly beyond the stem, so that the two cross.
+    // Extends a half line slightly beyond the stem, so that it crosses the stem.
     Polyline from_stem(Across const& half) const
     {
         double const side = half.reach == Across::Reach::Left ? 1 : -1;
@@ -376,8 +376,8 @@ private:
         return line;
     }
 
-    // Adds an inclination line. If it passes just above the stem's top or below its foot, it is
-    // moved onto the stem.
+    // Adds an inclination line to the sketch. A line that passes just above the stem's top or just
+    // below its foot is moved onto the stem.
     void put(Across const& across, Polyline line)
     {
         double const off = across.at - std::clamp(across.at, 0.002, 0.998);
@@ -409,8 +409,8 @@ private:
                                          DrawnLine(on_paper(result_.sketch.stem))));
     }
 
-    // Explains why the sketch, without the inclination line `without`, gives no plant; empty if it
-    // gives one.
+    // Explains why the sketch gives no plant if the inclination line with the index `without` is
+    // left out; empty if it gives one.
     std::string refusal(std::optional<std::size_t> without) const
     {
         auto tried = result_.sketch;
@@ -440,8 +440,9 @@ private:
                 result_.strokes[i] = { .role = Role::Unsure, .reason = reason };
     }
 
-    // Leaves out lines until the sketch gives a plant: an inclination line whose removal is enough,
-    // or otherwise the last one; if no inclination line is left, the boundaries.
+    // Leaves out lines until the sketch gives a plant: an inclination line without which it gives
+    // one, or else the last inclination line. Once no inclination line is left, boundaries are left
+    // out.
     void check_lines()
     {
         auto& sketch = result_.sketch;
@@ -470,7 +471,7 @@ private:
     StemAxis axis_;
     Explanation result_ { .strokes = {} };
     std::vector<std::pair<std::size_t, Role>> pieces_;
-    // Indices of the strokes of each inclination line.
+    // For each inclination line of the sketch, the indices of its strokes.
     std::vector<std::vector<std::size_t>> across_;
 };
 

@@ -14,10 +14,10 @@ namespace tractus::lines {
 
 namespace {
 
-// Maximum number of iterations; each one brings the edited value closer to its target.
+// Maximum number of iterations; each one brings the edited angle or size closer to its target.
 constexpr int kMaxRounds = 6;
-// A stroke belongs to an inclination line if it passes the line's crossing within this share of the
-// stem's length.
+// A stroke belongs to an inclination line if its distance from the point where the line crosses the
+// stem is at most this share of the stem's length.
 constexpr double kNearStem = 0.03;
 
 double sign_of(StemSide side)
@@ -38,7 +38,7 @@ Result<DrawnLine> flat_line(SketchLine const& line)
     return DrawnLine(std::move(points));
 }
 
-// Returns the line's stroke with each of its samples moved on the sheet.
+// Returns the line's stroke with `move` applied to the position of each sample on the sheet.
 Result<Stroke> moved(SketchLine const& line, std::function<Vec2(Vec2 const& sheet_mm)> const& move)
 {
     auto tips = TRY(line.stroke.tips.in_memory()).vector();
@@ -90,8 +90,8 @@ bool is_inclination(SketchLine const& line)
     return line.role == Role::Inclination || line.role == Role::HalfInclination;
 }
 
-// Finds the stroke that forms one half of the inclination line at a crossing: among the strokes
-// that reach out to that side, the one that passes nearest. Null if there is none.
+// Finds the stroke that forms one half of the inclination line at a crossing: of the strokes that
+// reach out to that side, the one that passes nearest to the crossing. Null if there is none.
 SketchLine const* line_with_half(PenSketch const& sketch, OnStem const& crossing, StemSide side,
                                  double nearest_mm)
 {
@@ -151,7 +151,7 @@ Ray ray_at(Construction const& of, double x, StemSide side)
 }
 
 // Returns, for each of size_places(), the arc length along the boundary at which the organs' ray
-// meets the boundary; no value if the ray misses it.
+// meets it; no value if the ray misses the boundary.
 std::vector<std::optional<double>> hits(Construction const& of, DrawnLine const& boundary,
                                         StemSide side)
 {
@@ -165,10 +165,12 @@ std::vector<std::optional<double>> hits(Construction const& of, DrawnLine const&
     return found;
 }
 
-// A smooth weight along a line: 1 at the place that is moved, and 0 from its neighbours on.
+// A smooth weight along a boundary: 1 at the place that is moved, falling to 0 at the neighbouring
+// places.
 struct Bump {
     double at_mm = 0;
-    double before_mm = 0; // Distances from `at_mm` at which the bump ends.
+    // Distance before `at_mm` at which the bump ends; `behind_mm`: distance behind it.
+    double before_mm = 0;
     double behind_mm = 0;
 
     double operator()(double place_mm) const
@@ -205,8 +207,8 @@ SketchLine const* boundary_of(PenSketch const& sketch, StemSide side)
     return found == sketch.lines.rend() ? nullptr : &*found;
 }
 
-// A stem bent at one of kHeadingPlaces, by an angle that falls smoothly to 0 at the neighbouring
-// places.
+// A stem bent at one of kHeadingPlaces. The angle of bending falls smoothly to 0 at the
+// neighbouring places.
 class BentStem {
 public:
     BentStem(DrawnLine stem, std::size_t place, double by_deg)
@@ -219,8 +221,8 @@ public:
 
     DrawnLine const& before() const { return before_; }
 
-    // Moves a point together with the bent stem. `along_mm` is the distance from the stem's foot at
-    // which the point is attached.
+    // Moves a point together with the stem that is bent. `along_mm` is the distance from the stem's
+    // foot at which the point is attached to the stem.
     Vec2 moved(Vec2 const& place_mm, double along_mm) const
     {
         return after_.point(along_mm)
@@ -254,8 +256,9 @@ private:
     DrawnLine after_;
 };
 
-// Returns the stem with which a line of stem `of` moves when `stem` is bent: `stem` itself, or the
-// stem attached to it that carries `of`. No value: the line does not move.
+// Returns the number of the stem with which a line of the stem `of` moves when `stem` is bent:
+// `stem` itself for its own lines. If `of` is attached to `stem`, directly or through other stems,
+// it is the one of them that is attached directly. No value if the line does not move.
 std::optional<std::size_t> copied_by(PenSketch const& sketch, std::size_t of, std::size_t stem)
 {
     for (std::size_t steps = 0; steps <= sketch.lines.size(); ++steps) {
@@ -274,8 +277,8 @@ std::optional<std::size_t> copied_by(PenSketch const& sketch, std::size_t of, st
     return std::nullopt;
 }
 
-// Distance along the stem at which a line comes nearest to it: where it crosses the stem or begins
-// on it.
+// Distance along the stem at which a line comes nearest to the stem: where it crosses the stem or
+// begins on it.
 double meets_mm(DrawnLine const& stem, DrawnLine const& line)
 {
     auto const points = line.points();
@@ -286,11 +289,11 @@ double meets_mm(DrawnLine const& stem, DrawnLine const& line)
                           [&](Vec2 const& a, Vec2 const& b) { return away(a) < away(b); }));
 }
 
-// Bends the other lines with the stem. Inclination lines and attached stems rotate rigidly at the
-// place where they meet the stem; boundaries bend as the stem does.
+// Returns the sketch with all other lines bent with the stem. Inclination lines and attached stems
+// rotate rigidly at the place where they meet the stem; boundaries bend as the stem does.
 Result<PenSketch> bent_with(PenSketch sketch, std::size_t stem, BentStem const& bent)
 {
-    // Distances along this stem at which attached stems begin, by stem number.
+    // Distances along the bent stem at which attached stems begin, by stem number.
     std::map<std::size_t, double> feet_mm;
     for (auto const& line : sketch.lines)
         if (line.role == Role::Stem && line.parent == stem)
@@ -319,7 +322,7 @@ Result<Construction> construction_of(PenSketch const& sketch)
     return measure_sketch(TRY(line_sketch(sketch)), Missing::Guessed);
 }
 
-// Returns the sketch of the current stem alone, whose lines are edited.
+// Returns the sketch of only the current stem, whose lines are edited.
 static Result<PenSketch> drawing_in_hand(PenSketch const& whole)
 {
     return sketch_of_stem(whole, TRY(current_stem(whole)));

@@ -17,14 +17,14 @@ namespace tractus::lines {
 namespace {
 
 using Box = Eigen::AlignedBox2d;
-// Maximum size of the leaf's sides on the tablet, where there is little room beside a plant.
+// Maximum size of the leaf's sides on the tablet, because there is little room beside a plant.
 constexpr double kLongest_mm = 32;
 // Scale of the midrib and section beside the leaf, relative to the scale of its sides.
 constexpr double kBesideSize = 0.6;
-constexpr double kGap_mm = 4; // Gap between the leaf's lines.
+constexpr double kGap_mm = 4; // Gap between the views of the leaf, and around them.
 
-// The lines of a leaf on the tablet: the leaf's base is at (0, 0), its midrib and section to the
-// right.
+// The lines of a leaf on the tablet. The leaf's base is at (0, 0); its midrib and section are to
+// the right of its sides.
 struct Layout {
     struct Line {
         OrganView view = OrganView::Side;
@@ -157,7 +157,7 @@ Vec3 place_beside(PenSketch const& sketch, SheetPlacement const& sheet, OrganFil
     for (auto const& box : boxes)
         all.extend(box);
     auto const own = laid_out(organ).box;
-    // Default position if there is no room on the tablet: to the right of all lines.
+    // Position if there is no free place on the tablet: to the right of all lines.
     Vec2 best_mm(all.max().x() + kGap_mm - own.min().x(), all.min().y() - own.min().y());
     double min_mm = std::numeric_limits<double>::infinity();
     for (double y = tablet.min().y(); y + own.sizes().y() <= tablet.max().y(); y += kStep_mm)

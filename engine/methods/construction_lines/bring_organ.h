@@ -9,9 +9,9 @@
 
 namespace tractus::lines {
 
-// Adds a leaf from a file to a sketch, as lines that can be edited like drawn ones. As with
-// DrawOrgan, the first leaf is assigned to the whole plant, later ones to the topmost layer of the
-// current stem.
+// Edit: adds a leaf from a file to a sketch, as lines that can be edited like drawn ones. The
+// sketch's first leaf is assigned to the whole plant, later leaves to the topmost layer of the
+// current stem, as with DrawOrgan.
 struct BringOrgan {
     static scene::EditKind const kKind;
 
@@ -21,8 +21,8 @@ struct BringOrgan {
     scene::ItemId id = 0;      // Id of the leaf; its lines have the following ids.
 };
 
-// Returns a free position on the tablet, beside the sketch, for the lines of a leaf from a file:
-// for BringOrgan::at_mm.
+// Returns a position on the tablet for BringOrgan::at_mm, at which the lines of a leaf from a file
+// have free space beside the sketch.
 Vec3 place_beside(PenSketch const& sketch, SheetPlacement const& sheet, OrganFile const& organ);
 
 } // namespace tractus::lines

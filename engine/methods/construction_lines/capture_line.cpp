@@ -18,7 +18,7 @@ std::vector<Vec3> capture_line(std::span<Vec3 const> tips)
     // coarsely.
     constexpr std::size_t kMaxControlPoints = 1'000;
     // One round of reverse subdivision reduces 2n - 2 points to n, so three rounds reduce 8n - 14
-    // to n.
+    // points to n.
     double const wanted = (ArcLength(tips).length_mm() / kSpacing_mm + 15) / 8;
     auto const control_count = static_cast<std::size_t>(
         std::clamp<double>(std::ceil(wanted), kMinControlPoints, kMaxControlPoints));

@@ -14,8 +14,8 @@ namespace tractus::lines {
 
 Vec2 foot_on_sheet(PenSketch const& sketch)
 {
-    // The stem may be reversed, composed of several strokes, or cleaned of hooks if the sketch is
-    // read as a whole.
+    // If the lines are interpreted together, the stem may be reversed, composed of several strokes,
+    // or freed from hooks, so its foot is not where its stroke begins.
     if (is_read_together(sketch))
         if (auto const reading = read_pen_sketch(sketch); reading && !reading->stems.empty())
             if (auto const& stem = reading->stems.front().sketch.stem; !stem.empty())

@@ -9,23 +9,25 @@
 
 namespace tractus::lines {
 
-// Functions shared by the edits of sketches.
+// Functions shared by the edits of plants that are drawn with construction lines.
 
-// Index of a plant, and its sketch.
+// The sketch of a plant, and the index of the plant in the document.
 struct FoundSketch {
     std::size_t number = 0;
     PenSketch sketch;
 };
 
-// Finds the sketch of a plant. Fails with a user error if there is no such plant, or if it is not
-// drawn with construction lines.
+// Finds the sketch of a plant. Fails with a user error if there is no such plant, or if the plant
+// is not drawn with construction lines.
 Result<FoundSketch> find_sketch(scene::DocumentState const& state, scene::ItemId plant);
 
-// Replaces the sketch of a plant. If the first stem has changed, the plant is moved to its foot, so
-// that all lines stay in place.
+// Replaces the sketch of a plant. If another stroke has become the first stem, or if lines are
+// interpreted together, the plant is moved to the foot of the first stem, so that all lines stay in
+// place.
 void put_sketch(scene::DocumentState& state, FoundSketch found);
 
-// Returns the line that owns a layer. Fails with a user error if there is none.
+// Returns the line with this id, which owns a layer (see Layer). Fails with a user error if there
+// is no such line.
 Result<SketchLine*> find_layer(PenSketch& sketch, scene::ItemId line);
 
 // Position on the tablet at which the pen came down to draw a line.

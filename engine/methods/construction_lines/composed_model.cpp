@@ -20,18 +20,18 @@ namespace {
 
 // A sketch as one of the L-systems of a composed model.
 struct SubModel {
-    Construction construction; // The measured sketch, with sizes around the stem.
+    Construction construction; // The measured stem of the sketch, with sizes around it.
     Pattern pattern {};
     std::vector<LineOrgan> organs {};
-    // For each organ, the index of its sketch in the model; 0 for organs that are not sketches.
+    // For each organ, the index of its sketch among the sub-models; 0 for organs that are surfaces.
     std::vector<std::size_t> called {};
     std::vector<LayerOrgans> layers {}; // Organs of all layers, from below.
     OrganSurface leaf {};
     // Number of organ surfaces in the sketches before this one.
     std::size_t first_surface = 0;
     std::size_t offset = 0; // Number of functions of the sketches before this one.
-    std::size_t steps = 0;  // Derivation steps until the stem and its organs are complete.
-    double leaves = 0;      // Number of leaves of the sketch's plant.
+    std::size_t steps = 0; // Number of derivation steps until the stem and its organs are complete.
+    double leaves = 0;     // Number of leaves of the sketch's plant.
 
     LayerTables tables() const
     {
@@ -42,7 +42,7 @@ struct SubModel {
     }
 };
 
-// Returns the organs of each layer, from below; defaults if no layer differs from the plant.
+// Returns the organs of each layer, from below, even if all layers have the plant's organs.
 std::vector<LayerOrgans> all_layers(Construction const& construction)
 {
     auto layers = construction.organs_per_layer;
@@ -50,7 +50,8 @@ std::vector<LayerOrgans> all_layers(Construction const& construction)
     return layers;
 }
 
-// Number of organs of each layer; those at the topmost inclination line count for the last layer.
+// Number of organs of each layer, from below. The last layer includes those at the topmost
+// inclination line.
 std::vector<double> organs_of_layers(SubModel const& model)
 {
     std::vector<double> organs;
@@ -65,7 +66,8 @@ std::vector<double> organs_of_layers(SubModel const& model)
 
 Result<std::size_t> add_sub_model(std::vector<SubModel>& models, ComposedSketch const& sketch);
 
-// Adds the sketches that a sketch uses as organs, and computes its steps and leaves.
+// Adds the sketches that a sketch uses as organs to the models, and computes the number of
+// derivation steps and leaves of the sketch. `number` is its index among the models.
 Result<void> add_called(std::vector<SubModel>& models, std::size_t number)
 {
     std::vector<std::size_t> called;
@@ -86,14 +88,15 @@ Result<void> add_called(std::vector<SubModel>& models, std::size_t number)
         model.leaves += counts[layer] * (plant ? plant->leaves : 1);
         behind = std::max(behind, plant ? plant->steps : 0);
     }
-    // Derivation steps from a node to the call of the node's organ.
+    // Number of derivation steps from the creation of a node to the call of its organ.
     constexpr std::size_t kOrganSteps = 4;
     model.steps = count_steps(model.construction) + kOrganSteps + behind;
     model.called = std::move(called);
     return {};
 }
 
-// Adds a sketch, and the sketches that it uses as organs, to the model. Returns its index, from 0.
+// Adds a sketch, and the sketches that it uses as organs, to the models. Returns the sketch's
+// index, from 0.
 Result<std::size_t> add_sub_model(std::vector<SubModel>& models, ComposedSketch const& sketch)
 {
     if (models.size() >= kMaxSketches)
@@ -113,7 +116,7 @@ Result<std::size_t> add_sub_model(std::vector<SubModel>& models, ComposedSketch 
     return number;
 }
 
-// True for a name that each L-system of the model defines for itself.
+// True for the name of a macro that each L-system of a composed model defines with its own value.
 bool is_own_name(std::string_view word)
 {
     constexpr std::array<std::string_view, 8> kNames { "LEN",    "STEM",       "DX",    "ROLL",
@@ -126,7 +129,8 @@ std::string own_name(std::string_view name, std::size_t number)
     return number == 0 ? std::string(name) : fmt::format("{}_{}", name, number + 1);
 }
 
-// Returns the text with an L-system's own names made unique by its number.
+// Returns an L-system's text with its number appended to the names of its own macros
+// (is_own_name()), so that they differ from those of the other L-systems.
 std::string with_own_names(std::string_view text, std::size_t number)
 {
     std::string result;
@@ -154,8 +158,8 @@ char letter_of(std::size_t number)
     return kLetters[number];
 }
 
-// Writes the productions for organs that are sketches. Their stems are as long as the leaves would
-// be.
+// Writes the productions for organs that are sketches. The stem of such an organ is as long as a
+// leaf would be.
 std::string calls_text(std::vector<SubModel> const& models, std::size_t number)
 {
     std::string text;
@@ -258,7 +262,8 @@ static bool is_plain(ComposedSketch const& sketch)
     });
 }
 
-// Adds the surfaces of all sketches, which replace leaves and organs and are numbered throughout.
+// Adds the surfaces that replace leaves and organs in all sketches. They are numbered
+// consecutively.
 static Result<void> add_all_surfaces(LineModel& model, std::vector<SubModel> const& models)
 {
     for (std::size_t i = 0; i < models.size(); ++i) {

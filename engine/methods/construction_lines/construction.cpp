@@ -44,10 +44,11 @@ struct CrossingLine {
     std::string name;
     Vec2 at; // Crossing point on the stem.
     double heading_deg = 0;
-    double beside_mm = 0; // A line must reach this far from the stem to have a half on that side.
+    // Minimum reach of the line from the stem on a side, to have a half there.
+    double beside_mm = 0;
 
-    // Angle from the stem's heading to a point, -180 to 180, positive on the given side of the
-    // stem.
+    // Angle from the stem's heading to the direction from the crossing to a point, -180 to 180
+    // degrees, positive if the point is on the given side of the stem.
     double angle_deg(Side side, Vec2 const& point) const
     {
         Vec2 const way = point - at;
@@ -61,8 +62,9 @@ struct CrossingLine {
     }
 };
 
-// Returns where the line meets a boundary: the nearest point on the boundary's side of the stem. No
-// value if it does not reach the boundary.
+// Returns the nearest point on the given side of the stem at which an inclination line meets a
+// boundary. No value if the line does not reach the boundary. Fails with a user error if it meets
+// the boundary only on the other side.
 Result<std::optional<Vec2>> boundary_point(CrossingLine const& of, DrawnLine const& boundary,
                                            Side side)
 {
@@ -86,13 +88,15 @@ Result<std::optional<Vec2>> boundary_point(CrossingLine const& of, DrawnLine con
     return nearest;
 }
 
-// The inclination angle on one side; no value if the line does not reach out to that side.
+// Returns the angle of an inclination line to the stem on one side; no value if the line does not
+// reach out to that side.
 Result<std::optional<double>> side_angle_deg(CrossingLine const& of, Boundaries const& boundaries,
                                              Side side)
 {
     auto const boundary = seen_on_side(boundaries, side);
     auto const end = boundary ? boundary_point(of, *boundary, side) : std::nullopt;
-    // For a boundary in space this is not an error: it may appear on the other side of the stem.
+    // A boundary in space may appear on the other side of the stem, so the failure counts only for
+    // boundaries on the sheet.
     if (!end && boundaries.of(side))
         return fail(end.error().fault, end.error().message);
     if (end && *end)
@@ -113,8 +117,8 @@ bool crosses_itself(DrawnLine const& line)
     });
 }
 
-// Distance along the stem, as seen, at which a line crosses it. If there are several crossings, the
-// one nearest to the line's middle counts.
+// Distance along the stem's projection at which a line crosses it. Of several crossings the one
+// nearest to the line's middle counts.
 Result<double> stem_crossing_mm(DrawnStem const& stem, DrawnLine const& line,
                                 std::string const& name)
 {
@@ -156,8 +160,8 @@ Result<Inclination> measure_inclination(DrawnStem const& stem, Boundaries const&
 
 Result<void> check_apart(std::vector<Inclination> const& sorted)
 {
-    // Minimum distance between crossings, as a share of the stem: models are written with six
-    // digits.
+    // Minimum distance between crossings, as a share of the stem's length. Models are written with
+    // six digits and could not distinguish closer ones.
     constexpr double kClosest = 1e-5;
     for (std::size_t i = 1; i < sorted.size(); ++i)
         if (sorted[i].x - sorted[i - 1].x < kClosest)
@@ -168,8 +172,8 @@ Result<void> check_apart(std::vector<Inclination> const& sorted)
     return {};
 }
 
-// Default range of organs along the stem, as shares of its length, if no inclination lines are
-// drawn.
+// Default range of organs along the stem, as shares of the stem's length, if no inclination lines
+// are drawn.
 constexpr double kLowest = 0.1;
 constexpr double kTopmost = 0.95;
 
@@ -227,8 +231,8 @@ Result<std::vector<Inclination>> measure_inclinations(LineSketch const& sketch,
     return all_along(result[0].left_deg, result[0].right_deg);
 }
 
-// Measures a stem without boundaries. Its organs have no size; only the positions of its
-// inclination lines are measured.
+// Measures a stem without boundaries: only the positions of its inclination lines. The organs have
+// no size.
 Result<Construction> measure_stem_alone(LineSketch const& sketch, DrawnStem stem)
 {
     std::vector<Inclination> lines;
@@ -306,8 +310,8 @@ Result<void> check_point_count(std::size_t points)
     return {};
 }
 
-// Foreshortening of a stem that is tilted towards the viewer; limited, because a stem pointing at
-// the viewer shows no length.
+// Apparent length of a stem with this pitch towards the viewer, as a share of its true length. It
+// has a lower limit, because a stem pointing at the viewer shows no length.
 static double foreshortening(double pitch_deg)
 {
     constexpr double kMin = 0.17;
@@ -336,7 +340,7 @@ bool has_boundary(LineSketch const& sketch)
     return !sketch.left.empty() || !sketch.right.empty() || !sketch.around.empty();
 }
 
-// Measures the nodes if all boundaries lie on the sheet, which is the only case in the paper.
+// Measures the nodes if all boundaries lie on the sheet, the only case in Anastacio et al. 2008.
 static Result<void> measure_sides(Construction& of, Boundaries const& boundaries)
 {
     auto left = measure_nodes(of, *boundaries.left, Side::Left);
@@ -411,7 +415,8 @@ double size_at(Construction const& construction, std::size_t node, double azimut
         return (1 - right) * sizes.left_size + right * sizes.right_size;
     }
     auto const count = around.size();
-    // Azimuths below that of the first boundary are in the last interval, too.
+    // The last interval, from the last boundary to the first, also contains azimuths below that of
+    // the first boundary.
     std::size_t low = count - 1;
     for (std::size_t i = 0; i < count && around[i].azimuth_deg <= azimuth_deg; ++i)
         low = i;

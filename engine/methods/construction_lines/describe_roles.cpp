@@ -12,7 +12,7 @@ namespace tractus::lines {
 
 namespace {
 
-// Names the kind of stem in a plant of several stems.
+// Names the kind of a stem in a plant that may have several stems.
 std::string what_stem_it_is(SketchLine const& line)
 {
     if (line.parent)
@@ -106,7 +106,7 @@ std::string what_is_missing(PenSketch const& sketch)
     return lines ? what_is_missing(*lines) : "";
 }
 
-// Describes how the newest line was read together with all others.
+// Describes how the newest line was interpreted together with all other lines.
 std::string describe_reading(PenSketch const& sketch, PenReading const& reading)
 {
     auto const& line = sketch.lines.back();

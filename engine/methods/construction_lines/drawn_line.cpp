@@ -8,7 +8,8 @@
 
 namespace tractus::lines {
 
-// Tolerances for rounding. A line that is crossed at the joint of two pieces is crossed only once.
+// Tolerances for rounding errors. They ensure that a line crossed at the joint of two segments
+// counts as crossed only once there.
 static constexpr double kRounding = 1e-9;
 static constexpr double kParallel = 1e-12;
 
@@ -134,7 +135,8 @@ std::optional<double> DrawnLine::nearest_hit_mm(Vec2 const& from, Vec2 const& wa
     return nearest_mm;
 }
 
-// A piece includes its first point; only the last piece of a line includes its end point.
+// True if a share of a segment's length counts as on the segment. A segment includes its first
+// point; only the last segment of a line includes its end point.
 static bool is_on_piece(double share, bool is_last)
 {
     return share >= -kRounding && (is_last ? share <= 1 + kRounding : share < 1 - kRounding);

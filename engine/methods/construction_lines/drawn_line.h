@@ -10,7 +10,7 @@
 namespace tractus::lines {
 
 // Geometry of lines on the sketch's sheet: u to the right, v up, millimetres. Headings are angles
-// from up, positive to the left (counter-clockwise); degrees.
+// in degrees from up, positive to the left (counter-clockwise).
 
 // Returns the unit vector of a heading.
 Vec2 direction(double heading_deg);
@@ -18,8 +18,8 @@ Vec2 direction(double heading_deg);
 // The third component of the cross product: positive if `b` points to the left of `a`.
 double cross(Vec2 const& a, Vec2 const& b);
 
-// Removes points of a line, (u, v) or (u, v, depth), that coincide on the sheet with the one
-// before.
+// Removes each point of a line, (u, v) or (u, v, depth), that coincides on the sheet with the point
+// before it.
 constexpr double kSamePoint_mm = 1e-6;
 template<typename Point> std::vector<Point> without_repeats(std::vector<Point> const& points)
 {
@@ -30,17 +30,18 @@ template<typename Point> std::vector<Point> without_repeats(std::vector<Point> c
     return result;
 }
 
-// Returns the headings of a polyline's segments, without jumps by full turns.
+// Returns the headings of a polyline's segments. Full turns are added where necessary, so that
+// consecutive headings differ by at most 180 degrees.
 std::vector<double> piece_headings_deg(std::span<Vec2 const> points);
 
-// Converts values of segments to values at points: the mean of the two adjacent segments,
-// extrapolated at the ends.
+// Converts values of a polyline's segments to values at its points: each inner point gets the mean
+// of its two adjacent segments, and the ends are extrapolated linearly.
 std::vector<double> values_at_points(std::span<double const> piece_values);
 
 // A line on the sheet, parametrised by arc length.
 class DrawnLine {
 public:
-    // The points, at least two, must be finite, with no two equal neighbours.
+    // The points must be finite and at least two. No two neighbouring points may be equal.
     explicit DrawnLine(std::vector<Vec2> points);
 
     std::span<Vec2 const> points() const { return points_; }
@@ -48,11 +49,12 @@ public:
 
     Vec2 point(double at_mm) const;
 
-    // Heading of the tangent: at a point the mean of its two segments, linear between points.
+    // Heading of the tangent. At each point of the polyline it is the mean of the two adjacent
+    // segments' headings; in between it is linear.
     double heading_deg(double at_mm) const;
 
-    // Arc length at each point. A Place is the segment that contains an arc length, with the share
-    // of the segment before it.
+    // Arc length at each point of the line. A Place is a position on the line: the index of a
+    // segment, and the share of the segment's length before the position.
     std::span<double const> at_mm() const { return at_mm_; }
     struct Place {
         std::size_t piece = 0;
@@ -74,29 +76,29 @@ public:
 private:
     std::vector<Vec2> points_;
     std::vector<double> at_mm_;
-    std::vector<double> heading_deg_; // Heading at each point.
+    std::vector<double> heading_deg_; // Heading of the tangent at each point.
 };
 
-// Finds the interval of the ascending numbers (at least two) that contains a value, and its
-// relative position in it.
+// Finds the interval between two of the ascending numbers (at least two) that contains a value, and
+// the value's relative position in this interval, 0 to 1.
 DrawnLine::Place place_in(std::span<double const> rising, double value);
 
 // Linear interpolation of values at the place found by place_in().
 double value_in(std::span<double const> values, DrawnLine::Place const& place);
 
-// Mirrors points about a line, each to the same distance on its other side. The line is extended
-// straight beyond its ends.
+// Mirrors points about a line: each point moves to the same distance on the other side. The line is
+// extended straight beyond its ends.
 std::vector<Vec2> mirrored(DrawnLine const& line, std::span<Vec2 const> points);
 
-// Intersection of two lines: arc length along each.
+// An intersection of two lines, as the arc length along each of them.
 struct Crossing {
     double first_mm = 0;
     double second_mm = 0;
 };
 
-// Returns the intersections in the order of `first`, at most kMaxCrossings (only a scribble has
-// more). Collinear segments do not intersect. Takes time proportional to the product of the numbers
-// of points.
+// Returns the intersections of two lines, in ascending order along `first`, at most kMaxCrossings
+// (only a scribble has more). Collinear segments do not intersect. Takes time proportional to the
+// product of the lines' numbers of points.
 constexpr std::size_t kMaxCrossings = 1'000;
 std::vector<Crossing> crossings(DrawnLine const& first, DrawnLine const& second);
 

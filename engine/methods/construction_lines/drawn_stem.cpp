@@ -22,8 +22,9 @@ static double sharpest_turn(std::vector<double> const& piece_deg)
     return sharpest_deg;
 }
 
-// Half-width of the smoothing window: half a piece, so that the pieces of a smooth curve look
-// smooth, but less at sharp corners. A corner of d radians is cut by d / 4 times this value.
+// Half the length over which course() averages, as a share of the stem's length. It is half the
+// longest segment, so that the segments of a smooth curve look smooth, but less at sharp corners: a
+// corner of d radians is cut by d / 4 times this value.
 static double half_window(double longest_piece, double sharpest_deg)
 {
     constexpr double kMin = 0.0025;
@@ -112,7 +113,7 @@ DrawnStem::Frame DrawnStem::frame(double x) const
 DrawnStem::Course DrawnStem::course(double x) const
 {
     constexpr double kMinAtEnds = 1e-4;
-    // The window is symmetric; otherwise the ends would lean inwards.
+    // The window is symmetric about x. Otherwise the ends would lean inwards.
     double const half = std::max(kMinAtEnds, std::min({ half_window_, x, 1 - x }));
     double const low = std::max(0.0, x - half);
     double const high = std::min(1.0, x + half);

@@ -82,7 +82,7 @@ Result<PenSketch> without_organ_line(PenSketch sketch, SketchOrgan organ, scene:
     return sketch;
 }
 
-// True if the line is one of several strokes that form a stem.
+// True if the line is one of several strokes that form a stem together.
 bool is_piece_of_stem(PenSketch const& sketch, SketchLine const& line)
 {
     auto const count

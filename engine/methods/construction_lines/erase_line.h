@@ -6,7 +6,7 @@
 
 namespace tractus::lines {
 
-// Deletes a line of a sketch, or a line of one of its drawn leaves.
+// Edit: deletes a line of a sketch, or a line of one of its drawn leaves.
 struct EraseLine {
     static scene::EditKind const kKind;
 
@@ -14,9 +14,10 @@ struct EraseLine {
     scene::ItemId line = 0;
 };
 
-// Returns the sketch without a line. A stem is deleted with its lines and the stems attached to it.
-// A leaf without any side left is deleted and replaced by plain leaves. Fails with a user error if
-// there is no such line, it is the only stem, or the rest gives no plant.
+// Returns the sketch without a line. A stem is deleted together with its lines and the stems
+// attached to it. A leaf of which no side is left is deleted and replaced by plain leaves. Fails
+// with a user error if there is no such line, if it is the only stem, or if the remaining lines
+// give no plant.
 Result<PenSketch> without_line(PenSketch sketch, scene::ItemId line);
 
 } // namespace tractus::lines

@@ -14,7 +14,7 @@ namespace tractus::lines {
 
 namespace {
 
-// Number of points to which a stroke is resampled for this analysis.
+// Number of points to which each stroke is resampled before it is interpreted.
 constexpr std::size_t kComparedPoints = 60;
 constexpr double kCorrectionCost = 0.2;
 
@@ -51,7 +51,7 @@ Part part_of(Role role)
     return Part::Nothing;
 }
 
-// A reading of the sketch, given its stem: the part that each stroke plays.
+// A reading of the sketch for a given stem: it assigns a Part to each stroke.
 class SketchReading {
 public:
     SketchReading(std::span<Polyline const> lines, std::span<StrokeToExplain const> strokes,
@@ -75,8 +75,8 @@ public:
                     = junction_of(lines[i], lines[k], 0.08 * axis_.length_mm()).quality;
     }
 
-    // Chooses the cheapest part for one stroke after another until none changes, at most kMaxPasses
-    // times.
+    // Chooses the cheapest Part for one stroke after another, repeatedly, until no stroke changes,
+    // at most kMaxPasses times.
     void settle()
     {
         constexpr int kMaxPasses = 6;
@@ -102,7 +102,8 @@ public:
     std::vector<Part> const& parts() const { return parts_; }
     StemAxis const& axis() const { return axis_; }
 
-    // Finds the most likely alternative: the stroke and part whose change increases the cost least.
+    // Finds the most likely alternative: the stroke, and the new Part for it, that increase the
+    // cost least.
     std::optional<std::pair<std::size_t, Part>> second_best_roles() const
     {
         std::optional<std::pair<std::size_t, Part>> best;
@@ -131,7 +132,7 @@ private:
         return std::find(stem_.strokes.begin(), stem_.strokes.end(), i) != stem_.strokes.end();
     }
 
-    // Fixes the part of a stroke that belongs to the stem, or whose role the user has set.
+    // Leaves only one possible Part for a stroke of the stem, or whose role the user has set.
     void settle_known(std::size_t i)
     {
         auto const only = [&](Part part) {
@@ -149,14 +150,14 @@ private:
         return junctions_[i * lines_.size() + k];
     }
 
-    // Cost of a boundary in relation to others on its side: low if it continues one of them, or if
-    // there is none.
+    // Cost of reading a stroke as a boundary on this side in view of the side's other boundaries: 0
+    // if there is none, negative if the stroke continues one, positive if it overlaps one.
     double beside_others(std::size_t i, Part side) const
     {
         double best_junction = 0;
         double clash = 0;
-        // A corrected part of a boundary usually leaves the boundary and meets it again; a loose
-        // one does neither.
+        // A stroke that corrects part of a boundary usually leaves the boundary and meets it again;
+        // a loose stroke does neither.
         bool is_loose = false;
         for (std::size_t k = 0; k < parts_.size(); ++k) {
             if (k == i)
@@ -174,7 +175,7 @@ private:
             }
         }
         // A second boundary on one side is less likely if its stroke does not look like a
-        // correction.
+        // correction of the first.
         return 0.35 * std::clamp(clash / 0.5, 0.0, 1.0) + (is_loose ? 0.8 : 0)
             - (0.8 + 2 * small_piece(lies_[i])) * best_junction;
     }
@@ -202,7 +203,8 @@ private:
         return 0;
     }
 
-    // Cost of a stroke that continues an inclination line, or half of one, at its end.
+    // Cost of reading a stroke as Part::Piece: as the continuation of an inclination line, or of
+    // half of one, at an end.
     double piece_cost(std::size_t i) const
     {
         double best = 0;
@@ -243,7 +245,7 @@ private:
         return best;
     }
 
-    // Cost of missing boundaries: a sketch normally has them on both sides.
+    // Cost of missing boundaries; a complete sketch has boundaries on both sides of the stem.
     double missing_cost() const
     {
         auto const has = [&](Part part) {
@@ -307,8 +309,8 @@ double leaning(std::span<Polyline const> lines, Read const& read, StemAxis const
     return halves > 0 ? sum / std::sqrt(halves) : 0;
 }
 
-// True if the stem is probably drawn downwards: it is taken to grow upwards unless the lean of its
-// organs suggests otherwise.
+// True if the stem was probably drawn from its top to its foot. A stem is assumed to grow upwards
+// unless its inclination lines lean the other way.
 bool is_upside_down(std::span<Polyline const> lines, Read const& read, StemAxis const& axis)
 {
     constexpr double kLeaningCounts = 0.8;
@@ -339,7 +341,7 @@ Read read_with(std::span<Polyline const> lines, std::span<StrokeToExplain const>
     auto corrected = corrected_stem(read.stem, lines, read.parts);
     if (corrected.strokes.size() == read.stem.strokes.size())
         return read;
-    // The other strokes are read again, because they were drawn for the corrected stem.
+    // The other strokes are interpreted again, because they were drawn for the corrected stem.
     StemCandidate const whole { corrected.strokes, std::move(corrected.line), read.stem.cost };
     SketchReading reading(lines, strokes, whole);
     reading.settle();
@@ -350,7 +352,7 @@ Read read_with(std::span<Polyline const> lines, std::span<StrokeToExplain const>
     return read;
 }
 
-// Returns the cheapest reading that differs from `read` in the part of exactly one stroke.
+// Returns the cheapest reading in which exactly one stroke has another Part than in `read`.
 std::optional<Read> second_best_roles(std::span<Polyline const> lines,
                                       std::span<StrokeToExplain const> strokes, Read const& read)
 {

@@ -10,11 +10,12 @@ namespace tractus::lines {
 
 namespace {
 
-// Half-width of a plateau, as a share of the stem's length. A table lookup reads the two samples
-// around a position, each off by up to 0.001.
+// Half-width of the plateau around a node, as a share of the stem's length. A table lookup reads
+// the two samples around a position, each off by up to 0.001.
 constexpr double kPlateau = 0.001 + 1.3 / (kFunctionSamples - 1);
 
-// Returns the half-width of the plateau at node `i`; smaller where nodes are close together.
+// Returns the half-width of the plateau around node `i`: kPlateau, or less where nodes are close
+// together.
 double plateau_of(std::vector<OrganNode> const& nodes, std::size_t i)
 {
     double half = kPlateau;
@@ -25,8 +26,8 @@ double plateau_of(std::vector<OrganNode> const& nodes, std::size_t i)
     return half;
 }
 
-// True if the stem pieces on both sides of a node have their midpoints well outside its plateau; a
-// piece is at least half of kShortPiece long.
+// True if the midpoints of the stem pieces before and behind a node lie well outside the node's
+// plateau; a piece is at least half of kShortPiece long.
 bool has_room(std::vector<OrganNode> const& nodes, std::size_t i)
 {
     constexpr double kRoom = kShortPiece / 2;
@@ -65,7 +66,7 @@ std::vector<Vec2> tidy_points(std::vector<Vec2> const& points)
     return result;
 }
 
-// A function that is linear between nodes and constant beyond them.
+// A function of the position on the stem that is linear between nodes and constant beyond them.
 FunctionCurve node_curve(std::vector<OrganNode> const& nodes, std::string const& name,
                          std::vector<double> const& values)
 {
@@ -87,7 +88,7 @@ FunctionCurve node_curve(std::vector<OrganNode> const& nodes, std::string const&
     return node_curve(nodes, name, values);
 }
 
-// Places at which a stem's course is sampled: evenly, beside each plateau, and in the middle
+// Positions at which a stem's course is sampled: at even steps, beside each plateau, and half-way
 // between nodes.
 std::vector<double> course_places(std::vector<OrganNode> const& nodes)
 {
@@ -134,8 +135,8 @@ FunctionCurve stem_curve(Construction const& construction, std::string const& na
     return { name, tidy_points(points) };
 }
 
-// Converts an organ's angle and length to be relative to the turtle's heading; the organ's
-// appearance does not change.
+// Converts an organ's angle and length from the stem's tangent to the turtle's heading, without
+// changing how the organ looks on the sheet.
 Reach turned_reach(Reach const& organ, double turn_deg, double tangent_pitch_deg, double pitch_deg)
 {
     auto seen = as_projected(organ, tangent_pitch_deg);
@@ -161,8 +162,8 @@ std::vector<OrganNode> turned_nodes(Construction const& construction)
     return nodes;
 }
 
-// Distance from each node to the next, from the base to the first and from the last to the top. The
-// function changes half-way between nodes, so that its value at a node is exact.
+// Distance from each node to the next, from the base to the first node, and from the last node to
+// the top. The function changes half-way between nodes, so that its value at a node is exact.
 FunctionCurve internode_curve(Construction const& construction)
 {
     std::vector<double> places { 0 };

@@ -18,12 +18,13 @@ struct FunctionCurve {
 // Number of samples at which a model tabulates its functions.
 constexpr int kFunctionSamples = 4001;
 
-// Maximum length of a stem's pieces, as a share of its length: for stems with corners or tight
-// bends, and for others. Shorter pieces would be too close to the plateaus of nodes.
+// Maximum length of the pieces of which a model draws a stem, as a share of the stem's length:
+// kShortPiece for stems with corners or tight bends, kLongPiece for others. If pieces were shorter,
+// their midpoints could lie on the plateaus around nodes (function_curves()).
 constexpr double kShortPiece = 0.012;
 constexpr double kLongPiece = 0.02;
 
-// Number of functions before those of sizes around the stem.
+// Number of functions that precede the sizes around the stem in function_curves().
 constexpr std::size_t kFunctionsOfSides = 7;
 
 // Returns the functions of a construction in the order in which models number them: heading, depth
@@ -31,10 +32,11 @@ constexpr std::size_t kFunctionsOfSides = 7;
 // the next node; and, if there are boundaries in space, size_around_1 and so on, the sizes at the
 // azimuths of Construction::around.
 //
-// cpfg evaluates a curve only to 0.001 in x. So each value that a node needs has a small plateau
-// around it, and no precision is lost. Between nodes heading and depth are those of the stem's
-// course. If nodes are too close for plateaus the course is used everywhere, with the organs'
-// angles relative to it, since on a stem of few points it differs from the tangent.
+// cpfg evaluates a curve only to 0.001 in x. Therefore the curve has a small plateau around each
+// node, so that the node gets its exact value. Between nodes heading and depth are those of the
+// stem's course (DrawnStem::course()). If nodes are too close for plateaus, the course is used
+// everywhere, and the organs' angles are relative to it: on a stem of few points the course differs
+// from the tangent.
 std::vector<FunctionCurve> function_curves(Construction const& construction);
 
 // Returns the curve as a function file of cpfg, with each control point repeated three times, which

@@ -21,8 +21,8 @@ std::vector<Vec3> evenly(std::span<Vec3 const> points, double spacing_mm)
     return resample(points, static_cast<std::size_t>(std::lround(count)) + 1);
 }
 
-// Quadratic course of a line near its end: across = a + b along + c along^2. The frame's origin is
-// at the end of the fitted part, and `along` points to the line's end.
+// Quadratic course of a line near one of its ends: across = a + b along + c along^2. The frame's
+// origin is at the point of the fitted part nearest to that end, and `along` points towards it.
 struct Course {
     Vec2 origin;
     Vec2 along;
@@ -38,7 +38,8 @@ struct Course {
     }
 };
 
-// Fits a course to the points from index `from`, the one nearest to the line's end, to index `to`.
+// Fits a course to the points from index `from`, the nearest to the line's front end, to index
+// `to`.
 Course fit_course(std::span<Vec3 const> points, std::size_t from, std::size_t to)
 {
     Course course { .origin = points[from].head<2>(), .along = {}, .polynomial = {} };
@@ -60,14 +61,14 @@ Course fit_course(std::span<Vec3 const> points, std::size_t from, std::size_t to
     return course;
 }
 
-// Number of points at the front of the line that form a hook.
+// Number of points at the front end of the line that form a hook; 0: there is no hook.
 std::size_t hook_at_front(std::span<Vec3 const> points, double spacing_mm)
 {
     constexpr double kLongestHook_mm = 4.5;
     constexpr double kLongestShare = 0.2;
     constexpr double kMinOff_mm = 0.3;
-    // Largest deviation of a line that still follows its course, relative to the distance from the
-    // fitted part.
+    // Largest deviation of a point that still follows the line's course, as a share of its distance
+    // from the fitted part.
     constexpr double kMaxOff = 0.12;
     double const length_mm = spacing_mm * static_cast<double>(points.size() - 1);
     auto const steps = [&](double mm) {
@@ -92,7 +93,7 @@ std::size_t hook_at_front(std::span<Vec3 const> points, double spacing_mm)
             hook = 0; // The line returns to its course: this was tremor, not a hook.
             farthest_mm = std::max(farthest_mm, course.along_mm(points[i]));
         } else if (hook == 0) {
-            // Include the points where the turn begins.
+            // The hook includes the points where the turn begins.
             hook = std::min(from, i + steps(kMinOff_mm));
         }
     }
@@ -114,14 +115,16 @@ std::vector<Vec3> smoothing_spline(std::span<Vec3 const> points, double lambda)
     std::vector<Vec3> x(points.begin(), points.end());
     if (n < 4 || !(lambda > 0))
         return x;
-    // Rows of I + lambda D'D, from the diagonal to the right.
+    // Rows of the matrix I + lambda B'B, from the diagonal to the right; B takes second
+    // differences.
     std::vector<Eigen::Vector3d> row(n, Eigen::Vector3d(1, 0, 0));
     for (std::size_t i = 0; i + 2 < n; ++i) {
         row[i] += lambda * Eigen::Vector3d(1, -2, 1);
         row[i + 1] += lambda * Eigen::Vector3d(4, -2, 0);
         row[i + 2] += lambda * Eigen::Vector3d(1, 0, 0);
     }
-    // L^T of the decomposition L D L^T; the first component holds D.
+    // Rows of L^T in the decomposition L D L^T of this matrix. The first component, which is 1 in
+    // L^T, contains the element of D instead.
     std::vector<Eigen::Vector3d> unit(n);
     for (std::size_t i = 0; i < n; ++i) {
         Eigen::Vector3d r = row[i];
@@ -151,7 +154,7 @@ std::vector<Vec3> smoothing_spline(std::span<Vec3 const> points, double lambda)
     return x;
 }
 
-// Smoothing spline that halves the amplitude of waves of this length.
+// Applies a smoothing spline that halves the amplitude of waves of the length `cutoff_mm`.
 std::vector<Vec3> smoothed(std::span<Vec3 const> points, double spacing_mm, double cutoff_mm)
 {
     return smoothing_spline(points, std::pow(cutoff_mm / (2 * kPi * spacing_mm), 4));
@@ -162,7 +165,8 @@ struct Tremor {
     double wavelength_mm = 0;
 };
 
-// Measures the deviation from a smooth course without waves shorter than about 25 mm.
+// Measures a line's deviation from its smooth course, which has no waves shorter than 25 mm (in a
+// short line, half the line's length).
 Tremor measure_tremor(std::span<Vec3 const> points, double spacing_mm)
 {
     constexpr double kWidestSmoothing_mm = 25;
@@ -190,7 +194,8 @@ Tremor measure_tremor(std::span<Vec3 const> points, double spacing_mm)
     return tremor;
 }
 
-// Cut-off wavelength at which the remaining tremor turns the line by less than a degree.
+// Returns the cut-off wavelength at which the remaining tremor turns the line by less than a
+// degree.
 double cutoff_for(Tremor const& tremor, double length_mm)
 {
     constexpr double kClean_mm = 0.02;
@@ -203,8 +208,8 @@ double cutoff_for(Tremor const& tremor, double length_mm)
     return std::min({ times * tremor.wavelength_mm, kMax_mm, 0.5 * length_mm });
 }
 
-// Indices of corners in ascending order: places where the directions a few millimetres before and
-// after differ by at least 45 degrees.
+// Indices of a line's corners in ascending order. At a corner the directions over 3 to 10 mm before
+// and behind it differ by at least 45 degrees.
 std::vector<std::size_t> corners(std::span<Vec3 const> points, double spacing_mm)
 {
     constexpr double kCorner_deg = 45;
@@ -281,7 +286,7 @@ Vec2 start_direction(std::span<Vec3 const> points)
 
 std::vector<Vec3> remove_tremor(std::span<Vec3 const> points)
 {
-    // Minimum number of points between two corners for measuring tremor.
+    // Minimum number of points between two corners; between closer ones no tremor is measured.
     constexpr std::size_t kMinPoints = 6;
     auto const line = evenly(points, kHandSpacing_mm);
     double const spacing_mm = polyline_length_mm(points) / static_cast<double>(line.size() - 1);

@@ -23,7 +23,8 @@ Polyline backwards(Polyline const& line)
     return { line.rbegin(), line.rend() };
 }
 
-// part_before() returns the line up to a length measured on the sheet, part_from() the rest.
+// part_before() returns the part of the line up to an arc length measured on the sheet; part_from()
+// returns the rest.
 Polyline part_before(Polyline const& line, DrawnLine const& seen, double at_mm)
 {
     auto const place = seen.place(at_mm);
@@ -70,7 +71,8 @@ Junction junction_of(Polyline const& first, Polyline const& second, double most_
             Vec2 const way = -start_direction(one);
             Vec2 const on = start_direction(other);
             double const turn_deg = degrees(std::acos(std::clamp(way.dot(on), -1.0, 1.0)));
-            // Pieces overlap as often as they leave a gap; a sideways offset means separate lines.
+            // A sideways offset costs extra: pieces of one line may overlap or leave a gap, but
+            // lines side by side are separate lines.
             double const aside_mm = std::fabs(cross(way, gap));
             double const quality = 1 - std::hypot(gap.norm() / most_gap_mm, turn_deg / kMaxTurn_deg)
                 - 0.5 * aside_mm / most_gap_mm;
@@ -82,7 +84,7 @@ Junction junction_of(Polyline const& first, Polyline const& second, double most_
 
 Polyline joined(Polyline const& first, Polyline const& second, Junction const& at)
 {
-    // Overlapping pieces: the first is cut where the second begins beside it.
+    // If the lines overlap, the first is cut where the second begins beside it.
     auto const head = at.at_end_of_first ? first : backwards(first);
     auto const tail = at.at_end_of_second ? backwards(second) : second;
     DrawnLine const seen(on_sheet(head));
@@ -104,11 +106,11 @@ Polyline rising(Polyline line, StemAxis const& axis)
 
 Polyline merge_correction(Polyline const& line, Polyline const& over, StemAxis const& axis)
 {
-    // Overlap along the axis, as a share of the shorter line, up to which two lines are pieces of
-    // one.
+    // Two lines are pieces of one line if their overlap along the axis is below this share of the
+    // shorter line.
     constexpr double kSmallOverlap = 0.35;
-    // An end of the old line is replaced too if it extends beyond the new line by less than this,
-    // in stem lengths.
+    // An end of the old line that the correction does not meet is dropped, unless it extends beyond
+    // the correction by more than this, in stem lengths.
     constexpr double kRestatedShare = 0.2;
     double const meets_mm = std::max(0.04 * axis.length_mm(), 2.5);
     auto const old = range_of(line, axis);

@@ -15,8 +15,8 @@ bool has_organs_all_around(Pattern const& pattern, std::span<LayerOrgans const> 
 void LayerTables::add(LayerOrgans const& layer)
 {
     auto const& pattern = layer.pattern ? *layer.pattern : patterns_.front();
-    // Patterns with the same arrangement share their rules; the roll of organs has a separate
-    // table.
+    // Patterns that differ only in the roll of organs share their rules, because the roll has its
+    // own table.
     auto const is_same = [&](Pattern const& other) {
         return other.kind == pattern.kind && other.divergence_deg == pattern.divergence_deg
             && other.whorl == pattern.whorl;

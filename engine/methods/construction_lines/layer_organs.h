@@ -11,19 +11,19 @@ namespace tractus::lines {
 
 // The organs at the nodes of a layer, where they differ from those of the rest of the plant.
 struct LayerOrgans {
-    // Pattern of the layer, without its `sizes`; no value: the plant's.
+    // Pattern of the layer; its `sizes` are ignored. No value: the pattern of the plant.
     std::optional<Pattern> pattern {};
-    // Number of the layer's organ among the organs of the plant, from 1; 0: leaves.
+    // Number of the layer's organ among the plant's organs, from 1; 0: plain leaves.
     std::size_t organ = 0;
 
     bool operator==(LayerOrgans const&) const = default;
 };
 
-// True if organs of the pattern, or of a layer, occur elsewhere than on the stem's left and right.
+// True if the plant's pattern, or that of a layer, has organs elsewhere than on the stem's left and
+// right.
 bool has_organs_all_around(Pattern const& pattern, std::span<LayerOrgans const> layers);
 
-// The organs of a model's layers as tables that its rules read: pattern, roll and organ. Empty if
-// all layers have the plant's organs.
+// The pattern, roll and organ of each of a model's layers, as tables that the model's rules read.
 class LayerTables {
 public:
     explicit LayerTables(Pattern const& of_plant)
@@ -33,10 +33,11 @@ public:
 
     void add(LayerOrgans const& layer); // Appends an entry to each table.
 
-    // Patterns to which pattern_numbers() refer; the first is the plant's.
+    // Patterns to which pattern_numbers() refers by index; the first is that of the plant.
     std::vector<Pattern> const& patterns() const { return patterns_; }
 
-    // Entries of the tables; each table is empty if all layers have the same value.
+    // Entries of each table, one per layer. pattern_numbers() and rolls_deg() are empty if all
+    // layers have the plant's pattern or roll.
     std::vector<double> pattern_numbers() const;
     std::vector<double> rolls_deg() const;
 

@@ -8,18 +8,19 @@ namespace tractus::lines {
 
 namespace {
 
-// Tolerances for strokes on a sheet of paper.
-// Distance from the stem within which a point is on neither side.
+// Tolerances for strokes on a sheet of paper. A point within kNoSide_mm of the stem is on neither
+// side of it.
 constexpr double kNoSide_mm = 1.5;
 constexpr double kEachSide_mm = 3; // Minimum reach of an inclination line on each side.
 // Maximum distance from the stem at which half an inclination line begins.
 constexpr double kFromStem_mm = 5;
-constexpr double kGraze_mm = 10; // Maximum reach of a boundary across the stem.
-// Length, as a share of the stem's, up to which half an inclination line may have any lean.
+constexpr double kGraze_mm = 10; // Maximum distance to which a boundary may reach across the stem.
+// Length of a stroke, as a share of the stem's, up to which half an inclination line may have any
+// lean.
 constexpr double kLongHalf = 0.6;
-constexpr double kLeaning_deg = 20; // Minimum lean of longer half lines from the stem.
+constexpr double kLeaning_deg = 20; // Minimum lean of longer half lines relative to the stem.
 constexpr double kBoundary = 0.4;   // Minimum share of the stem along which a boundary runs.
-// Maximum share of the stem along which half an inclination line runs.
+// Maximum share of the stem along which half an inclination line may run.
 constexpr double kWholeStem = 0.75;
 
 double lean_between(DrawnLine const& a, DrawnLine const& b)
@@ -36,12 +37,14 @@ Lie lie_of(DrawnLine const& stroke, DrawnLine const& stem)
     Lie lie;
     double nearest = stem.length_mm();
     double farthest = 0;
-    // Signed distance from the stem of the last point that was clearly on one side.
+    // Signed distance from the stem of the last point that was clearly on one side, more than
+    // kNoSide_mm away.
     double before_mm = 0;
     double left = 0;
     double reach_left_mm = 0;
     double reach_right_mm = 0;
-    bool beside = false; // True if a point since then was beside the stem, not beyond its ends.
+    // True if that point or a later one was beside the stem, not beyond its ends.
+    bool beside = false;
     for (auto const& point : stroke.points()) {
         double const at_mm = stem.nearest_mm(point);
         double const distance_mm = stem.distance_mm(point);
@@ -73,8 +76,8 @@ bool is_inclination(Lie const& lie)
         && std::min(std::fabs(lie.first_mm), std::fabs(lie.last_mm)) > kEachSide_mm;
 }
 
-// True for a stroke like a boundary. At the stem's top or foot it may cross the stem slightly; an
-// inclination line that does so leans more.
+// A boundary may cross the stem slightly at the stem's top or foot; an inclination line that does
+// so leans more.
 bool is_boundary(Lie const& lie)
 {
     bool const grazes = lie.crossings <= 2 && lie.min_side_mm < kGraze_mm
@@ -82,7 +85,7 @@ bool is_boundary(Lie const& lie)
     return lie.along > kBoundary && (lie.crossings == 0 || grazes);
 }
 
-// True for a stroke like half an inclination line, which begins at the stem or just behind it.
+// Half an inclination line begins near the stem or just behind it, and ends away from it.
 bool is_half(Lie const& lie, double length)
 {
     double const near_mm = std::min(std::fabs(lie.first_mm), std::fabs(lie.last_mm));
@@ -93,8 +96,7 @@ bool is_half(Lie const& lie, double length)
         && (length < kLongHalf || lie.lean_deg > kLeaning_deg);
 }
 
-// True for a stroke like a boundary in space. One in front of the stem or behind it may appear to
-// cross the stem.
+// A boundary in front of the stem or behind it may appear to cross the stem.
 bool is_boundary_in_space(Lie const& lie)
 {
     bool const is_across = is_inclination(lie) && lie.lean_deg > kLeaning_deg;

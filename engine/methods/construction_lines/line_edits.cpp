@@ -17,7 +17,7 @@ using scene::name_of; // Gives the name of an item, for messages.
 
 namespace {
 
-// Names of the roles, in the order of Role.
+// Names of the roles in recorded edits, in the order of Role.
 constexpr std::array kRoles {
     "stem", "left", "right", "inclination", "half_inclination", "unsure", "around", "closed_outline"
 };
@@ -68,7 +68,7 @@ Result<scene::DocumentState> begun(scene::DocumentState state, AddLine const& ed
         = TRY(with_line({ .lines = {}, .pattern = edit.pattern, .scale = edit.scale }, stem));
     if (!state.scale)
         state.scale = edit.scale;
-    // A new plant's sheet has the tablet's scale, so distances on both are equal.
+    // The sheet of a new plant has the tablet's scale, so distances on sheet and tablet are equal.
     Vec2 const foot_mm = foot_on_sheet(sketch);
     Vec3 const aside_mm(foot_mm.x() - begin_on_tablet(stem).x(), 0, 0);
     return scene::with_source(std::move(state),

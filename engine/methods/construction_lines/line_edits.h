@@ -20,15 +20,14 @@ struct AddLine {
     // True: the line is an additional stem of the plant, attached to another stem if it begins on
     // one, and separate otherwise.
     bool another_stem = false;
-    // Source of the line's depth. Sessions from before boundaries had a depth do not contain this
-    // field.
+    // Source of the line's depth. Sessions recorded before boundaries had a depth lack this field.
     DepthBy depth_by = DepthBy::StemsHeight;
-    // Method of reading the line. Sessions from before lines were read together do not contain this
-    // field.
+    // Method of finding the line's role. Sessions recorded before Reading::Together existed lack
+    // this field.
     Reading reading = Reading::OneByOne;
-    int nodes = 8; // Number of nodes in the layer above the line, if it bounds one; see SketchLine.
-    // Pattern and scale of a new plant. The scale, in world millimetres per plant millimetre, is
-    // adopted by a document whose scale has not been set.
+    int nodes = 8; // Number of nodes in the layer above the line, if there is one; see SketchLine.
+    // Pattern and scale of a new plant. The scale is in world millimetres per plant millimetre; a
+    // document without a scale adopts it.
     Pattern pattern {};
     double scale = 0.1;
     Vec3 stands_at_mm = Vec3::Zero(); // Position of a new plant, world frame.
@@ -40,7 +39,7 @@ struct SetLayerNodes {
     static scene::EditKind const kKind;
 
     scene::ItemId plant = 0;
-    scene::ItemId line = 0; // Line that owns the layer: see Layer.
+    scene::ItemId line = 0; // Line that owns the layer (see Layer).
     int nodes = 8;
 };
 
@@ -64,7 +63,8 @@ struct SetLineRole {
     Role role = Role::Unsure;
 };
 
-// Edit: replaces the stroke of a line, which keeps its role and nodes (bend_lines.h).
+// Edit: replaces the stroke of a line, for example by one from bend_lines.h. The line keeps its
+// role and its number of nodes.
 struct RedrawLine {
     static scene::EditKind const kKind;
 
@@ -97,10 +97,10 @@ PenSketch const* pen_sketch(scene::PlantState const& plant);
 // Returns the active plant's sketch; null if there is no plant, or it has none.
 PenSketch const* active_pen_sketch(scene::DocumentState const& state);
 
-// Returns the placement of the plant's sheet on the tablet, in a document with this scale.
+// Returns the placement of the plant's sheet on the tablet in a document with this scale.
 SheetPlacement sheet_of(scene::PlantState const& plant, std::optional<double> scale);
 
-// Returns a message about a sketch's newest line: how it was interpreted, and what is still
+// Describes for the user how the sketch's newest line was interpreted, and which line is still
 // missing.
 std::string describe_result(PenSketch const& sketch);
 

@@ -17,7 +17,8 @@ std::string arrays(Construction const& construction)
     return fmt::format("define: {{ {}; }}\n", fmt::join(arrays_of(construction), ";\n          "));
 }
 
-// Writes the comment about the functions after those of the two sides; empty if there are none.
+// Writes the part of the model's comment about the functions of sizes around the stem; empty if
+// there are none.
 std::string around_text(Construction const& construction)
 {
     if (construction.around.empty())

@@ -14,7 +14,7 @@ namespace tractus::lines {
 namespace {
 
 // A placeholder in the text of rules. Each rule is written only once; placeholders in <> stand for
-// what differs between a single stem, several stems, and a stem whose organs are sketches.
+// the text that differs between a single stem, several stems, and a stem whose organs are sketches.
 struct RuleWord {
     std::string_view word;
     std::string_view one;      // Replacement for a single stem.
@@ -24,9 +24,11 @@ struct RuleWord {
 constexpr std::array<RuleWord, 9> kRuleWords { {
     { "<s>", "", "s, ", "" },         // Number of the stem, the first parameter of modules.
     { "<t>", "", ", t", "" },         // Number of the next stem attached to stem s.
-    { "<low>", "", "low[s] + ", "" }, // Offset of the stem's lines in at[] and nodes[].
-    { "<own>", "", "own[s] + ", "<offset> + " }, // Offset of the functions for heading and depth.
-    { "<organs>", "", "organs[s] + ", "<offset> + " }, // Offset of the functions for organs.
+    { "<low>", "", "low[s] + ", "" }, // Offset of the stem's inclination lines in at[] and nodes[].
+    // Offset of the functions for the stem's heading and depth.
+    { "<own>", "", "own[s] + ", "<offset> + " },
+    // Offset of the functions for the stem's organs.
+    { "<organs>", "", "organs[s] + ", "<offset> + " },
     { "<first>", "", "first[s] + ", "" },        // Offset of the stem's boundaries in azimuth[].
     { "<sides>", "SIDES", "sides[s]", "SIDES" }, // Number of the stem's boundaries.
     { "<ofs>", "", " of stem s", "" },
@@ -34,7 +36,7 @@ constexpr std::array<RuleWord, 9> kRuleWords { {
     { "<taper>", "0.7", "taper[s]", "0.7" },
 } };
 
-// A placeholder for text that depends on whether layers bear different organs.
+// A placeholder in the text of rules for text that depends on whether layers bear different organs.
 struct LayerWord {
     std::string_view word;
     std::string_view alike;
@@ -42,9 +44,9 @@ struct LayerWord {
     std::string_view of_several; // Replacement for several stems with different organs.
 };
 constexpr std::array<LayerWord, 5> kLayerWords { {
-    { "<layer>", "", ", k", ", low[s] + k" }, // Layer of the organs at a node.
+    { "<layer>", "", ", k", ", low[s] + k" }, // Layer of a node, as a parameter of its organs.
     { "<toplayer>", "", ", LAYERS - 1", ", low[s] + LAYERS - 1" },
-    { "<z>", "", ", z", ", z" }, // The layer as a parameter of organs.
+    { "<z>", "", ", z", ", z" }, // Layer, as a parameter of organs within their own rules.
     { "<leaf>", "~l(LEN * ", "Q(z, ", "Q(s, z, " },
     { "<leaf h>", "~l(h)", "Q(z, h / LEN)", "Q(s, z, h / LEN)" },
 } };
@@ -59,15 +61,16 @@ std::string filled_in(std::string text, Stems stems, bool by_layer)
     return text;
 }
 
-// Rules for the apex and, as homomorphism, for the stem. The turns of the pieces add up to the
-// heading function's value, so the turtle's heading at each node is exactly along the stem.
+// Rules for the apex and, as homomorphism, for the stem. The turns of the stem's pieces add up to
+// the value of the heading function, so the turtle's heading at each node is exactly along the
+// stem.
 constexpr std::string_view kApex
     = R"(/* The apex<ofs> at x, in layer k between the lines at[<low>k] and at[<low>k + 1], makes the layer's node j. It is
    the stem's node i. Above the topmost line the stem goes on to its end. */
 A(<s>x, k, j, i<t>) : k < LAYERS && nodes[<low>k] == 0 --> A(<s>x, k + 1, 0, i<t>)
 )";
 
-// Rules for lateral stems, before the rules that make nodes.
+// Rules for lateral stems. They must precede the rules that make nodes.
 constexpr std::string_view kBearing = R"(/* Stem t stands on stem s below its next node y. */
 A(s, x, k, j, i, t) :
     {
@@ -95,7 +98,7 @@ constexpr std::string_view kApexNodes = R"(A(<s>x, k, j, i<t>) : k < LAYERS
 constexpr std::string_view kTop
     = "A(x, k, j, i) : * --> S(x, at[LAYERS])B(at[LAYERS], i<toplayer>)S(at[LAYERS], 1)\n";
 
-// Rules for the stems between the topmost line and the top.
+// Rules that draw several stems from their topmost inclination line to their top.
 constexpr std::string_view kTopOfSeveral = R"(A(s, x, k, j, i, t) : k == LAYERS
     { y = at[low[s] + k]; }
     --> S(s, x, y)B(s, y, i<toplayer>)A(s, y, k + 1, 0, i + 1, t)
@@ -128,7 +131,7 @@ B(<s>x, i<z>) : <any>
     --> [/(90)+(a)/(ROLL)<leaf h>][/(270)+(a)/(ROLL)<leaf h>]
 )";
 
-// The remainder is computed with floor() because cpfg's % takes integers.
+// The remainder of the division by 360 is computed with floor() because cpfg's % takes integers.
 constexpr std::string_view kSpiral
     = R"(/* An organ t degrees around the stem from its left: a of the left's, b of the right's. */
 B(<s>x, i<z>) : <any>
@@ -144,10 +147,11 @@ W(<s>x, i, j<z>) : <any>
     --> /(t)+(a * func(<organs>3, x) + b * func(<organs>4, x))/(ROLL)<leaf>(a * func(<organs>5, x) + b * func(<organs>6, x)))
 )";
 
-// Rule for layers that bear leaves.
+// Rule for layers that bear plain leaves.
 constexpr std::string_view kLeaves = "Q(<s>z, h) : organ[z] == 0 --> ~l(LEN * h)\n<leaves>";
 
-// Rules for sizes that follow half-ellipses: each organ has its own size.
+// Rules for patterns whose sizes follow half-ellipses: the size of each organ is computed from its
+// azimuth.
 constexpr std::string_view kDecussateAround
     = R"(/* Pairs of organs: left and right, then behind and in front. */
 B(<s>x, i<z>) : <and>floor(i / 2) * 2 == i
@@ -166,7 +170,7 @@ W(<s>x, i, j<z>) : <any>
     --> O(<s>x, t<z>)
 )";
 
-// Rule that computes sizes like size_between() (around_stem.h).
+// Rule that computes an organ's size from its azimuth like size_between() (around_stem.h).
 constexpr std::string_view kAround
     = R"(/* An organ t degrees around the stem from its left: its angle has a of the left's, b of the right's. Its size
    lies between those of boundary k and the next one, m, which are "far" degrees apart; the organ stands u degrees
@@ -247,7 +251,7 @@ std::string whorl_rules(Pattern const& pattern, std::string_view of_each)
     return text + "\n" + std::string(of_each);
 }
 
-// Returns the rules of one pattern; their conditions are still placeholders.
+// Returns the rules of one pattern. Their conditions are still placeholders (<and>, <any>).
 std::string pattern_rules(Pattern const& pattern, Pattern::Sizes sizes)
 {
     bool const is_linear = sizes == Pattern::Sizes::Linear;
@@ -274,8 +278,8 @@ void set_condition(std::string& rules, std::string const& condition)
     replace_all(rules, "<any>", condition.empty() ? "*" : condition);
 }
 
-// Returns the rules of all patterns that layers have. Values of the first pattern are named
-// constants, those of the others are numbers.
+// Returns the rules of all patterns that layers have. The divergence angle and number of organs are
+// macros for the first pattern and numbers for the others.
 std::string organ_rules(std::vector<Pattern> const& patterns, Pattern::Sizes sizes)
 {
     std::string text;

@@ -7,24 +7,24 @@
 
 namespace tractus::lines {
 
-// Kind of model: one stem, several stems, whose numbers are then parameters of modules, or one stem
-// with organs that may be models of their own (composed_model.h).
+// Kind of model: one stem; several stems, whose numbers are parameters of the modules; or one stem
+// whose organs may be models of their own (composed_model.h).
 enum class Stems { One, Several, Composed };
 
-// Returns the rules of a model after its axiom: for apex, stem and organs. They use the macros LEN,
-// STEM, DX, ROLL and LAYERS, and DIVERGENCE and WHORL for patterns that have them, and the arrays
-// `at` and `nodes`; rules for several stems also use the arrays foot, bears, taper, low, own and
-// organs (several_stem_model.cpp). If sizes follow half-ellipses they use SIDES and the array
-// azimuth, or for several stems the arrays azimuth, sides and first.
+// Returns the rules of a model, for apex, stem and organs, which follow its axiom. They use the
+// macros LEN, STEM, DX, ROLL and LAYERS, depending on the pattern also DIVERGENCE and WHORL, and
+// the arrays `at` and `nodes`. Rules for several stems also use the arrays foot, bears, taper, low,
+// own and organs (several_stem_model.cpp). If sizes follow half-ellipses, the rules also use the
+// macro SIDES and the array azimuth or, for several stems, the arrays azimuth, sides and first.
 //
 // If layers have different organs, as in a composed model, Q(z, h) is an organ of relative size h
-// in the layer whose table entry is z, and for several stems Q(s, z, h). The placeholder <leaves>
-// is to be replaced by homomorphism rules for organs that are not leaves; those for leaves, 0 in
-// the array organ, are included. ROLL and the pattern are replaced by the arrays roll and pattern
-// if the tables have them.
+// in the layer with the index z in the layers' tables; for several stems it is Q(s, z, h). The
+// caller must replace the placeholder <leaves> by homomorphism rules for organs that are not
+// leaves; the rule for leaves, 0 in the array organ, is included. The arrays roll and pattern
+// replace ROLL and the single pattern if `layers` has entries for them.
 //
-// In a composed model functions are numbered from <offset>, and <calls> is to be replaced by rules
-// for organs that are models.
+// In a composed model functions are numbered from <offset>, and the caller must replace <calls> by
+// rules for organs that are models.
 std::string stem_rules(Pattern const& pattern, Stems stems, Pattern::Sizes sizes,
                        LayerTables const* layers = nullptr);
 

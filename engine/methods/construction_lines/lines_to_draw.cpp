@@ -14,11 +14,13 @@ using Line = std::vector<Vec2>;
 
 constexpr std::array kSides { 1.0, -1.0 }; // Signs of the left and the right side of the stem.
 
-// Returns a curve from the stem's foot to its top, farthest from the stem in the middle.
+// Returns a curve beside the stem, from its foot to its top, that is farthest from it in the
+// middle.
 Line bow_beside(DrawnLine const& stem, double side)
 {
     constexpr int kPieces = 16;
-    constexpr double kWidest = 0.25; // Largest distance from the stem, as a share of its length.
+    // Largest distance of the curve from the stem, as a share of the stem's length.
+    constexpr double kWidest = 0.25;
     Line bow;
     for (int i = 0; i <= kPieces; ++i) {
         double const x = static_cast<double>(i) / kPieces;
@@ -29,11 +31,12 @@ Line bow_beside(DrawnLine const& stem, double side)
     return bow;
 }
 
-// Returns a line across the stem, straight to the boundary on each side; a boundary may be missing.
+// Returns an inclination line across the stem. It is straight from the stem to the boundary on each
+// side; a boundary may be missing.
 Line across(DrawnLine const& stem, std::array<Line, 2> const& boundaries,
             Inclination const& inclination)
 {
-    // Length of half an inclination line without a boundary, as a share of the stem's length.
+    // Length of half an inclination line that meets no boundary, as a share of the stem's length.
     constexpr double kElse = 0.2;
     double const at_mm = inclination.x * stem.length_mm();
     Vec2 const foot = stem.point(at_mm);
@@ -47,8 +50,8 @@ Line across(DrawnLine const& stem, std::array<Line, 2> const& boundaries,
     return { ends[0], foot, ends[1] };
 }
 
-// Default inclination lines to suggest: both of them or, if one line was drawn, the one farther
-// from it.
+// Default inclination lines to suggest: both or, if one inclination line was drawn, the one at the
+// stem's other end.
 std::vector<Inclination> inclinations_to_draw(LineSketch const& sketch, DrawnLine const& stem)
 {
     auto const measured = measure_sketch(sketch, Missing::Guessed);
@@ -76,7 +79,7 @@ std::vector<std::vector<Vec2>> lines_to_draw(LineSketch const& sketch)
         return { bow_beside(stem, kSides[0]), bow_beside(stem, kSides[1]) };
     std::vector<Line> lines;
     std::array boundaries { without_repeats(sketch.left), without_repeats(sketch.right) };
-    // Boundaries in space may be all that the user wants, so nothing is suggested.
+    // A sketch with boundaries in space may be complete, so nothing is suggested.
     if (!sketch.around.empty())
         return lines;
     for (std::size_t i = 0; i < boundaries.size(); ++i)

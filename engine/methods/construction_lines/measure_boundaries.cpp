@@ -56,8 +56,8 @@ std::vector<Vec2> laid_flat(std::vector<Vec3> const& points)
     return result;
 }
 
-// Moves boundaries in space onto the sheet if the only boundaries are one on the left and one on
-// the right.
+// Moves boundaries in space onto the sheet if the sketch has no boundaries other than one on the
+// left and one on the right in space.
 void lay_on_sheet(LineSketch const& sketch, std::vector<AroundLine>& around,
                   std::vector<Vec2>& left, std::vector<Vec2>& right)
 {
@@ -83,7 +83,7 @@ void lay_on_sheet(LineSketch const& sketch, std::vector<AroundLine>& around,
 Result<Boundaries> measure_boundaries(LineSketch const& sketch, DrawnStem const& stem,
                                       std::vector<std::string>& notes)
 {
-    // A boundary in space within this angle of a side counts for that side.
+    // A side needs no boundary on the sheet if a boundary in space is within this angle of it.
     constexpr double kSameSide_deg = 60;
     if (!has_boundary(sketch))
         return fail(Fault::User,
@@ -119,7 +119,7 @@ Result<Boundaries> measure_boundaries(LineSketch const& sketch, DrawnStem const&
 
 std::optional<DrawnLine> seen_on_side(Boundaries const& boundaries, Side side)
 {
-    // Maximum angle between a side and the boundary seen on it.
+    // Maximum angle between a side and a boundary in space that is seen on that side.
     constexpr double kStillSeen_deg = 60;
     if (boundaries.of(side))
         return boundaries.of(side);

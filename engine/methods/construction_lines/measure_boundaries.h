@@ -12,8 +12,9 @@
 
 namespace tractus::lines {
 
-// Returns a line's points without repeated ones. Fails with a user error, saying what to draw, if
-// fewer than two are left, or if a point is farther away than kFarthest_mm.
+// Returns a line's points without points that coincide with the one before. Fails with a user
+// error, saying what to draw, if fewer than two points are left, or if a coordinate exceeds
+// kFarthest_mm.
 template<typename Point>
 Result<std::vector<Point>> line_points(std::vector<Point> const& points, std::string const& name,
                                        char const* what_to_draw)
@@ -33,13 +34,14 @@ Result<std::vector<Point>> line_points(std::vector<Point> const& points, std::st
     return result;
 }
 
-// A boundary in space.
+// A boundary in space, and its azimuth around the stem.
 struct AroundLine {
     std::vector<Vec3> points;
     double azimuth_deg = 0;
 };
 
-// The boundaries of a sketch. A side has no boundary on the sheet only if there are some in space.
+// The boundaries of a sketch: on the sheet at the stem's left and right, and in space. A boundary
+// on the sheet may be missing only if there are boundaries in space.
 struct Boundaries {
     std::optional<DrawnLine> left;
     std::optional<DrawnLine> right;
@@ -51,14 +53,14 @@ struct Boundaries {
     }
 };
 
-// Finds the boundaries of a sketch, those in space in ascending azimuths; missing or misplaced ones
-// are reported in `notes`. Fails if the sketch has none, or if boundaries run along the stem itself
-// or beside each other.
+// Finds the boundaries of a sketch, with those in space in ascending azimuths. Boundaries that are
+// missing or misplaced are reported in `notes`. Fails with a user error if the sketch has no
+// boundary, or if boundaries run along the stem itself or beside each other.
 Result<Boundaries> measure_boundaries(LineSketch const& sketch, DrawnStem const& stem,
                                       std::vector<std::string>& notes);
 
-// Returns the boundary that inclination lines meet on a side: the one on the sheet, or the
-// projection of the nearest one in space.
+// Returns the boundary that inclination lines meet on a side of the stem: the one on the sheet, or
+// else the projection of the nearest boundary in space.
 std::optional<DrawnLine> seen_on_side(Boundaries const& boundaries, Side side);
 
 } // namespace tractus::lines

@@ -24,8 +24,8 @@ SideNode measure_node(DrawnStem const& stem, DrawnLine const& boundary, Side sid
     return node;
 }
 
-// Calls `add_node` for each node with its place on the stem and its organ's angle on one side, as
-// seen on the sheet.
+// Calls `add_node` for each node with its position on the stem and its organ's angle on one side,
+// as seen on the sheet.
 template<typename Add> void for_each_node(Construction const& of, Side side, Add const& add_node)
 {
     auto const angle_deg = side == Side::Left ? &Inclination::left_deg : &Inclination::right_deg;
@@ -69,7 +69,8 @@ std::vector<SideNode> measure_nodes(Construction const& of, DrawnLine const& bou
 std::vector<SideNode> measure_nodes(Construction const& of, std::span<Vec3 const> boundary,
                                     double azimuth_deg)
 {
-    // Weight of the right side's angle against the left's; angles vary linearly with the azimuth.
+    // Weight of the right side's angle, 0 to 1; the left side's has the rest. Angles are linear in
+    // the azimuth.
     double const right = 1 - std::fabs(azimuth_deg / 180 - 1);
     std::vector<SideNode> nodes;
     for (auto const& node : of.nodes) {

@@ -29,11 +29,11 @@ std::string array_text(char const* name, std::vector<double> const& values)
     return fmt::format("array {}[{}] = {{{}}}", name, values.size(), text);
 }
 
-// Length of the stem's pieces in the model; shorter if the stem turns noticeably within a piece.
+// Maximum length of a stem's pieces in the model: shorter for a stem with corners or tight bends.
 double longest_piece(DrawnStem const& stem)
 {
     constexpr int kSteps = 100;
-    // A stem counts as curved if it turns by more than this within a hundredth of its length.
+    // A stem has tight bends if it turns by more than this within a hundredth of its length.
     constexpr double kCurved_deg = 2;
     constexpr double kCorner_deg = 5;
     if (stem.sharpest_deg() > kCorner_deg)
@@ -133,7 +133,7 @@ std::vector<std::string> arrays_of(LayerTables const& layers)
 std::string leaf_statement(char letter, Pattern const& pattern)
 {
     constexpr double kBroad = 0.4;
-    // Width of the narrow leaflets of a frond, which lie side by side.
+    // Width of the narrow leaflets of a frond, which lie side by side, as a share of their length.
     constexpr double kSlender = 0.25;
     return fmt::format(
         "organ: {} leaf kind=blade material=2 length=1 width={} petiole=0 widest=0.4 "

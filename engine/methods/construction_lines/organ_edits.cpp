@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMaxOrgans = kMaxSurfaces;
 
-// Names of the views and colours, in the order of OrganView and OrganColor.
+// Names of the views and colours in recorded edits, in the order of OrganView and OrganColor.
 constexpr std::array kViews { "side", "midrib", "section" };
 constexpr std::array kColors { "leaf",   "white", "yellow", "pink",
                                "violet", "red",   "brown",  "picture" };
@@ -146,7 +146,7 @@ Result<scene::ItemId> taken_from(scene::DocumentState& state, PenSketch& sketch,
     return taken.id;
 }
 
-// Removes organs that are sketches and are not used any more.
+// Removes organs that are copies of other plants and that no layer uses any more.
 void drop_unborne(PenSketch& sketch)
 {
     auto const is_borne = [&](scene::ItemId id) {

@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view kFirstLine = "tractus-organ 1";
 constexpr std::size_t kMaxPoints = 2000; // Maximum number of points of a line.
 
-// Lines of the file in the order in which they are written.
+// The lines of a leaf in its file, in the order in which they are written.
 struct NamedLine {
     char const* name;
     std::vector<Vec2> OrganViews::*points;
@@ -189,7 +189,7 @@ std::string print_organ(OrganFile const& organ)
 
 Result<OrganFile> organ_file(SketchOrgan const& organ)
 {
-    // Number of points of a line in the file, more than the surface has.
+    // Number of points of a line in the file: four per patch of the surface along the leaf.
     constexpr std::size_t kPoints = 4 * kAlong + 1;
     OrganFile file { .views = TRY(views_of(organ)) };
     if (organ.color == OrganColor::Picture)

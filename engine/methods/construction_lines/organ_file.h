@@ -12,10 +12,10 @@
 
 namespace tractus::lines {
 
-// A leaf in three views, as stored in a file (.organ) for use in other plants.
+// A leaf drawn in three views, as stored in a file (.organ) so that other plants can use it.
 struct OrganFile {
     OrganViews views {};
-    // Colour of the leaf, red, green and blue from 0 to 1; no value: the colour of leaves.
+    // Red, green and blue of the leaf, from 0 to 1; no value: the default colour of leaves.
     std::optional<Vec3> color {};
     std::shared_ptr<std::string const> picture {}; // A PNG file, see OrganSurface::picture.
 };

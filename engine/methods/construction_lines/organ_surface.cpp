@@ -18,7 +18,7 @@ using Cubic = std::array<Vec2, 4>; // The four control points of a Bézier curve
 
 constexpr double kShortestOrgan_mm = 1e-3;
 
-// Resamples a line at equal steps of arc length.
+// Resamples a line at equal steps of arc length. Fails with a user error if the line has no length.
 Result<Points> even_points(Points const& line, int pieces, char const* name)
 {
     std::vector<double> lengths { 0 };
@@ -60,8 +60,8 @@ std::vector<Cubic> spline(Points const& points)
     return pieces;
 }
 
-// Converts a line that never turns back to heights above its chord, at equal steps along the chord
-// and relative to its length: from (0, 0) to (1, 0).
+// Converts a line that never turns back to heights above its chord, at equal steps along the chord.
+// All coordinates are shares of the chord's length, so the result runs from (0, 0) to (1, 0).
 Result<Points> heights_of(Points const& line, int pieces, char const* name)
 {
     Points result;
@@ -126,7 +126,8 @@ Result<Sides> place_sides(OrganViews const& views)
     return sides;
 }
 
-// Adds a missing boundary and directs the right one like the left one, from base to tip.
+// Adds a missing boundary, and reverses the right one if necessary, so that both run from base to
+// tip.
 OrganViews with_both(OrganViews views)
 {
     if (views.left.empty())

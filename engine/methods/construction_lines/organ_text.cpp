@@ -12,8 +12,8 @@ namespace tractus::lines {
 
 namespace {
 
-// Materials 1 and 2 belong to the stem and the leaves. By default a surface has the turtle's
-// colour, which is the stem's.
+// Material of leaves; material 1 is that of the stem. Surfaces need it because by default a surface
+// has the turtle's current colour, which is the stem's.
 constexpr std::size_t kLeafMaterial = 2;
 
 char letter_of_surface(std::size_t number)
@@ -23,7 +23,8 @@ char letter_of_surface(std::size_t number)
     return kLetters[number];
 }
 
-// Returns the material of a surface: those of layers' organs come first, then those of leaves.
+// Returns the material number of a surface. Surfaces that are organs of layers are numbered first,
+// then those that replace leaves.
 std::size_t material_of_surface(std::size_t number)
 {
     return kLeafMaterial + 1 + number;
@@ -40,7 +41,7 @@ std::string ending_of(char letter, std::string const& word)
     return letter == 'l' ? word : fmt::format("{}_{}", word, letter);
 }
 
-// True if a surface has its own material.
+// True if a surface has its own material, because it has a colour or a picture.
 bool is_colored(OrganSurface const& surface)
 {
     return surface.color || surface.picture;
@@ -118,7 +119,8 @@ void put_leaf(LineModel& model, OrganSurface const& surface, char letter)
     model.functions[file] = format_surface(surface.patches);
 }
 
-// A plain blade of this width relative to its length, widest at two fifths of its length.
+// Returns the surface of a plain blade. `width` is a share of the blade's length; the blade is
+// widest at two fifths of its length.
 static std::vector<BezierPatch> blade_surface(double width)
 {
     constexpr double kLength_mm = 100;

@@ -14,8 +14,8 @@ namespace tractus::lines {
 
 namespace {
 
-// A number or list in a model's text that comes from the sketch: its name and the position of its
-// value.
+// A number or array in a model's text whose value comes from the sketch: its name, and the range of
+// its value in the text.
 struct Value {
     // Name of the value, such as "array at", "#define LEN" or "derivation length:".
     std::string name;
@@ -73,7 +73,7 @@ void add_steps(std::vector<Value>& values, std::string_view text, std::size_t wo
     values.push_back({ std::string(kSteps), begin, behind_word(text, begin) });
 }
 
-// Finds all values in a model's text, in order.
+// Finds all numbers and arrays in a model's text that may come from the sketch, in order.
 std::vector<Value> values_in(std::string_view text)
 {
     std::vector<Value> values;
@@ -96,7 +96,8 @@ std::vector<Value> values_in(std::string_view text)
 Result<LineModel> with_own_rules(LineModel model, scene::SourceRules const& rules)
 {
     std::string_view const drawn = model.source.text;
-    // Several L-systems may have arrays of the same name; they correspond in order.
+    // Several L-systems may have arrays of the same name. Those of the two texts correspond in
+    // their order.
     std::map<std::string, std::vector<std::string>> texts;
     for (auto const& value : values_in(drawn))
         texts[value.name].emplace_back(drawn.substr(value.begin, value.end - value.begin));
@@ -107,7 +108,7 @@ Result<LineModel> with_own_rules(LineModel model, scene::SourceRules const& rule
         auto const known = texts.find(value.name);
         auto const number = used[value.name]++;
         if (known == texts.end() || number >= known->second.size())
-            continue; // The value does not come from the sketch.
+            continue; // This value was added by the user and does not come from the sketch.
         text.append(rules.text, at, value.begin - at).append(known->second[number]);
         at = value.end;
     }

@@ -15,7 +15,8 @@ using scene::name_of; // Gives the name of an item, for messages.
 
 namespace {
 
-// Scale of a model's text: a millimetre drawn is a centimetre of the plant.
+// World millimetres per plant millimetre at which a model's text needs no scaling: a millimetre
+// drawn is a centimetre of the plant.
 constexpr double kModelScale = 0.1;
 
 Result<StemRecogniser> recogniser_of(PenSketch const& sketch)
@@ -63,7 +64,7 @@ Result<void> check_stem(LineSketch const& sketch)
     return {};
 }
 
-// Completes the roles of a sketch's lines; fails unless the sketch gives a plant.
+// Updates the roles of a sketch's lines. Fails with a user error if the sketch gives no plant.
 Result<PenSketch> checked(PenSketch sketch)
 {
     sketch = TRY(with_roles_read(std::move(sketch)));
@@ -84,7 +85,7 @@ Result<void> check_line(PenSketch const& sketch, scene::ItemId line)
                             scene::name_of(line)));
 }
 
-// Height of the surface where a line begins.
+// Height of the drawing surface at the beginning of a line, in mm.
 Result<double> level_of(SketchLine const& line)
 {
     auto const tips = TRY(line.stroke.tips.in_memory());
@@ -108,8 +109,8 @@ SketchLine const* newest_stem(PenSketch const& sketch)
     return found == sketch.lines.rend() ? nullptr : &*found;
 }
 
-// True if the surface has moved far enough, while the line was drawn, for the line to leave the
-// stem's sheet.
+// True if the drawing surface moved far enough, while the line was drawn, for the line to leave the
+// sheet of the stem.
 Result<bool> leaves_sheet(SketchLine const& line, SketchLine const& stem)
 {
     auto const tips = TRY(line.stroke.tips.in_memory());
@@ -123,8 +124,8 @@ Result<bool> leaves_sheet(SketchLine const& line, SketchLine const& stem)
     return moved_mm > kFlat * polyline_length_mm(TRY(points_on_sheet(stem)));
 }
 
-// Sets the reference height of all lines in space of a stem to the height where the stem begins;
-// needed also when the stem is drawn again.
+// Sets SketchLine::level_mm of all lines in space of a stem to the height at which the stem begins.
+// This is also necessary when the stem has been drawn again.
 Result<PenSketch> with_levels(PenSketch sketch, std::size_t stem)
 {
     auto const* const line = stem_line(sketch, stem);
@@ -158,7 +159,8 @@ static Result<PenSketch> with_stroke(PenSketch sketch, SketchLine line, StemReco
     line.role = known.line.role;
     line.stem = known.stem;
     line.parent = known.parent;
-    // When lines are read together, role and replacement follow from the reading.
+    // When lines are interpreted together, the role and any replacement follow from the
+    // interpretation.
     line.is_assigned = says == StemRecogniser::Says::AnotherStem;
     bool const is_together
         = line.reading == Reading::Together && (sketch.lines.empty() || is_read_together(sketch));
@@ -202,7 +204,7 @@ Result<PenSketch> with_role(PenSketch sketch, scene::ItemId line, Role role)
     for (auto& other : sketch.lines)
         if (is_one && other.role == role && other.stem == stem) {
             other.role = Role::Unsure;
-            // The line's role is determined anew when all lines are read together.
+            // If lines are interpreted together, the role of this line is found anew.
             other.is_assigned = false;
             parent = std::exchange(other.parent, std::nullopt);
         }
@@ -223,7 +225,7 @@ Result<PenSketch> with_other_stroke(PenSketch sketch, scene::ItemId line, Stroke
     found->stroke = std::move(stroke);
     if (!is_read_together(sketch))
         return checked(std::move(sketch));
-    // Pieces that the stroke replaces are removed.
+    // The new stroke also replaces the other pieces of the line.
     auto const number = static_cast<std::size_t>(found - sketch.lines.begin());
     auto const before = TRY(read_pen_sketch(sketch));
     for (std::size_t i = sketch.lines.size(); i-- > 0;)
@@ -315,7 +317,8 @@ Result<std::vector<Layer>> layers_of(PenSketch const& sketch)
     return layers_of_one(sketch_of_stem(sketch, TRY(current_stem(sketch))));
 }
 
-// Finds the nearest of the stems that have their own lines.
+// Returns the number of the stem nearest to a point on the sheet, among the stems with lines of
+// their own.
 static std::size_t nearest_stem(std::vector<StemLines> const& stems, Vec2 const& place_mm)
 {
     auto const sources = function_sources(stems);

@@ -48,7 +48,7 @@ bool same(PenSketch const& one, PenSketch const& other)
                       });
 }
 
-// Returns the pattern of a sketch; stems without boundaries bear no organs.
+// Returns the pattern of a sketch: Bare if none of its stems has a boundary.
 Pattern pattern_of(PenSketch const& sketch, std::vector<StemLines> const& stems)
 {
     auto pattern = sketch.pattern;

@@ -53,15 +53,15 @@ Result<PenReading> read_one_by_one(PenSketch const& sketch)
     return reading;
 }
 
-// The strokes of a stem, and their indices among the sketch's lines.
+// The strokes of a stem, with their indices among the sketch's lines (`numbers`).
 struct StrokesOfStem {
     std::vector<StrokeToExplain> strokes;
     std::vector<std::size_t> numbers;
     std::optional<std::size_t> parent;
 };
 
-// Groups the strokes by stem. The first stem is found among its strokes unless the user has named
-// it; further stems are always named by the user.
+// Groups the strokes of a sketch by stem. The first stem is found among its strokes unless the user
+// has assigned its role; further stems are always assigned by the user.
 Result<std::vector<StrokesOfStem>> strokes_of_stems(PenSketch const& sketch)
 {
     std::vector<StrokesOfStem> stems;

@@ -17,7 +17,7 @@ namespace {
 constexpr double kOnLine_mm = 6; // Maximum distance between a line and its redrawn version.
 // Maximum distance between the ends of a line and those of its redrawn version.
 constexpr double kSameEnd_mm = 20;
-// Maximum distance between the beginnings of two halves of one line.
+// Maximum distance along the stem between the beginnings of the two halves of an inclination line.
 constexpr double kSameNode_mm = 15;
 
 std::vector<Vec2> flat(std::vector<Vec3> const& points)
@@ -76,7 +76,7 @@ Half half_from_stem(std::vector<Vec2> points, std::size_t stroke, DrawnLine cons
     return { { outside, points.end() }, at_mm, side, stroke };
 }
 
-// Returns the half line, extended slightly across the stem.
+// Returns the points of a half line, extended slightly across the stem.
 std::vector<Vec2> line_of(Half const& half, DrawnLine const& stem)
 {
     Vec2 const left = direction(stem.heading_deg(half.at_mm) + 90);
@@ -113,7 +113,7 @@ void join(std::vector<Half> halves, DrawnLine const& stem, std::vector<Line>& li
     }
 }
 
-// Trims the ends of a boundary that reach across the stem.
+// Removes the ends of a boundary that reach across the stem.
 std::vector<Vec2> on_side(std::vector<Vec2> line, DrawnLine const& stem, double side)
 {
     auto const is_over = [&](Vec2 const& point) { return stem.distance_mm(point) * side < 0; };
@@ -173,8 +173,8 @@ std::optional<std::size_t> LineRecogniser::newest(Role role) const
     return std::nullopt;
 }
 
-// Finds the newest valid boundary near an azimuth. Boundaries on the sheet have the azimuths of its
-// two sides.
+// Returns the index of the newest boundary near an azimuth that has not been replaced. Boundaries
+// on the sheet have the azimuths of the stem's left and right.
 std::optional<std::size_t> LineRecogniser::newest_boundary(double azimuth_deg) const
 {
     constexpr double kSameSide_deg = 20;
@@ -194,8 +194,9 @@ std::optional<std::size_t> LineRecogniser::newest_boundary(double azimuth_deg) c
     return std::nullopt;
 }
 
-// Recognises a boundary in space, which may lie in front of the stem. No value: the stroke is to be
-// read as a line on the sheet, such as an inclination line or the stem drawn again.
+// Recognises a boundary in space, which may lie in front of the stem. No value if the stroke must
+// be recognised as a line on the sheet instead, such as an inclination line or the stem drawn
+// again.
 std::optional<RecognisedLine>
 LineRecogniser::recognise_in_space(std::vector<Vec3> const& stroke) const
 {

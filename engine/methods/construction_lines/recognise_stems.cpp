@@ -6,8 +6,8 @@ namespace tractus::lines {
 
 namespace {
 
-// How well a stroke fits a stem, the best first. A stroke along the whole of a stem is that stem's
-// boundary, even if it crosses another stem.
+// How well a stroke fits a stem, from best to worst. A stroke along the whole of a stem is that
+// stem's boundary, even if it crosses another stem.
 enum class Rank { DrawnAgain, AlongStem, AtStem, OpenSide, TakenSide, Unknown };
 
 Rank rank_of(RecognisedLine const& line)

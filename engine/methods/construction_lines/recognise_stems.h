@@ -14,39 +14,43 @@ namespace tractus::lines {
 struct KnownLine {
     // Role of the stroke; `replaces` is an index among all strokes of the sketch.
     RecognisedLine line {};
-    // Number of the stem to which the stroke belongs; for a stem, its own number.
+    // Number of the stem to which the stroke belongs; a stroke that is a stem belongs to itself.
     std::size_t stem = 0;
-    std::optional<std::size_t> parent {}; // Parent of a stem, see StemLines.
+    // For a stem, the number of its parent stem (StemLines::parent).
+    std::optional<std::size_t> parent {};
 };
 
 // Finds the roles of strokes in a sketch that may have several stems. Each stem has a
-// LineRecogniser, and a stroke belongs to the nearest stem for which it has a role: preferably one
-// of whose lines it is a redrawing, then one that it crosses or begins at, then one without a
-// boundary on the stroke's side.
+// LineRecogniser. A stroke belongs to a stem for which it redraws a line; otherwise to one that it
+// follows along its whole length; otherwise to one that it crosses or at which it begins;
+// otherwise, as a boundary, to one without a boundary on that side. Among equal stems it belongs to
+// the nearest.
 class StemRecogniser {
 public:
-    // Advance knowledge about a stroke: nothing, that it is another stem, or that its depth is used
-    // (LineRecogniser).
+    // What the caller knows about a stroke: nothing, that it is an additional stem, or that its
+    // depth is to be used (LineRecogniser::Lies::InSpace).
     enum class Says { Nothing, AnotherStem, InSpace };
 
-    // Adds the next stroke, as for LineRecogniser. A stroke begins another stem only with
-    // Says::AnotherStem.
+    // Adds the next stroke, whose points meet the requirements of LineRecogniser::add(). A stroke
+    // after the first begins another stem only with Says::AnotherStem.
     KnownLine const& add(std::vector<Vec3> const& stroke, Says says = Says::Nothing);
 
-    // Adds a stroke with a known role; `replaces` and `reason` are ignored. Stems come in the order
-    // of their numbers, except for a redrawn one.
+    // Adds a stroke with a known role; its `replaces` and `reason` are ignored. Stems must be added
+    // in the order of their numbers, except for one that has been redrawn.
     void add_known(std::vector<Vec3> const& stroke, KnownLine line);
 
     std::vector<KnownLine> const& lines() const { return lines_; }
 
-    // Returns the stems without numbers of nodes. A stem without strokes has an empty sketch.
+    // Returns the lines of each stem, without numbers of nodes. A stem without strokes has an empty
+    // sketch.
     std::vector<StemLines> stems() const;
 
-    // Indices of the strokes of a stem's inclination lines, see LineRecogniser.
+    // Index of the stroke of each inclination line of a stem, among all strokes of the sketch (see
+    // LineRecogniser::inclination_strokes()).
     std::vector<std::size_t> inclination_strokes(std::size_t stem) const;
 
 private:
-    // A stem, and the indices of its strokes among those of the sketch.
+    // A stem, with the indices of its strokes among all strokes of the sketch.
     struct Stem {
         LineRecogniser lines {};
         std::vector<std::size_t> strokes {};

@@ -18,13 +18,14 @@ namespace tractus::lines {
 
 namespace {
 
-constexpr double kLengthByWidth = 60; // Ratio of a stem's length to its diameter at the foot.
-constexpr double kTaper = 0.7;        // Share of its diameter that a stem loses towards its top.
-// Share of its diameter that a stem loses towards its top if other stems are attached there.
+// Ratio of a stem's length to its diameter at the foot, unless its parent is too thin for that.
+constexpr double kLengthByWidth = 60;
+constexpr double kTaper = 0.7; // Share of its diameter that a stem loses towards its top.
+// Share of its diameter that a stem loses towards its top if another stem is attached to the top.
 constexpr double kForked = 0.4;
 
-// A stem as numbered in the model: the stems attached to the same parent are consecutive, from
-// below.
+// A stem with its number in the model: stems attached to the same parent have consecutive numbers,
+// from below.
 struct ModelStem {
     MeasuredStem const* of = nullptr;
     std::size_t drawn = 0;       // Number of the stem in the sketch.
@@ -33,11 +34,12 @@ struct ModelStem {
     std::size_t borne = 0;       // Number of stems attached to this stem.
     double width_cm = 0;         // Diameter of the stem at its foot.
     double taper = kTaper;       // Share of the diameter that the stem loses towards its top.
-    std::size_t low = 0;         // Offset of the stem's inclination lines among those of all stems.
-    std::size_t own_functions = 0; // Number of functions before the stem's heading function.
+    std::size_t low = 0; // Index of the stem's first inclination line among those of all stems.
+    // Number of functions before the stem's own two, heading and depth: rules count these from 1.
+    std::size_t own_functions = 0;
     // Number of functions before those of the stem's organs, minus two: rules count these from 3.
     std::size_t organ_functions = 0;
-    // Offset of the azimuths of the stem's boundaries among those of all stems.
+    // Index of the azimuth of the stem's first boundary among those of all stems.
     std::size_t first_azimuth = 0;
 };
 
@@ -80,8 +82,8 @@ std::vector<ModelStem> numbered(std::span<MeasuredStem const> stems)
 
 using Functions = std::vector<std::pair<std::string, std::string>>;
 
-// Writes the functions of all stems. Each stem has its own heading and depth; equal functions for
-// organs are written only once.
+// Writes the function files of all stems. Each stem has its own heading and depth; stems with equal
+// functions for their organs share these.
 Functions write_functions(std::vector<ModelStem>& stems, std::string const& name)
 {
     constexpr std::size_t kOwn = 2;
@@ -146,7 +148,7 @@ std::size_t count_steps(std::vector<ModelStem> const& stems)
     return last;
 }
 
-// Writes tables of the model: arrays of numbers, most of them indexed by the stem's number.
+// Collects the tables of the model: arrays of numbers, most of them indexed by the stem's number.
 class Tables {
 public:
     void add(char const* name, std::vector<double> const& values, char const* meaning)
@@ -170,9 +172,11 @@ std::vector<double> of_each(std::vector<ModelStem> const& stems, Read const& rea
     return values;
 }
 
-// The inclination lines of all stems in sequence; stems with the same lines share them.
+// The inclination lines of all stems, one stem after the other, and the azimuths of their
+// boundaries. Stems that take their organs from the same stem share these entries.
 struct Lines {
-    std::vector<double> azimuths; // Azimuths of boundaries, if sizes follow half-ellipses.
+    // Azimuths of the boundaries of all stems, if sizes follow half-ellipses.
+    std::vector<double> azimuths;
     std::vector<double> at;
     // Number of nodes in the layer above each line; 1 for a stem's topmost line, above which there
     // is no layer.
@@ -309,7 +313,8 @@ double longest_piece_of(std::vector<ModelStem> const& stems)
     return longest;
 }
 
-// Returns the stems as the model needs them: sizes follow half-ellipses for all stems or for none.
+// Returns the stems with the sizes that the model needs: they follow half-ellipses either in all
+// stems or in none.
 std::vector<MeasuredStem> stems_with_sizes(std::span<MeasuredStem const> stems, Pattern pattern)
 {
     if (std::any_of(stems.begin(), stems.end(),

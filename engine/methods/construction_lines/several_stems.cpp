@@ -23,15 +23,15 @@ std::optional<DrawnStem> drawn_stem(LineSketch const& sketch)
     return DrawnStem(points);
 }
 
-// Returns where a stem is attached to another one, as a share of the other's length; 1 near its
-// top.
+// Returns the position at which a stem with this foot is attached to its parent, as a share of the
+// parent's length; 1 near the parent's top.
 double foot_on(DrawnStem const& parent, Vec2 const& foot_mm)
 {
     double const at_mm = parent.seen().nearest_mm(foot_mm);
     return parent.seen().length_mm() - at_mm < kOnStem_mm ? 1 : parent.place(at_mm);
 }
 
-// Moves the foot of a stem; points farther along it move less.
+// Moves the foot of a stem to a place. Points farther along the stem move less.
 void move_foot(std::vector<Vec3>& stem, Vec3 const& to_mm)
 {
     Vec3 const by_mm = to_mm - stem.front();
@@ -47,7 +47,7 @@ void move_foot(std::vector<Vec3>& stem, Vec3 const& to_mm)
     }
 }
 
-// Combines a stem with the lines and organs of another one.
+// Returns a stem with the inclination lines, nodes and organs of another stem.
 Construction with_functions_of(Construction stem, Construction const& other)
 {
     stem.inclinations = other.inclinations;
@@ -94,7 +94,7 @@ Result<void> check_parents(std::vector<StemLines> const& stems)
 
 std::optional<std::size_t> parent_at(std::span<StemLines const> stems, Vec2 const& foot_mm)
 {
-    // Distance from the other stem's foot within which stems are not attached to it.
+    // A stem that begins this close to the foot of another stem is not attached to it.
     constexpr double kAtFoot_mm = 8;
     double nearest_mm = kOnStem_mm;
     std::optional<std::size_t> found;

@@ -11,13 +11,14 @@
 
 namespace tractus::lines {
 
-// Sets the depth of a stem's points by the pressure of its tips.
+// Sets the depth of a stem's points by the pen's pressure.
 static void press(std::vector<Vec3>& places, std::vector<TipSample> const& tips)
 {
-    // Depth range for the whole range of pressure, as a share of the stem's length.
+    // Change in depth for the whole range of pressure, as a share of the stem's length.
     constexpr double kDepth = 0.5;
     constexpr double kWindow = 0.05;
-    constexpr int kSteps = 100; // Number of steps at which the moving average is computed.
+    // Number of steps along the stem at which the moving average of the pressure is computed.
+    constexpr int kSteps = 100;
     std::vector<double> at { 0 };
     for (std::size_t i = 1; i < places.size(); ++i)
         at.push_back(at.back() + (places[i] - places[i - 1]).head<2>().norm());

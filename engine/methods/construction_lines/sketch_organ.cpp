@@ -29,8 +29,8 @@ Vec2 middle(Line const& line)
     return sum / static_cast<double>(line.size());
 }
 
-// Signed distance of a line's middle from the straight line through base and tip, times the
-// distance between base and tip; positive on the left.
+// Signed distance of a line's middle from the straight line through `base` and `tip`, times the
+// distance between `base` and `tip`; positive on the left.
 double leftwards(Line const& line, Vec2 const& base, Vec2 const& tip)
 {
     Vec2 const way = tip - base;
@@ -38,7 +38,8 @@ double leftwards(Line const& line, Vec2 const& base, Vec2 const& tip)
     return way.x() * at.y() - way.y() * at.x();
 }
 
-// The two sides of a leaf seen from above, and their indices among its drawn lines; -1: not drawn.
+// The left and right side of a leaf seen from above, and their indices among its drawn lines; -1
+// for a side that was not drawn.
 struct DrawnSides {
     std::array<Line, 2> lines;
     std::array<std::ptrdiff_t, 2> drawn { -1, -1 };
@@ -63,8 +64,8 @@ Result<DrawnSides> sides_of(SketchOrgan const& organ)
     return sides;
 }
 
-// Returns the leaf's midrib or section: positions along the chord between its ends, and heights
-// above the chord.
+// Returns the leaf's midrib or section as positions along the straight line between its ends and
+// heights above it; empty if it was not drawn.
 Result<Line> view_of(SketchOrgan const& organ, OrganView view)
 {
     auto const found
@@ -87,7 +88,7 @@ Result<Line> view_of(SketchOrgan const& organ, OrganView view)
     return points;
 }
 
-// Index of the drawn line that a new line of the same view replaces; -1: none.
+// Index of the drawn line that a new line of the leaf replaces; -1 if it replaces none.
 Result<std::ptrdiff_t> replaced_by(SketchOrgan const& organ, SketchOrgan::Line const& line)
 {
     auto const points = TRY(flat_points(line.line));

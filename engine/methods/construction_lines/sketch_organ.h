@@ -20,17 +20,17 @@ enum class OrganView {
     Section, // Section seen from the front.
 };
 
-// Colour of a drawn leaf. Picture: the colours of the leaf's picture, or those of Leaf while there
-// is no picture.
+// Colour of a drawn leaf. With Picture the leaf shows its picture or, while it has none, the colour
+// of Leaf.
 enum class OrganColor { Leaf, White, Yellow, Pink, Violet, Red, Brown, Picture };
 
-// Red, green and blue of a colour, from 0 to 1. nearest_color() is the inverse and never returns
-// Picture.
+// Red, green and blue of a colour, from 0 to 1. nearest_color() finds the named colour nearest to
+// such values; it never returns Picture.
 Vec3 rgb_of(OrganColor color);
 OrganColor nearest_color(Vec3 const& rgb);
 
-// A replacement for plain leaves: a leaf drawn in three views, or the plant of another sketch in
-// the form that it had when it was chosen.
+// What a layer can have in place of plain leaves: a leaf drawn in three views, or the plant of
+// another sketch in the form that it had when it was chosen.
 struct SketchOrgan {
     struct Line {
         OrganView view = OrganView::Side;
@@ -38,25 +38,26 @@ struct SketchOrgan {
     };
 
     scene::ItemId id = 0;
-    // Lines of the leaf: one or two sides, at most one midrib and one section.
+    // Lines of the leaf: one or two sides, at most one midrib and at most one section.
     std::vector<Line> lines {};
     OrganColor color = OrganColor::Leaf;
-    // A PNG file, see OrganSurface::picture; used if the colour is Picture. Shared with earlier
-    // states.
+    // The bytes of a PNG file (OrganSurface::picture), used if the colour is Picture. Shared with
+    // earlier states of the document.
     std::shared_ptr<std::string const> picture {};
     // Sketch whose plant is the organ; null: the organ is a leaf.
     std::shared_ptr<PenSketch const> sketch {};
 };
 
-// Returns the leaf with one more line. A new side replaces the nearest existing side; a midrib or
-// section replaces the existing one. Fails with a user error if the line is a dot, or the lines
-// give no surface.
+// Returns the leaf with one more line. A new midrib or section replaces the existing one; a new
+// side replaces the nearest drawn side, if there is one in its place. Fails with a user error if
+// the line is a dot, or the lines give no surface.
 Result<SketchOrgan> with_organ_line(SketchOrgan organ, SketchOrgan::Line line);
 
-// Returns the views of a leaf with tremor removed. Left and right sides are distinguished by
-// position; a single side is mirrored about the line from its base to its tip. A midrib is drawn
-// from base to tip, a section in either direction; up on the sheet is towards the upper side for
-// both, however steep they are. Fails like with_organ_line().
+// Returns the views of a leaf, with tremor removed from its lines. Left and right sides are
+// distinguished by position; a single side is mirrored about the line from its base to its tip. A
+// midrib must be drawn from base to tip, a section in either direction. The heights of both are
+// measured from the straight line between their ends; up on the sheet is towards the leaf's upper
+// side. Fails like with_organ_line().
 Result<OrganViews> views_of(SketchOrgan const& organ);
 
 // Returns the surface of a leaf and its colour. Fails like with_organ_line().

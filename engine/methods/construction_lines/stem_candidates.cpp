@@ -36,10 +36,11 @@ double cost_as_stem(StemCandidate const& stem, double diagonal_mm)
         + 0.1 * static_cast<double>(stem.strokes.size() - 1);
 }
 
-// Extends a stroke at both ends by all strokes that continue it.
+// Extends a stroke at both ends by the strokes that continue it.
 StemCandidate chain_from(std::size_t seed, std::span<Polyline const> lines)
 {
-    constexpr double kMaxGap = 0.1; // Largest gap, as a share of the lengths of both strokes.
+    // Largest gap between two strokes, as a share of the sum of their lengths.
+    constexpr double kMaxGap = 0.1;
     StemCandidate chain { .strokes = { seed }, .line = lines[seed] };
     while (true) {
         Junction best;
@@ -125,7 +126,7 @@ CorrectedStem corrected_stem(StemCandidate const& stem, std::span<Polyline const
         }
         result.strokes.insert(result.strokes.end(), each.strokes.begin(), each.strokes.end());
     }
-    // Smooths the small jumps where the line's pieces meet.
+    // Smooths the small jumps where the pieces of the stem meet.
     if (result.strokes.size() > 1 && is_drawn_by_hand(result.line))
         result.line = remove_tremor(result.line);
     return result;

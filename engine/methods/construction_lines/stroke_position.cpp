@@ -37,14 +37,14 @@ double seen_length_mm(std::span<Vec3 const> stem)
 }
 
 // Distance from the axis, in stem lengths, within which points count as on it, so that tremor
-// causes no crossings. On short stems it is a fixed length on the sheet.
+// causes no crossings. On short stems it corresponds to 0.8 mm on the sheet.
 double side_margin(double stem_mm)
 {
     return std::max(0.012, 0.8 / stem_mm);
 }
 
-// Cost of reading a stroke as an inclination line, which crosses the stem and ends on both sides of
-// it.
+// Cost of reading a stroke as an inclination line, which crosses the stem and has its ends on
+// opposite sides of it.
 double inclination_cost(StrokePosition const& lie, double stem_mm)
 {
     double const first = lie.first().beside;
@@ -79,7 +79,7 @@ double half_cost(StrokePosition const& lie, double stem_mm)
         + 1.2 * ramp(lie.reach() / out, 1.08, 1.5) + 0.5 * ramp(near.along, 0.97, 1.06);
 }
 
-// Cost of reading a stroke as a boundary of one side, or as a piece of one.
+// Cost of reading a stroke as the boundary on one side (1: left, -1: right), or as a piece of it.
 double side_cost(StrokePosition const& lie, double side, double stem_mm)
 {
     double const over = side > 0 ? lie.reach_right : lie.reach_left;
@@ -96,7 +96,7 @@ double side_cost(StrokePosition const& lie, double side, double stem_mm)
         + 0.7 * ramp(lie.mean_beside, 0.07, 0.03) + (from_stem ? 0.5 : 0);
 }
 
-// Cost of reading a stroke as the stem drawn again, or as a part of it.
+// Cost of reading a stroke as the stem, or a part of the stem, drawn again.
 double stem_cost(StrokePosition const& lie)
 {
     double const range = lie.highest - lie.lowest;

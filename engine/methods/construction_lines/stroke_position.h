@@ -9,11 +9,12 @@
 
 namespace tractus::lines {
 
-// Linear ramp, clamped: 0 at `from`, 1 at `to`, which may be smaller than `from`.
+// Linear ramp that is 0 at `from` and 1 at `to`, and clamped to this range. `to` may be smaller
+// than `from`.
 double ramp(double value, double from, double to);
 
-// A stem as the axis of a sketch. Positions along it are shares of its length, 0 at its foot and 1
-// at its top; it is extended straight beyond both.
+// A stem as the axis of a sketch. Positions along the axis are shares of the stem's length, 0 at
+// its foot and 1 at its top. The axis is extended straight beyond both ends.
 class StemAxis {
 public:
     // The points must meet the requirements of DrawnStem.
@@ -36,20 +37,20 @@ private:
     DrawnLine line_; // The stem's line with both ends extended.
 };
 
-// Position of a stroke relative to the axis; lengths in stem lengths.
+// Position of a stroke relative to the axis; all lengths are shares of the stem's length.
 struct StrokePosition {
     // Positions of points that are evenly spaced along the stroke.
     std::vector<StemAxis::Place> places;
     double length = 0;
-    double lowest = 0; // Lowest and highest position along the axis.
+    double lowest = 0; // Lowest position of the stroke along the axis; `highest`: the highest.
     double highest = 0;
-    double mean_beside = 0; // Mean distance from the axis, unsigned.
+    double mean_beside = 0; // Mean distance of the stroke from the axis, not negative.
     double reach_left = 0;
     double reach_right = 0;
-    double left_share = 0; // Share of the stroke's points on the left.
+    double left_share = 0; // Share of the stroke's points to the left of the axis.
     double run = 0;        // Share of the stroke's length that runs along the axis, 0 to 1.
-    // Value of `run` for the part of the stroke that is more than half as far from the axis as its
-    // farthest point.
+    // Like `run`, but only for those parts of the stroke that are farther from the axis than half
+    // its maximum distance.
     double run_outside = 0;
     double climb = 0; // Position along the axis of the stroke's last point minus that of its first.
     double lean_deg = 0; // Angle between the stroke's chord and the axis beside it, 0 to 90.
@@ -62,17 +63,17 @@ struct StrokePosition {
 };
 StrokePosition position_along_axis(DrawnLine const& stroke, StemAxis const& axis);
 
-// Returns, from 0 to 1, how clearly the stroke is too short along the axis to be a boundary by
-// itself.
+// Returns a value from 0 to 1: at 1 the stroke is clearly too short along the axis to be a boundary
+// by itself.
 double small_piece(StrokePosition const& lie);
 
-// The part of a sketch that a stroke can represent.
+// What a stroke can be within a sketch.
 enum class Part { Stem, Left, Right, Inclination, Half, Outline, Piece, Nothing };
 constexpr std::size_t kPartCount = 8;
 
-// Cost of interpreting a stroke as each part: 0 if it is drawn exactly as the part is meant, about
-// 1 if it hardly resembles the part. The costs of Part::Nothing, which is constant, and of
-// Part::Piece, which depends on the line that it continues, are not computed here.
+// Cost of interpreting a stroke as each Part: 0 if the stroke is drawn exactly as the part should
+// be, about 1 if it hardly resembles the part. The costs of Part::Nothing, which is constant, and
+// of Part::Piece, which depends on the line that it continues, are not computed here.
 using PartCosts = std::array<double, kPartCount>;
 constexpr double kNothingCost = 1.6;
 constexpr double kImpossible = 50;

@@ -13,19 +13,20 @@ namespace {
 
 // Amplitude of the sheet's deformation, as a share of the stem's length, for a spread of 1.
 constexpr double kBend = 0.04;
-// Standard deviation of a layer's number of nodes, as a share of it, for a spread of 1.
+// Standard deviation of a layer's number of nodes, as a share of that number, for a spread of 1.
 constexpr double kNodes = 0.1;
 constexpr std::size_t kWaves = 4;
 
 // A smooth random deformation of the sheet.
 class Bend {
 public:
-    // Makes a deformation whose fixed point is `from_mm`.
+    // Makes a deformation that leaves the point `from_mm` in its place.
     Bend(Random& random, Vec2 const& from_mm, double length_mm, double amplitude)
         : from_mm_(from_mm)
         , length_mm_(length_mm)
     {
-        constexpr double kMin = 0.3; // Range of the number of wavelengths per stem length.
+        // Minimum number of wavelengths per stem length; kMax: maximum.
+        constexpr double kMin = 0.3;
         constexpr double kMax = 1.1;
         double const each = amplitude * length_mm / std::sqrt(kWaves / 2.0);
         for (auto& wave : waves_) {
@@ -33,7 +34,8 @@ public:
             wave.number
                 = 2 * kPi * random.uniform(kMin, kMax) * Vec2(std::cos(along), std::sin(along));
             wave.phase = random.uniform(0, 2 * kPi);
-            // A separate statement: compilers evaluate arguments in different orders.
+            // Drawn in a statement of its own, because compilers evaluate arguments in different
+            // orders.
             double const y = random.normal();
             wave.moves_mm = each * Vec2(random.normal(), y).cwiseMin(2).cwiseMax(-2);
         }

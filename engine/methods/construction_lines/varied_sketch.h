@@ -4,10 +4,11 @@
 
 namespace tractus::lines {
 
-// Varies a sketch as if drawn by another hand: the sheet is deformed in long waves by a
-// twenty-fifth of the stem's length for spread 1, with the stem's base fixed. So lines still cross
-// each other, and organs reach as far as their boundaries. A layer's number of nodes varies by a
-// tenth of it (standard deviation). The mean over many variations is the original sketch.
+// Varies a sketch as if it had been drawn by another hand. The sheet is deformed in long waves; for
+// spread 1 their amplitude is a twenty-fifth of the stem's length. The stem's base stays in place.
+// Because lines are deformed together, they still cross each other, and organs reach as far as
+// their boundaries. The number of nodes of each layer varies with a standard deviation of a tenth
+// of it. The mean over many variations is the original sketch.
 PenSketch varied_sketch(PenSketch sketch, scene::SourceVariation const& variation);
 
 } // namespace tractus::lines

@@ -6,7 +6,7 @@
 
 namespace tractus::leaf {
 
-// The outline of the leaf that a drawn leaf's grammar derives without variation: closed,
+// Returns the outline of the leaf that a drawn leaf's grammar derives without variation: closed,
 // counter-clockwise from the end of the petiole at (0, 0), in units of the blade's length. Fails if
 // the leaf cannot be derived.
 Result<FlatLine> derived_outline(DrawnLeaf const& leaf);

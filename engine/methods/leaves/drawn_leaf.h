@@ -12,19 +12,20 @@
 
 namespace tractus::leaf {
 
-// Parameters of a drawn leaf; its grammar has each of them under its own name. Lengths are shares
-// of the blade's length, angles are degrees, and all are rounded as in the grammar's text.
+// Parameters of a drawn leaf; the leaf's grammar has a named variable for each of them. Lengths are
+// shares of the blade's length and angles are degrees, rounded as in the grammar's text.
 struct DrawnLeaf {
-    // A position on a main vein where side veins begin, on one side or both.
+    // A position on a main vein where side veins begin: one on the right, one on the left, or both.
     struct Knot {
         double at = 0; // Position of the knot, as a share of the main vein's length.
-        std::optional<double> right_deg {}; // Angle of the vein to the main vein's direction.
+        // Angle between the right side vein and the main vein's direction; no value: no such vein.
+        std::optional<double> right_deg {};
         std::optional<double> left_deg {};
 
         bool operator==(Knot const&) const = default;
     };
     struct Main {
-        // Angle of the vein to the leaf's axis, positive to the right; 0 for the midrib.
+        // Angle between the vein and the leaf's axis, positive to the right; 0 for the midrib.
         double angle_deg = 0;
         // Total turn of the vein from beginning to end, positive to the right.
         double curve_deg = 0;
@@ -37,54 +38,58 @@ struct DrawnLeaf {
     double size_mm = 0; // Length of the blade along its midrib.
     double stalk = 0;
     Half right {}; // Right half outline, from the petiole's end at (0, 0) to the tip.
-    // Left half outline, with x positive to the left; empty: mirror image of the right half.
+    // Left half outline, with x positive to the left. If empty, it is the mirror image of the right
+    // half.
     Half left {};
     HalfOutline::Margin margin = HalfOutline::Margin::Entire;
     int tooth_count = 0; // Number of teeth on each half.
     double tooth_depth = 0;
     double tooth_lean = 0;
-    // Main veins: the midrib first, then the others from the outermost right to the outermost left
-    // one.
+    // Main veins: the midrib first, then the others in order, from the outermost one on the right
+    // to the outermost one on the left.
     std::vector<Main> mains;
-    double hub = 0; // Length of the segment on which the main veins begin, if there are several.
-    // Curve of the side veins at the beginning of a main vein, and (side_curve_at_tip_deg) at its
-    // end: the turn towards the main vein's end, negative away from it.
+    double hub = 0; // Length of the segment on which all main veins begin, if there are several.
+    // Total turn, from its own beginning to its end, of a side vein at the beginning of a main
+    // vein: positive towards the main vein's end, negative away from it. side_curve_at_tip_deg is
+    // that of a side vein at the main vein's end; in between it is linear.
     double side_curve_deg = 0;
     double side_curve_at_tip_deg = 0;
     double bend_deg = 0; // Total downward bend of the midrib.
-    // Difference between the bends of the midrib's upper and lower half, times two.
+    // Twice the difference between the bends of the midrib's upper and lower half.
     double droop_deg = 0;
     double rise_deg = 0; // Upward angle of the blade on both sides of the midrib.
-    // Width of the midrib at its beginning; other veins are proportional to it.
+    // Width of the midrib at its beginning; the widths of other veins are proportional to it.
     double width = 0.014;
-    double spread_deg = 2.5; // Standard deviation of vein angles between leaves.
+    double spread_deg = 2.5; // Standard deviation of the angle of a vein between leaves of a plant.
 
     bool operator==(DrawnLeaf const&) const = default;
 };
 
-// Record of how a drawing was converted to parameters.
+// The parameters found for a drawn leaf, with a record of how well they fit the drawing.
 struct LeafFit {
     struct Vein {
         std::size_t stroke = 0;
-        // Stroke index of the parent main vein; for a main vein its own index.
+        // Stroke index of the main vein on which the vein begins; for a main vein its own index.
         std::size_t parent = 0;
-        double drawn_at = 0; // Position of the vein's beginning, as a share of the parent's length.
+        double drawn_at = 0; // Position where the vein begins, as a share of the parent's length.
         double fitted_at = 0;
-        // Angle of the vein to the parent's direction, or to the leaf's axis; positive to the
-        // right.
+        // Angle between the vein and its parent's direction or, for a main vein, the leaf's axis;
+        // positive to the right.
         double drawn_angle_deg = 0;
         double fitted_angle_deg = 0;
         double drawn_length_mm = 0;
-        double fitted_length_mm = 0; // Length from the vein's beginning to the margin.
+        double fitted_length_mm = 0; // Length of the vein from its beginning to the margin.
     };
     DrawnLeaf leaf;
     std::vector<Vein> veins {}; // Veins in the drawing's order.
-    // The outline as drawn, but with a straight midrib, in units of the blade's length;
+    // The drawn outline after the midrib has been straightened, in units of the blade's length;
     // counter-clockwise.
     FlatLine outline {};
-    double asymmetry = 0; // Difference between the halves' areas, as a share of the total area.
+    // Difference between the areas of the two halves, as a share of the whole area.
+    double asymmetry = 0;
     double tremor_mm = 0; // Standard deviation of the drawn veins from the fitted curves.
-    double sweep_deg = 0; // Sideways turn of the drawn midrib; the grammar's midrib has none.
+    // Sideways turn of the drawn midrib from base to tip; the midrib of the grammar is straight.
+    double sweep_deg = 0;
     BladePlace place {};
 };
 
@@ -95,10 +100,10 @@ Result<LeafFit> fit_leaf(RecognisedLeaf const& leaf);
 // Intersection over union of the areas of two closed polylines.
 double overlap_of(FlatLine const& a, FlatLine const& b);
 
-// Overlap of the outline that a fitted leaf's grammar derives (derived_outline()) with the outline
-// as drawn: intersection over union with LeafFit::outline, times the share of the drawn area that
-// this outline still has. The share is below 1 where parts of the blade lie on no side of the
-// midrib, as those below a stalk in the middle of the blade.
+// Overlap of the outline that a fitted leaf's grammar derives (derived_outline()) with the drawn
+// outline: its intersection over union with LeafFit::outline, times the share of the drawn area
+// that LeafFit::outline still covers. This share is below 1 if parts of the blade are on neither
+// side of the midrib, such as those below a stalk that ends in the middle of the blade.
 double overlap_with_drawing(RecognisedLeaf const& drawn, LeafFit const& fit,
                             FlatLine const& derived);
 

@@ -23,7 +23,7 @@ double extent_of_all(std::span<FlatLine const> strokes)
 
 bool is_closed(FlatLine const& line, double extent)
 {
-    // Largest gap of a closed line, as a share of the line's extent.
+    // Largest gap between the ends of a closed line, as a share of the line's extent.
     constexpr double kMaxGap = 0.12;
     // Smallest area of an outline, as a share of the square of the drawing's extent.
     constexpr double kMinArea = 0.008;
@@ -31,8 +31,8 @@ bool is_closed(FlatLine const& line, double extent)
     return gap < kMaxGap * extent_of(line) && std::abs(area_of(line)) > kMinArea * extent * extent;
 }
 
-// Index of the line's last point after cutting off an overshoot: where the end comes nearest to the
-// beginning.
+// Index of a closed line's last point if its end overshoots the beginning: the point of the end
+// piece that is nearest to the beginning.
 std::size_t end_without_overshoot(FlatLine const& line)
 {
     double const length = length_of(line);
@@ -45,16 +45,16 @@ std::size_t end_without_overshoot(FlatLine const& line)
     return best;
 }
 
-// Two lines whose ends meet, and the area that they enclose.
+// Two lines that enclose an area together.
 struct Loop {
     std::size_t first = 0;
-    // Index of the other line, which may extend beyond the loop: a midrib with its stalk.
+    // Index of the other line, which may extend beyond the loop, as a midrib with its stalk does.
     std::size_t second = 0;
     double area = 0;
     bool ends_meet = false;
 };
 
-// The part of a line between the points nearest to `from` and `to`, in that order.
+// Returns the part of a line from the point nearest to `from` to the point nearest to `to`.
 FlatLine part_between(FlatLine const& line, Vec2 const& from, Vec2 const& to)
 {
     double const a = nearest_on(line, from).along;
@@ -89,14 +89,14 @@ std::optional<Loop> loop_of(std::span<FlatLine const> strokes, std::size_t i, st
                       || (meets(a.front(), b.back()) && meets(a.back(), b.front())) };
 }
 
-// Signed area between a line and its chord, positive on the left, relative to the square of the
-// chord's length.
+// Signed area between a line and its chord, positive to the left of the chord, as a share of the
+// square of the chord's length.
 double bow_of(FlatLine const& line)
 {
     return area_of(line) / (line.back() - line.front()).squaredNorm();
 }
 
-// Finds the pair of strokes that encloses the largest area.
+// Finds the two strokes that together enclose the largest area.
 std::optional<Loop> widest_loop(std::span<FlatLine const> strokes, double extent)
 {
     double const tolerance = std::max(4.0, 0.05 * extent);
@@ -113,8 +113,8 @@ std::optional<Loop> widest_loop(std::span<FlatLine const> strokes, double extent
     return best;
 }
 
-// True if two lines are halves of an outline: they bow to opposite sides of their chord. A midrib,
-// in contrast, is nearly straight.
+// True if two lines are halves of an outline: both bow clearly, to opposite sides of their common
+// chord. A midrib, in contrast, is nearly straight.
 bool are_halves(FlatLine const& a, FlatLine const& b)
 {
     constexpr double kMin = 0.25; // Smallest bow, as a share of the other line's bow.
@@ -166,7 +166,8 @@ Result<FoundOutline> find_outline(std::span<FlatLine const> strokes)
         if (is_closed(strokes[i], extent))
             closed.emplace_back(std::abs(area_of(strokes[i])), i);
     std::ranges::sort(closed, std::greater {});
-    // Smallest area of a second blade, as a share of the largest one's area.
+    // Smallest area of a stroke that counts as a second blade, as a share of the largest blade's
+    // area.
     constexpr double kMinBlade = 0.2;
     if (closed.size() > 1 && closed[1].first > kMinBlade * closed[0].first)
         return fail(Fault::User,

@@ -15,10 +15,10 @@ namespace tractus::leaf {
 struct FoundOutline {
     RecognisedLeaf::Edge edge = RecognisedLeaf::Edge::Whole;
     std::vector<std::size_t> strokes {};
-    // Index of the midrib, if it closes a half outline.
+    // Stroke index of the midrib, if the outline is one half that the midrib closes.
     std::optional<std::size_t> midrib {};
-    // Outline as references to points of the strokes (stroke index, point index), in order. Closed,
-    // unless it is only one half.
+    // The outline's points in order, each as a stroke index and a point index within that stroke.
+    // The outline is closed unless it is only one half.
     struct Point {
         std::size_t stroke = 0;
         std::size_t point = 0;
@@ -26,8 +26,8 @@ struct FoundOutline {
     std::vector<Point> line {};
 };
 
-// Finds the outline among strokes in the drawing plane, in millimetres with evenly spaced points.
-// Fails with a user error that says what to draw.
+// Finds the outline among the strokes of a leaf. Their points are in the drawing plane, in
+// millimetres and evenly spaced. Fails with a user error that says what to draw.
 Result<FoundOutline> find_outline(std::span<FlatLine const> strokes);
 
 } // namespace tractus::leaf

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kSamples = 500; // Number of samples along a half outline.
 constexpr std::size_t kMaxStops = 70;
-constexpr std::size_t kMinSpan = 8; // Minimum length of a span between stops, in samples.
+// Minimum length of a span between two control points, in samples.
+constexpr std::size_t kMinSpan = 8;
 constexpr double kCorner_deg = 50;
 
 double turn_deg(FlatLine const& line, std::size_t i, std::size_t reach)
@@ -24,7 +25,7 @@ double turn_deg(FlatLine const& line, std::size_t i, std::size_t reach)
     return std::abs(degrees(std::atan2(cross(before, behind), before.dot(behind))));
 }
 
-// Control points of a curve, each at a sample of the drawn line.
+// Control points of a curve. Each belongs to a sample of the drawn line.
 struct Stops {
     std::vector<std::size_t> samples {};
     std::vector<bool> is_corner {};
@@ -54,7 +55,7 @@ public:
     std::vector<Vec2> const& points() const { return points_; }
     // Root mean square distance of a span's samples from the curve.
     double error(std::size_t span) const { return std::sqrt(square_error_[span]); }
-    // Root mean square error of the two spans that meet at a control point.
+    // Root mean square distance of the samples in the two spans that meet at a control point.
     double error_beside(std::size_t point) const
     {
         return std::sqrt(0.5 * (square_error_[point - 1] + square_error_[point]));
@@ -64,10 +65,12 @@ private:
     // Weights with which the control points determine a point of the curve.
     struct Shares {
         std::size_t first = 0;
-        std::array<double, 4> of {}; // Weights of the control points from `first` on.
+        // Weights of four successive control points, beginning with the index `first`.
+        std::array<double, 4> of {};
     };
 
-    // Weights of the Catmull-Rom curve that HalfOutline uses.
+    // Weights at the parameter `t`, 0 to 1, of a span of the Catmull-Rom curve that HalfOutline
+    // uses.
     Shares shares_at(std::size_t span, double t) const
     {
         double const s = 1 - t;
@@ -100,7 +103,7 @@ private:
         return made;
     }
 
-    // Calls `visit` for each sample, with its span, weights and index.
+    // Calls `visit` for each sample of the line with its span, its weights and its index.
     template<typename Visit> void visit_samples(Visit const& visit) const
     {
         for (std::size_t span = 0; span + 1 < stops_.count(); ++span) {
@@ -118,8 +121,8 @@ private:
         return (line_[to] - line_[from]).normalized();
     }
 
-    // Solves for the control points. Distances across the line have full weight; along the line the
-    // curve may differ from the drawing.
+    // Solves for the control points. Distances of samples across the line have full weight;
+    // distances along it have only the weight kAlong.
     void solve()
     {
         constexpr double kAlong = 0.15;
@@ -189,7 +192,8 @@ std::size_t span_size(Stops const& stops, std::size_t span)
     return stops.samples[span + 1] - stops.samples[span];
 }
 
-// Splits spans until each fits. On smooth parts, neighbouring spans are kept at similar lengths.
+// Splits spans until the curve fits in each of them. On smooth parts of the line, neighbouring
+// spans are kept at similar lengths.
 void refine(FlatLine const& line, Stops& stops, double tolerance)
 {
     while (stops.count() < kMaxStops) {
@@ -219,7 +223,7 @@ void refine(FlatLine const& line, Stops& stops, double tolerance)
     }
 }
 
-// Removes corners where a smooth curve fits almost as well.
+// Makes corners smooth where a smooth curve fits almost as well.
 void drop_false_corners(FlatLine const& line, Stops& stops)
 {
     constexpr double kWorse = 1.08;
@@ -264,7 +268,8 @@ std::vector<HalfOutline::Point> fit_half_outline(FlatLine const& half, double to
         stops.insert(corner);
         stops.is_corner[stops.count() - 2] = true;
     }
-    // A half outline with a single span would be a straight line, so it gets a middle point.
+    // A half outline with a single span would be a straight line, so it gets a control point in the
+    // middle.
     for (std::size_t span = 0; span + 1 < stops.count(); ++span)
         if (stops.count() == 2)
             stops.insert(kSamples / 2);

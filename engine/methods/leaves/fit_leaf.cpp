@@ -25,7 +25,8 @@ std::vector<double> crossings(FlatLine const& ring, double y)
     return found;
 }
 
-// Length of the overlap of two sets of intervals; each list alternates between beginnings and ends.
+// Length of the overlap of two sets of intervals. Each list contains alternately the beginnings and
+// ends of intervals, in ascending order.
 double common_length(std::vector<double> const& a, std::vector<double> const& b)
 {
     double sum = 0;
@@ -35,7 +36,7 @@ double common_length(std::vector<double> const& a, std::vector<double> const& b)
     return sum;
 }
 
-// Rounds a value to a multiple of 1 / parts, as it is written in a leaf's text.
+// Rounds a value to a multiple of 1 / parts, as in the text of the leaf's grammar.
 double rounded_to(double value, double parts)
 {
     return std::round(value * parts) / parts;
@@ -64,18 +65,17 @@ DrawnLeaf::Half rounded_half(DrawnLeaf::Half half)
     half.front().at = Vec2::Zero();
     half.back().at = Vec2(0, 1);
     for (auto& point : half) {
-        // The leaf engine requires each half to stay on its own side.
+        // A half outline must stay on its own side of the leaf's axis (HalfOutline).
         point.at.x() = std::max(0.0, rounded_to(point.at.x(), kPlaces));
         point.at.y() = rounded_to(point.at.y(), kPlaces);
     }
     return half;
 }
 
-// Fits one outline to both halves if they hardly differ, otherwise one to each.
+// Fits a half outline to the mean of both halves if they hardly differ, otherwise one to each half.
 void fit_outline(FlatBlade const& blade, LeafFit& fit)
 {
-    // Largest LeafFit::asymmetry of halves that count as equal, in addition to the effect of
-    // tremor.
+    // Largest LeafFit::asymmetry at which the halves count as equal. The effect of tremor is added.
     constexpr double kEqual = 0.04;
     constexpr double kMaxAside_mm = 1;
     double const tremor = fit.tremor_mm / blade.size_mm;
@@ -84,7 +84,7 @@ void fit_outline(FlatBlade const& blade, LeafFit& fit)
     auto const left = mirrored(blade.left);
     auto& leaf = fit.leaf;
     if (!left.empty()) {
-        // Compensates for a midrib that is drawn slightly off the middle.
+        // The halves are shifted sideways, because the midrib may be drawn slightly off the middle.
         double const aside = 0.5 * (std::abs(area_of(blade.right)) - std::abs(area_of(left)));
         double const shift
             = std::clamp(aside, -kMaxAside_mm / blade.size_mm, kMaxAside_mm / blade.size_mm);
@@ -102,7 +102,7 @@ void fit_outline(FlatBlade const& blade, LeafFit& fit)
     leaf.right = rounded_half(fit_half_outline(blade.right, tolerance, window));
 }
 
-// Mirrors the veins of a leaf of which only one half was drawn.
+// Mirrors the veins to the left in a leaf of which only one half was drawn.
 void mirror_veins(DrawnLeaf& leaf)
 {
     auto const has_left = [](DrawnLeaf::Knot const& knot) { return knot.left_deg.has_value(); };
@@ -158,8 +158,8 @@ double overlap_of(FlatLine const& a, FlatLine const& b)
 double overlap_with_drawing(RecognisedLeaf const& drawn, LeafFit const& fit,
                             FlatLine const& derived)
 {
-    // Minimum share of the drawn area that counts as all of it: flattening a bent blade changes its
-    // area a little.
+    // From this share on, the drawn area counts as completely covered: flattening a bent blade
+    // changes its area a little.
     constexpr double kWhole = 0.9;
     double const overlap = overlap_of(derived, fit.outline);
     if (drawn.edge == RecognisedLeaf::Edge::OneHalf || drawn.outline.empty())
@@ -176,7 +176,7 @@ double overlap_with_drawing(RecognisedLeaf const& drawn, LeafFit const& fit,
 Result<LeafFit> fit_leaf(RecognisedLeaf const& drawn)
 {
     constexpr double kMinStalk = 0.02;
-    // Length of the stalk if none is drawn, as a share of the blade's.
+    // Length of the stalk if none is drawn, as a share of the blade's length.
     constexpr double kUsualStalk = 0.06;
     auto const blade = TRY(lay_flat(drawn));
     LeafFit fit;

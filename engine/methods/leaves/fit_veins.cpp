@@ -13,18 +13,21 @@ namespace tractus::leaf {
 
 namespace {
 
-// Smallest distance between knots, as a share of the main vein's length; a knot is 0.008 long.
+// Smallest distance between knots, as a share of the main vein's length. A knot itself is 0.008 of
+// the blade's length long (kKnot in print_grammar.cpp).
 constexpr double kMinGap = 0.012;
 constexpr double kLastKnot = 0.985;
 constexpr std::size_t kMaxKnots = 70;
-// Deviations of a hand-drawn line this far apart are independent.
+// Points of a hand-drawn line that are this far apart have independent deviations.
 constexpr double kTremorLength_mm = 4;
 
-// The least-squares parabola and straight line through a line's points, over the range 0 to 1.
+// Least-squares parabola and straight line through the points of a line. Their parameter is 0 at
+// the first point and 1 at the last.
 struct LineFit {
     Vec2 begin = Vec2::Zero();
     Vec2 straight = Vec2::UnitY(); // Direction of the straight line.
-    double turn_deg = 0;           // Turn of the parabola from end to end, positive to the right.
+    // Turn of the parabola from its beginning to its end, positive to the right.
+    double turn_deg = 0;
     double length = 0;
     double square_error = 0; // Sum of squared distances of the points from the parabola.
     double freedom = 0;      // Number of independent errors in `square_error`.
@@ -78,13 +81,13 @@ double between_180(double angle)
     return std::remainder(angle, 360.0);
 }
 
-// Rounds a value to a multiple of 1 / parts, as it is written in a leaf's text.
+// Rounds a value to a multiple of 1 / parts, as in the text of the leaf's grammar.
 double rounded(double value, double parts)
 {
     return std::round(value * parts) / parts;
 }
 
-// Measurements of a main vein.
+// Measurements of a drawn main vein.
 struct MainLine {
     Vec2 begin = Vec2::Zero();
     double angle_deg = 0;
@@ -92,18 +95,18 @@ struct MainLine {
     double length = 1;
 };
 
-// Measurements of a side vein.
+// Measurements of a drawn side vein.
 struct SideLine {
     std::size_t parent = 0;
     bool is_right = true;
     double at = 0;
-    // Angle between the vein's straight line and its parent's direction, positive.
+    // Angle between the straight line fitted to the vein and its parent's direction; not negative.
     double angle_deg = 0;
     double noise_deg = 0; // Standard error of `angle_deg` due to tremor.
     // Turn of the vein from beginning to end, positive towards the parent's end.
     double turn_deg = 0;
     double length = 0;
-    double fitted_deg = 0; // Fitted angle at the vein's beginning.
+    double fitted_deg = 0; // Fitted angle to the parent at the vein's beginning.
 };
 
 class VeinFitter {
@@ -135,12 +138,12 @@ public:
     }
 
 private:
-    // Finds the hub, where the main veins begin, above the end of the stalk.
+    // Finds the length of the hub, the segment above the end of the stalk on which the main veins
+    // begin.
     void find_hub()
     {
         constexpr double kMin = 0.012;
-        // Maximum length of the hub; on a longer one, the limb would follow the outline past the
-        // hub.
+        // Maximum length of the hub. With a longer hub, the limb would follow the outline past it.
         constexpr double kMax = 0.016;
         if (blade_.mains.size() < 2)
             return;
@@ -157,8 +160,8 @@ private:
         return degrees(tremor_ / length * std::sqrt(12 / independent));
     }
 
-    // Standard error of a line's turn due to tremor: the parabola's height is an eighth of the
-    // turn.
+    // Standard error of a line's turn due to tremor. It is larger than that of the line's angle,
+    // because the height of a parabola is only an eighth of its turn times its length.
     double turn_noise_deg(double length) const { return 4 * noise_deg(length); }
 
     MainLine measure_main(FlatLine const& line) const
@@ -199,8 +202,8 @@ private:
         return made;
     }
 
-    // Fits a common law for the curvature of all side veins, linear in their position on the
-    // parent, if they are curved at all.
+    // Fits a common law for the turn of all side veins, linear in their position on the parent. The
+    // law stays 0 unless the turn is significant.
     void find_curve()
     {
         constexpr double kMinTurn = 5;
@@ -232,13 +235,13 @@ private:
             + at * (result_.side_curve_at_tip_deg - result_.side_curve_deg);
     }
 
-    // Smooths the angles of a parent's side veins by empirical Bayes: each angle is a weighted mean
-    // of its own measurement and a linear law over all veins of the parent.
+    // Smooths the angles of a parent's side veins by empirical Bayes: the result for each vein is a
+    // weighted mean of its measured angle and a linear law for all side veins of the parent.
     void steady_angles(std::size_t parent)
     {
-        // Assumed standard deviation of angles if there are few veins.
+        // Minimum of the assumed standard deviation of angles from the law if there are few veins.
         constexpr double kFree_deg = 6;
-        // Maximum standard deviation of angles if there are many veins.
+        // Maximum standard deviation of angles from the law if there are many veins.
         constexpr double kOwn_deg = 1.5;
         constexpr std::size_t kEnough = 6;
         std::vector<SideLine*> group;
@@ -300,7 +303,7 @@ private:
         }
     }
 
-    // Makes the knots of a main vein; opposite side veins share a knot.
+    // Makes the knots of a main vein. Side veins that begin opposite to each other share a knot.
     Result<void> fill_main(std::size_t parent)
     {
         std::vector<std::size_t> order;
@@ -350,7 +353,7 @@ private:
             = blade_.size_mm * outline_.reach(from, direction_of(along_deg + bent));
     }
 
-    // Moves knots apart, because they have a length and must not overlap.
+    // Moves the knots of a main vein apart, because they have a length and must not overlap.
     static void space_out(std::vector<DrawnLeaf::Knot>& knots, double begin)
     {
         double least = begin + kMinGap;
@@ -393,7 +396,7 @@ double tremor_of(FlatBlade const& blade)
     double count = 0;
     auto const add = [&](FlatLine const& line) {
         auto const fit = fit_line(line);
-        // The parabola absorbs three of the independent deviations.
+        // The parabola has three coefficients, which absorb as many of the independent deviations.
         double const independent = std::max(1.0, fit.length * blade.size_mm / kTremorLength_mm);
         if (independent < 5)
             return;

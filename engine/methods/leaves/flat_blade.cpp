@@ -14,14 +14,14 @@ namespace {
 
 using SpaceLine = std::vector<Vec3>;
 
-// Least-squares fit of a polynomial over 0 to 1. Its ends are not fixed, because the midrib's ends
-// on the outline are less certain than its course as a whole.
+// A polynomial, fitted by least squares over the range 0 to 1. It need not pass through the
+// midrib's ends on the outline, because these are less certain than the midrib's course as a whole.
 template<int kTerms> class Bow {
 public:
     using Terms = Eigen::Matrix<double, kTerms, 1>;
 
     Bow() = default;
-    // Fits the polynomial to points, ignoring those outside 0 to 1.
+    // Fits the polynomial to points (x, y), ignoring those whose x is outside 0 to 1.
     explicit Bow(std::vector<Vec2> const& places)
     {
         Eigen::Matrix<double, kTerms, kTerms> moments
@@ -62,7 +62,7 @@ private:
     Terms terms_ = Terms::Zero();
 };
 
-// Frame for looking down on the leaf along its normal.
+// Two perpendicular directions in the plane of the leaf, as seen against its normal.
 struct Seen {
     Vec3 right;
     Vec3 up;
@@ -82,8 +82,8 @@ struct Seen {
     }
 };
 
-// First intersection of a ray with a closed line, as a fractional index of the line's points; no
-// value beyond `most`.
+// First intersection of a ray with a closed line, as a fractional index of the line's points. No
+// value if it is farther away than `most`.
 std::optional<double> first_on_ring(FlatLine const& ring, Vec2 const& from, Vec2 const& way,
                                     double most)
 {
@@ -105,8 +105,8 @@ std::optional<double> first_on_ring(FlatLine const& ring, Vec2 const& from, Vec2
     return found;
 }
 
-// Returns where a line from inside a closed one leaves it, or would if extended, as a fractional
-// index of the closed line's points.
+// Returns the place where a line that begins inside a closed line leaves it, or would leave it if
+// extended, as a fractional index of the closed line's points.
 double exit_of(FlatLine const& ring, FlatLine const& outwards)
 {
     // Maximum extension of the line, as a share of its length: a midrib may be drawn too short.
@@ -136,8 +136,8 @@ double turn_at(FlatLine const& ring, std::size_t i, std::size_t reach)
     return degrees(std::atan2(cross(before, behind), before.dot(behind)));
 }
 
-// Returns the index of a pointed tip near the midrib's exit, where the midrib was probably meant to
-// end; `exit` if there is none.
+// Returns the index of a pointed tip of the outline near the midrib's exit, where the midrib was
+// probably meant to end; the index `exit` if there is no such tip.
 double tip_beside(FlatLine const& ring, double exit, double extent)
 {
     constexpr double kMinTurn = 40;
@@ -236,7 +236,7 @@ private:
         base_ = right_.front();
         tip_ = right_.back();
         length_ = (tip_ - base_).norm();
-        // Smallest length of the blade, as a share of the midrib's length.
+        // Minimum length of the blade, as a share of the midrib's drawn length.
         constexpr double kMin = 0.2;
         if (right_.size() < 8 || length_ < kMin * (rib().back() - rib().front()).norm())
             return fail(Fault::User,
@@ -260,7 +260,8 @@ private:
         return { from_base.dot(right_way_), from_base.dot(up_), from_base.dot(normal_) };
     }
 
-    // Fits the midrib's two curves, sideways and in height, and the rise of the blade beside it.
+    // Fits two curves of the midrib, its sideways offset and its height, and the rise of the blade
+    // beside it.
     void find_shape()
     {
         std::vector<Vec2> aside;
@@ -295,7 +296,7 @@ private:
         size_ = along_.back();
     }
 
-    // Converts a point to coordinates across and along the midrib's curve, which is extended
+    // Converts a point to coordinates across the midrib's curve and along it. The curve is extended
     // straight beyond its ends.
     Vec2 flat(Vec3 const& point) const
     {

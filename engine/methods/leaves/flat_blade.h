@@ -9,7 +9,7 @@
 
 namespace tractus::leaf {
 
-// Position of a blade in its drawing, in the drawing's millimetres.
+// Position and orientation of a blade in its drawing, in the drawing's millimetres.
 struct BladePlace {
     Vec3 base_mm = Vec3::Zero(); // Base of the blade, at the petiole.
     Vec3 tip_mm = Vec3::UnitY();
@@ -17,22 +17,23 @@ struct BladePlace {
     Vec3 normal = Vec3::UnitZ();
 };
 
-// A drawn leaf laid out flat, its midrib straight, without bend or rise.
+// A drawn leaf laid out flat: its midrib is straight, and the blade has neither bend nor rise.
 //
 // The origin is the beginning of the blade at the petiole; x is to the right, y along the midrib,
-// the tip at (0, 1). Lengths along and across the midrib are preserved.
+// and the tip is at (0, 1). Lengths along and across the midrib are preserved.
 struct FlatBlade {
-    double size_mm = 0; // Length of the midrib within the blade, the unit of the fields below.
-    double stalk = 0;   // Length of the petiole as a share of size_mm; 0: none was drawn.
-    FlatLine right {};  // Half outlines from base to tip; x is negative in `left`.
-    // Left half outline; empty: only one half was drawn and is stored as the right one.
+    // Length of the midrib within the blade: the unit of all other lengths here.
+    double size_mm = 0;
+    double stalk = 0;  // Length of the petiole, as a share of size_mm; 0 if none was drawn.
+    FlatLine right {}; // Right half outline, from base to tip.
+    // Left half outline, with negative x. Empty if only one half was drawn; `right` contains it.
     FlatLine left {};
     std::vector<FlatLine> mains {};
     std::vector<FlatLine> sides {};
     double bend_low_deg = 0;  // Downward bend of the midrib over its lower half.
     double bend_high_deg = 0; // Downward bend of the midrib over its upper half.
     double rise_deg = 0;      // Upward angle of the blade on both sides of the midrib.
-    double sweep_deg = 0;     // Sideways turn of the midrib.
+    double sweep_deg = 0;     // Sideways turn of the drawn midrib from base to tip.
     BladePlace place {};
 };
 

@@ -19,13 +19,13 @@ double area_of(std::span<Vec2 const> ring);
 // True if the point is inside a closed polyline.
 bool is_inside(std::span<Vec2 const> ring, Vec2 const& place);
 
-// Share of a closed polyline's area that is to the left of the line through two points.
+// Share of a closed polyline's area that lies to the left of the line through two points.
 double area_share_left_of(std::span<Vec2 const> ring, Vec2 const& from, Vec2 const& to);
 
 // Diagonal of a polyline's bounding box.
 double extent_of(std::span<Vec2 const> line);
 
-// The point of a polyline nearest to a given point.
+// The place on a polyline that is nearest to a given point, and its distance from that point.
 struct NearestOnLine {
     double distance = 0;
     // Position on the polyline as an index: 2.5 is half-way between the third and the fourth point.

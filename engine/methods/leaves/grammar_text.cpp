@@ -30,7 +30,7 @@ GrammarText::GrammarText(std::string_view text, std::string name)
     skip();
 }
 
-// Skips blanks and comments, which are enclosed in two @. A last @ without a partner is not
+// Skips blanks and comments. A comment is enclosed between two @; a last @ without a partner is not
 // skipped.
 void GrammarText::skip()
 {
@@ -164,7 +164,7 @@ struct Operator {
     int rank;
 };
 
-// Longer operators come before their prefixes.
+// Operators with their precedence. An operator comes before those that are a prefix of it.
 constexpr std::array kOperators {
     Operator { "||", Operation::Kind::Or, 1 },
     Operator { "&&", Operation::Kind::And, 2 },
@@ -182,8 +182,8 @@ constexpr std::array kOperators {
     Operator { "^", Operation::Kind::Power, 8 },
 };
 constexpr int kComparisonRank = 4;
-constexpr int kSignRank = 7;    // Rank of the sign: -a ^ b means -(a ^ b).
-constexpr int kHighestRank = 9; // Rank above that of any operator.
+constexpr int kSignRank = 7;    // Precedence of the sign: -a ^ b means -(a ^ b).
+constexpr int kHighestRank = 9; // Precedence above that of any operator.
 constexpr int kDeepest = 200;
 
 class ExpressionReader {
@@ -215,7 +215,8 @@ private:
             TRY(text_.expect(":"));
             auto const over = add_skip(Kind::Skip);
             land(test);
-            ++depth_; // Choices count towards the depth, because they can nest without parentheses.
+            // A choice (?:) counts towards the depth, because choices can nest without parentheses.
+            ++depth_;
             TRY(choice());
             --depth_;
             land(over);
@@ -228,7 +229,7 @@ private:
         add({ .kind = kind });
         return made_.operations.size();
     }
-    // Sets the target of a skip to the operation that is added next.
+    // Makes a skip lead to the operation that is added next.
     void land(std::size_t skip)
     {
         made_.operations[skip - 1].target = made_.operations.size() - skip;

@@ -20,7 +20,7 @@ Vec3 unit_or_x(Vec3 const& v)
     return length > 1e-12 ? Vec3(v / length) : Vec3(Vec3::UnitX());
 }
 
-// Rotates two unit vectors in their plane, the first towards the second.
+// Rotates two perpendicular unit vectors in their plane, the first towards the second.
 void turn_pair(Vec3& first, Vec3& second, double angle_deg)
 {
     double const c = std::cos(radians(angle_deg));
@@ -32,7 +32,8 @@ void turn_pair(Vec3& first, Vec3& second, double angle_deg)
 
 } // namespace
 
-// Rotates by gamma about z, then by beta about the new y axis, then by alpha about the new x axis.
+// Rotates the frame by gamma about its z axis, then by beta about the new y axis, then by alpha
+// about the new x axis.
 void Leaf::Frame::turn(double alpha_deg, double beta_deg, double gamma_deg)
 {
     turn_pair(x, y, gamma_deg);
@@ -88,7 +89,8 @@ tl::unexpected<Error> Leaf::fail_at(TextPlace const& place, std::string const& w
                             step_, what));
 }
 
-// Counts `work` visited darts. Fails if the derivation takes unreasonably long.
+// Adds `work` visited darts to the count. Fails with a user error if the derivation takes too long
+// (kMaxWork).
 Result<void> Leaf::spend(std::size_t work)
 {
     work_ += work;
@@ -116,8 +118,9 @@ Result<Attributes> Leaf::attributes_of(char face, Fields const& fields, TextPlac
     return attributes;
 }
 
-// Placement of a child face on an edge. The child's edge O runs opposite to the parent's edge, its
-// x axis points away from the parent, and its z axis follows the parent's.
+// Returns the attachment of a child face to an edge of its parent. The child's edge O runs opposite
+// to the parent's edge, its x axis points away from the parent, and its z axis follows the
+// parent's.
 Leaf::Stand Leaf::stand_on(Dart edge, Shape shape) const
 {
     auto const& parent = faces_[static_cast<std::size_t>(map_.face(edge))];
@@ -155,8 +158,8 @@ Leaf::Stand Leaf::attachment_for(Attributes const& attributes, std::optional<Dar
     return stand;
 }
 
-// Corners of a face, counter-clockwise from the start of edge O: the ends of O, then the corners of
-// the right and of the left side.
+// Returns the corners of a face, counter-clockwise from the start of edge O: the two ends of O,
+// then the other corners of the right side and of the left side.
 std::vector<Vec3> Leaf::corners_of(Attributes const& attributes, Stand const& stand) const
 {
     auto const [count, along, alpha, beta, gamma, length, width] = attributes;
@@ -176,7 +179,7 @@ std::vector<Vec3> Leaf::corners_of(Attributes const& attributes, Stand const& st
     return corners;
 }
 
-// Makes a face on the free edge that starts at `on`; without a value, the axiom's face.
+// Makes a face on the free edge that starts at the dart `on` or, without a value, the axiom's face.
 Result<FaceId> Leaf::make_face(char name, Fields const& fields, std::optional<Dart> on,
                                TextPlace const& place)
 {
@@ -230,7 +233,8 @@ Vec2 Leaf::Blade::to_flat(Vec2 const& on_outline) const
     return base + scale * (on_outline.x() * Vec2(axis.y(), -axis.x()) + on_outline.y() * axis);
 }
 
-// Begins a blade; its size is the current value of the grammar's variable `blade`.
+// Begins a blade at the end of a stalk. The blade's scale is the current value of the grammar's
+// variable `blade`.
 void Leaf::begin_blade(FaceId stalk)
 {
     auto& face = faces_[static_cast<std::size_t>(stalk)];
@@ -262,7 +266,8 @@ void Leaf::pose(Attributes& attributes, std::optional<Dart> on)
     }
 }
 
-// Returns the distance from a face's start to the outline in the face's direction.
+// Returns the distance from the start of a face to the blade's outline, in the direction of the
+// face.
 Result<double> Leaf::reach(Stand const& start, std::size_t blade)
 {
     if (blades_.empty())
@@ -275,8 +280,8 @@ Result<double> Leaf::reach(Stand const& start, std::size_t blade)
     return on.scale * outline_.reach(from, way);
 }
 
-// Returns the order of a vein that begins on an edge. A vein that continues its parent at the end,
-// or begins at a hub, has the parent's order.
+// Returns the order of a vein that begins on an edge. A vein that begins at the end of its parent
+// or on a hub has the parent's order.
 int Leaf::order_on(std::optional<Dart> edge) const
 {
     if (!edge)
@@ -287,7 +292,7 @@ int Leaf::order_on(std::optional<Dart> edge) const
     return goes_on ? parent.order : parent.order + 1;
 }
 
-// Returns the vein along a face; no value for a face without an extremity edge.
+// Returns the vein along the middle of a face; no value for a face without an edge E.
 std::optional<Leaf::Vein> Leaf::vein_of(Face const& face) const
 {
     auto const half_width
@@ -335,8 +340,8 @@ void Leaf::run(std::vector<Statement> const& block)
     }
 }
 
-// Applies a rule to a face; returns false if it does not match. While the rule runs, its local
-// names and the face's attributes have values.
+// Applies a rule to a face. Returns false if the rule does not match. While the rule is applied,
+// its local names and its names for the face's attributes have values.
 Result<bool> Leaf::apply(Rule const& rule, FaceId face)
 {
     auto const& attributes = faces_[static_cast<std::size_t>(face)].attributes;
@@ -366,7 +371,7 @@ Result<bool> Leaf::apply(Rule const& rule, FaceId face)
 
 Result<void> Leaf::grow(Rule const& rule, Growing const& growing, FaceId face)
 {
-    // Fields that override the parent's attributes define the values that later rules read.
+    // Fields of the rule change the attributes that the parent face has for later rules.
     auto own = faces_[static_cast<std::size_t>(face)].attributes;
     for (std::size_t i = 0; i < growing.fields.size(); ++i)
         if (!growing.fields[i].empty())

@@ -12,13 +12,13 @@ namespace tractus::leaf {
 
 namespace {
 
-// True if two segments cross at inner points of both.
+// True if the segments from a to b and from c to d cross at inner points of both.
 bool do_cross(Vec2 const& a, Vec2 const& b, Vec2 const& c, Vec2 const& d)
 {
     return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
 }
 
-// Corners of pixel squares along the edge of the opaque area; y upwards.
+// Returns the corners of the square blocks of pixels at the edge of the visible area; y is upwards.
 std::vector<Vec2> edge_points(std::span<float const> alpha, int side, float least)
 {
     int const block = std::max(1, side / 128);
@@ -64,7 +64,7 @@ std::vector<Vec2> convex_hull(std::vector<Vec2> points)
                 hull.pop_back();
             hull.push_back(point);
         }
-        hull.pop_back(); // Removes the last point, with which the other half begins.
+        hull.pop_back(); // The last point is also the first point of the other half.
         if (half == 0)
             std::ranges::reverse(points);
     }
@@ -96,7 +96,7 @@ private:
     Vec2 const& corner(std::size_t i) const { return corners_[i % corners_.size()]; }
 
     struct Bay {
-        std::size_t behind = 0; // Index of the polygon's corner before the bay.
+        std::size_t behind = 0; // Index of the corner before the new concave corner.
         Vec2 at = Vec2::Zero();
         double area = 0;
     };
@@ -113,7 +113,8 @@ private:
         return true;
     }
 
-    // Cotangents of the angles at which a point is seen from the two ends of a side.
+    // Cotangents of the angles, at the start and at the end of a side of the polygon, between the
+    // side and the direction to a point.
     struct Seen {
         double from_start = 0;
         double from_end = 0;
@@ -138,7 +139,7 @@ private:
         return seen;
     }
 
-    // Finds the largest triangle without any part of the leaf, on a side of the polygon.
+    // Finds the largest triangle on a side of the polygon that contains no part of the leaf.
     std::optional<Bay> bay_on(std::size_t i) const
     {
         Vec2 const& a = corner(i);
@@ -147,7 +148,7 @@ private:
         auto seen = seen_from(a, b);
         std::ranges::sort(seen, std::ranges::greater(), &Seen::from_start);
         // Points are visited in ascending order of their angle at the side's start. The triangle's
-        // angle at the side's end must not exceed that of any visited point.
+        // angle at the side's end must not exceed the angle of any visited point there.
         double steepest = -std::numeric_limits<double>::infinity();
         Bay best { .behind = i };
         for (auto const& [from_start, from_end] : seen) {
@@ -176,8 +177,8 @@ private:
         return false;
     }
 
-    // Removes a side: the one whose neighbours, when extended, meet with the smallest added area.
-    // That intersection replaces the side.
+    // Removes the side whose removal adds least area to the polygon. The intersection of its two
+    // extended neighbours replaces it.
     bool leave_side_out()
     {
         std::optional<Bay> best;

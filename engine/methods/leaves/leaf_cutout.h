@@ -19,15 +19,15 @@ struct Cutout {
 };
 
 struct CutoutOptions {
-    float min_alpha = 0; // Maximum alpha of pixels that may be outside.
-    // Target number of corners, at least 4; exceeded if the leaf has no simpler shape.
+    float min_alpha = 0; // Maximum alpha of pixels that the polygon may leave out.
+    // Desired maximum number of corners, at least 4. A leaf that has no simpler shape gets more.
     int most_corners = 16;
-    int most_bays = 6; // Greatest number of concave corners.
+    int most_bays = 6; // Maximum number of concave corners.
 };
 
-// Computes the cutout of a square picture from its alpha (0 to 1, rows from the top): the convex
-// hull of the visible pixels, cut inwards where that saves most area, with the shortest sides
-// removed. Empty if no pixel is visible.
+// Computes the cutout of a square picture from its alpha (0 to 1, rows from the top). The cutout is
+// the convex hull of the visible pixels, with triangles cut out where they save most area, and with
+// those sides removed that cost least area. Empty if no pixel is visible.
 Cutout cut_out(std::span<float const> alpha, int side, CutoutOptions const& options = {});
 
 } // namespace tractus::leaf

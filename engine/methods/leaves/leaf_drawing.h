@@ -17,7 +17,7 @@ struct LeafDrawing {
 
 enum class StrokeRole {
     Outline,   // Outline of the leaf, or one of its halves.
-    Midrib,    // Midrib; includes the petiole if it begins outside the outline.
+    Midrib,    // Midrib, together with the petiole if it begins outside the outline.
     MainVein,  // A main vein, which begins at the beginning of the midrib.
     SideVein,  // A side vein, which begins on the midrib or another main vein.
     Stalk,     // A petiole drawn as a separate stroke.
@@ -25,14 +25,14 @@ enum class StrokeRole {
 };
 std::string_view name_of(StrokeRole role);
 
-// A drawing with a role for each stroke; points are evenly spaced.
+// A drawing in which each stroke has a role. All lines are resampled at even spacing.
 struct RecognisedLeaf {
     enum class Edge { Whole, Halves, OneHalf };
 
     std::vector<StrokeRole> roles {}; // Role of each stroke.
     Edge edge = Edge::Whole;
-    // Outline of the leaf, closed, with an arbitrary first point; for a single half an open line
-    // from base to tip.
+    // Outline of the leaf: closed, with an arbitrary first point. If only one half was drawn, an
+    // open line from base to tip.
     std::vector<Vec3> outline {};
     Vec3 normal = Vec3::UnitZ(); // Normal of the leaf's upper side.
 
@@ -42,16 +42,16 @@ struct RecognisedLeaf {
         std::size_t parent = 0;
         std::vector<Vec3> line; // Points of the vein, from its beginning on.
     };
-    // Main veins, the midrib first; it begins at the petiole's end, outside the blade.
+    // Main veins, the midrib first. The midrib begins at the petiole's end outside the blade.
     std::vector<Vein> mains {};
     std::vector<Vein> sides {};
     std::vector<Vec3> stalk {}; // Petiole; empty unless it was drawn as a separate stroke.
 };
 
-// Recognises strokes in any order and direction: an outline (closed to within a few millimetres, as
-// two halves, or as one half), a midrib, and veins that begin on it or at its beginning. Fails with
-// a user error that says what to draw or which stroke cannot be used; it counts strokes from 1 and
-// gives positions in millimetres.
+// Recognises the strokes of a leaf, drawn in any order and direction: an outline (closed to within
+// a few millimetres, as two halves, or as one half), a midrib, and veins that begin on the midrib
+// or at its beginning. Fails with a user error that says what to draw or which stroke cannot be
+// used; the message counts strokes from 1 and gives positions in millimetres.
 Result<RecognisedLeaf> recognise_leaf(LeafDrawing const& drawing);
 
 } // namespace tractus::leaf

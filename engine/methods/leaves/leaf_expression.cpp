@@ -125,8 +125,8 @@ FunctionName const* find_function(std::string_view name)
 
 double Expression::value(std::span<double const> values, Random& random) const
 {
-    // Size of the usual stack, in values; enough for any expression of at most this many
-    // operations.
+    // Size, in values, of the stack for expressions of at most as many operations, which need no
+    // more.
     constexpr std::size_t kUsual = 64;
     if (operations.size() <= kUsual) {
         std::array<double, kUsual> stack;

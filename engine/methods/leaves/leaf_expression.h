@@ -12,15 +12,16 @@
 
 namespace tractus::leaf {
 
-// Names of variables, numbered in order of appearance; the built-in ones come first.
+// Names of variables, numbered in the order in which they appear in the text, after the built-in
+// ones.
 class NameTable {
 public:
     static constexpr std::size_t kStep = 0;
     static constexpr std::size_t kFinalStep = 1;
     static constexpr std::size_t kAge = 2;
-    // Index of `blade`: size of the outlines that begin later.
+    // Index of the name `blade`: the scale of the blades that begin while it has this value.
     static constexpr std::size_t kBlade = 3;
-    // Index of `variation`: amount of variation between leaves (Leaf::Options).
+    // Index of the name `variation`: the scale of variation between leaves (Leaf::Options).
     static constexpr std::size_t kVariation = 4;
 
     std::size_t number_of(std::string_view name);
@@ -71,7 +72,7 @@ struct Operation {
         Subtract,
         Multiply,
         Divide,
-        Remainder, // Integer remainder.
+        Remainder, // Remainder of a division of integers.
         Power,
         Less,
         LessOrEqual,
@@ -87,7 +88,7 @@ struct Operation {
     Kind kind = Kind::Number;
     Function function = Function::Sin;
     double number = 0;
-    std::size_t target = 0; // Index of a name, or number of instructions to skip.
+    std::size_t target = 0; // For a Name its index; for a skip the number of instructions to skip.
 };
 
 // An expression compiled by the parser. Angles are in degrees; true is 1 and false is 0.
@@ -97,8 +98,8 @@ public:
 
     bool empty() const { return operations.empty(); }
 
-    // Evaluates the expression. `values` is indexed by name; NaN marks a name without a value. The
-    // result can be infinite or NaN; the caller must check it.
+    // Evaluates the expression. `values` is indexed by the number of a name (NameTable); NaN marks
+    // a name without a value. The result can be infinite or NaN; the caller must check it.
     double value(std::span<double const> values, Random& random) const;
 
 private:

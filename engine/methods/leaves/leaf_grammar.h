@@ -33,8 +33,8 @@ constexpr std::size_t kTwist = 2;
 constexpr std::size_t kBend = 3;
 constexpr std::size_t kLength = 5;
 
-// Expressions that override attributes; an empty one leaves its attribute unchanged. The list can
-// be shorter than that of the attributes.
+// Expressions that override a face's attributes, in their order; an empty expression leaves its
+// attribute unchanged. The list can be shorter than that of the attributes.
 using Fields = std::vector<Expression>;
 
 struct Statement {
@@ -42,8 +42,8 @@ struct Statement {
     Expression value;
 };
 
-// "[B(,,,,,2,)]E": a new face, its attribute overrides, the faces that grow on it in turn, and the
-// edge of the parent on which it grows.
+// "[B(,,,,,2,)]E": a new face B, its attribute overrides, the faces that in turn grow on it, and
+// the edge of the parent face on which it grows.
 struct Child {
     char face = 'A';
     Fields fields;
@@ -58,7 +58,7 @@ struct Growing {
     std::vector<Child> children;
 };
 
-// "OBC": split parallel to edge O into face B, which gets edge O, and face C.
+// "OBC": a face is split parallel to its edge O into a face B, which gets that edge, and a face C.
 struct Splitting {
     EdgeLabel edge = EdgeLabel::Origin;
     char near = 'A';
@@ -82,8 +82,8 @@ struct Rule {
     std::string name;
     TextPlace place;
     char face = 'A';
-    // Names that the rule gives to the face's attributes, by name index; no value for an unnamed
-    // attribute.
+    // Names that the rule gives to the attributes of its face, by name index; no value for an
+    // attribute without a name.
     std::vector<std::optional<std::size_t>> formal;
     std::vector<Statement> always;
     Expression condition; // Condition of the rule; empty: always true.
@@ -103,23 +103,25 @@ struct Grammar {
     std::vector<Rule> rules;
     // #base: the limb extends down to the petiole.
     bool has_base = false;
-    // #bare: faces to whose edges no limb is attached.
+    // #bare: letters of the faces to whose edges no limb is attached.
     std::set<char> bare;
-    // #reach: faces whose length is a share of the distance from their beginning to the outline.
+    // #reach: letters of the faces whose length is a share of the distance from their beginning to
+    // the outline.
     std::set<char> reaching;
-    // #outline and #margin: the margin between vein tips, in the frame of the petiole's end.
+    // #outline and #margin: the right half of the margin between vein tips, in the frame of the
+    // petiole's end.
     HalfOutline outline;
-    // #left: the left half if it differs from the right one, with x positive to the left. Empty:
+    // #left: points of the left half outline, with x positive to the left. Empty if it is the
     // mirror image of the right half.
     std::vector<HalfOutline::Point> left;
-    // #steps and #size: properties of the adult leaf; 0: not given.
+    // #steps and #size: number of derivation steps and size of the adult leaf; 0 if not given.
     int steps = 0;
     double size_mm = 0; // Length of the adult leaf's blade.
-    // #young and #old: colours, sRGB from 0 to 1.
+    // #young and #old: colours of a young and an old leaf, sRGB from 0 to 1.
     Vec3 young { 0.36, 0.54, 0.22 };
     Vec3 old { 0.72, 0.50, 0.16 };
 
-    // The left half, with the margin that both halves share.
+    // The left half outline, with the margin shape (teeth or scallops) that both halves share.
     HalfOutline left_outline() const
     {
         auto half = outline;

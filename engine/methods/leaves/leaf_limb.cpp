@@ -1,4 +1,4 @@
-// This file makes the limb, the blade's surface between the veins.
+// This file makes the limb, the surface of the blade between the veins.
 #include "engine/methods/leaves/leaf.h"
 
 #include <algorithm>
@@ -24,7 +24,8 @@ Result<void> Leaf::fill()
     for (std::size_t i = 0; i < border.size(); ++i)
         if (map_.label(border[i]) == EdgeLabel::Extremity)
             tips.push_back(i);
-    // With #base in the grammar, the end of the stalk counts as a tip on both sides.
+    // With #base in the grammar, the end of the stalk counts as a vein tip at the beginning and at
+    // the end of the border.
     if (grammar_->has_base && !tips.empty()) {
         tips.insert(tips.begin(), 0);
         tips.push_back(border.size());
@@ -37,7 +38,8 @@ Result<void> Leaf::fill()
         auto const first_bare = std::ranges::find_if(way, is_bare);
         if (first_bare == way.end()) {
             TRY(fill_along_border(way));
-            // Leaflets have separate limbs, so the chain is filled in two parts.
+            // The limbs of leaflets are separate, so the chain is filled in two parts, before and
+            // behind the faces without a limb.
         } else if (grammar_->has_base) {
             auto const behind_last = std::find_if(way.rbegin(), way.rend(), is_bare).base();
             TRY(fill_along_border({ way.begin(), first_bare }));
@@ -48,8 +50,8 @@ Result<void> Leaf::fill()
     return {};
 }
 
-// Fills the area beside a chain of edges with limb faces. Where the chain bulges beyond the chord
-// of its ends, it is divided at the farthest vertex.
+// Fills the area beside a chain of border edges with limb faces. Where the chain bulges beyond the
+// straight line between its ends, it is divided at the vertex farthest from this line.
 Result<void> Leaf::fill_along_border(std::vector<Dart> const& way)
 {
     constexpr double kInside = -1e-9;
@@ -60,7 +62,8 @@ Result<void> Leaf::fill_along_border(std::vector<Dart> const& way)
         if (part.size() < 2 && (outline_.empty() || part.empty()))
             continue;
         TRY(spend(part.size()));
-        // The outline is defined in the flat leaf, so curled leaves are compared there.
+        // The outline is defined in the flat leaf, so with an outline the flat positions count,
+        // even if the leaf is curled.
         auto const shape = outline_.empty() ? Shape::Grown : Shape::Flat;
         Vec3 const from = place_of(part.front(), shape);
         Vec3 const chord = place_of(LeafMap::a0(part.back()), shape) - from;
@@ -80,8 +83,8 @@ Result<void> Leaf::fill_along_border(std::vector<Dart> const& way)
             pending.push_back(part.first(worst));
             continue;
         }
-        // If tips have crossed, as beside a heart-shaped base, the outline between them belongs to
-        // the whole chain; a part of the chain would follow the wrong piece of it.
+        // Vein tips may have crossed, for example beside a heart-shaped base. Then only the whole
+        // chain may follow the outline; a part of the chain would follow a wrong piece of it.
         bool const follows = part.size() == way.size() || is_along_outline(way);
         add_limb_face(part, follows ? Margin::Outline : Margin::Straight);
     }
@@ -96,13 +99,13 @@ bool Leaf::is_along_outline(std::span<Dart const> way) const
                                  blade.to_outline(map_.flat_of(LeafMap::a0(way.back()))));
 }
 
-// Adds the part of the outline between the ends of a chain. In space, the outline keeps its
-// position relative to the line between these ends.
+// Adds the part of the outline between the ends of a chain to a limb face. In space, this part
+// keeps its position relative to the straight line between these ends.
 void Leaf::add_margin(std::span<Dart const> way, std::vector<Vertex>& corners,
                       std::vector<EdgeLabel>& labels)
 {
-    // Maximum distance of tips from the outline, as a share of the blade's length: tips have a
-    // width.
+    // Maximum distance of vein tips from the outline, as a share of the blade's length. It is above
+    // 0 because tips have a width.
     constexpr double kTolerance = 0.03;
     auto const& line = outline_.line();
     if (line.empty())

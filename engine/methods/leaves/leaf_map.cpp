@@ -8,7 +8,7 @@ namespace tractus::leaf {
 
 namespace {
 
-// Bits for the involutions a0, a1 and a2, which lead from dart to dart of a cell.
+// Bits that stand for the involutions a0, a1 and a2, which lead from one dart of a cell to another.
 constexpr unsigned kA0 = 1;
 constexpr unsigned kA1 = 2;
 constexpr unsigned kA2 = 4;
@@ -48,7 +48,7 @@ Vertex LeafMap::add_vertex(Vec3 const& position, Vec2 const& flat)
     return static_cast<Vertex>(positions_.size() - 1);
 }
 
-// Adds an isolated edge, not sewn to any other.
+// Adds the two darts of an edge that is not connected to any other.
 Dart LeafMap::add_edge(Vertex start, Vertex end, FaceId face, EdgeLabel label)
 {
     auto const first = static_cast<Dart>(dart_count());
@@ -105,7 +105,7 @@ template<typename Visit> void LeafMap::visit_cell(Dart d, unsigned maps, Visit c
     }
 }
 
-// Merges the vertices of d and e to one at their midpoint.
+// Merges the vertices of d and e into one, which is placed at their midpoint.
 void LeafMap::merge(Dart d, Dart e)
 {
     auto const kept = vertex(d);
@@ -141,8 +141,8 @@ void LeafMap::unsew(Dart d)
     }
 }
 
-// Halves an edge on one side: d's pair of darts keeps the half at d, and a new pair takes the rest.
-// Returns the new pair's dart at the middle.
+// Divides an edge of one face at the vertex `middle`. The two darts of the edge, d and a0(d), keep
+// the part at d, and two new darts take the rest. Returns the new dart at the middle.
 Dart LeafMap::halve(Dart d, Vertex middle)
 {
     auto const far = a0(d);
@@ -273,7 +273,7 @@ MapCounts LeafMap::counts() const
     return counts;
 }
 
-// True if each involution links darts that start edges with darts that end them.
+// True if a1 and a2 link each dart that starts an edge to a dart that ends one, and vice versa.
 bool LeafMap::is_oriented() const
 {
     for (Dart d = 0; index(d) < dart_count(); ++d)

@@ -15,7 +15,7 @@ using Dart = std::int32_t;
 using Vertex = std::int32_t;
 using FaceId = std::int32_t;
 
-// Name of an edge within its face: O is the edge on which the face was grown, E the opposite one,
+// Label of an edge within its face: O is the edge on which the face was grown, E the opposite edge,
 // C1, C2, … are the sides.
 enum class EdgeLabel : std::uint16_t { Origin, Extremity, FirstSide, LimbSide = 0xFFFE, LimbEnd };
 
@@ -25,13 +25,13 @@ constexpr EdgeLabel side_label(int number)
     return static_cast<EdgeLabel>(static_cast<int>(EdgeLabel::FirstSide) + number - 1);
 }
 
-// Labels of a face with this many edges (at least 3), counter-clockwise from O: the right sides, E,
-// the left sides. A quad has O C1 E C2.
+// Returns the labels of the edges of a face with this many edges (at least 3), counter-clockwise
+// from O: the right sides, E, the left sides. A quadrilateral has O C1 E C2.
 std::vector<EdgeLabel> edge_labels(int edge_count);
 
 bool has_edge(int edge_count, EdgeLabel label);
 
-// Number of cells of each kind.
+// Numbers of a map's cells, connected components and border parts.
 struct MapCounts {
     std::size_t faces = 0;
     std::size_t edges = 0;
@@ -40,7 +40,7 @@ struct MapCounts {
     std::size_t components = 0;
     std::size_t border_edges = 0;
     std::size_t border_cycles = 0;
-    // Number of triangles after triangulation: n - 2 for a face of n edges.
+    // Number of triangles after triangulation: a face of n edges gives n - 2.
     std::size_t triangles = 0;
 
     std::ptrdiff_t euler_characteristic() const
@@ -70,7 +70,7 @@ public:
     Vec2 const& flat_of(Dart d) const { return flat(vertex(d)); }
     bool is_free(Dart d) const { return a2(d) == d; }
     std::size_t dart_count() const { return a1_.size(); }
-    // Number of vertices, including those that were merged into others.
+    // Number of vertices, including those that were merged into others and are no longer used.
     std::size_t vertex_count() const { return positions_.size(); }
 
     // Adds a vertex; `flat` is its position in the flat leaf.
@@ -78,13 +78,13 @@ public:
     Vertex add_vertex(Vec3 const& position) { return add_vertex(position, position.head<2>()); }
 
     // Adds a face with these corners, counter-clockwise; edge i starts at corner i. Returns the
-    // start dart of edge 0; the others follow consecutively.
+    // start dart of edge 0; the darts of the other edges have the following numbers.
     Dart add_face(std::span<Vertex const> corners, FaceId face, std::span<EdgeLabel const> labels);
 
-    // Sews two free edges at their darts d and e. Both pairs of end points are merged at their
-    // midpoints.
+    // Sews the free edge of d to that of e. The vertices of d and e are merged at their midpoint,
+    // and likewise those at the edges' other ends.
     void sew(Dart d, Dart e);
-    // Sews two edges whose end points already coincide.
+    // Sews the free edge of d to that of e if their end points already coincide.
     void sew_in_place(Dart d, Dart e);
     // Separates the sewn edge of d into two free edges.
     void unsew(Dart d);
@@ -99,13 +99,15 @@ public:
     // its face. Returns the start dart of the new edge in `far`.
     Dart insert_edge(Dart e1, Dart e2, FaceId far, EdgeLabel near_label, EdgeLabel far_label);
 
-    // Removes all darts from this number on, that is, the most recently added faces.
+    // Removes all darts with this number or a higher one, which belong to the most recently added
+    // faces.
     void truncate(std::size_t dart_count);
 
     // The start darts of a face's edges, counter-clockwise, beginning with d's edge.
     std::vector<Dart> cycle(Dart d) const;
 
-    // Walks along the border: takes the start dart of a free edge, returns that of the next one.
+    // Takes the start dart of a free edge; returns the start dart of the next free edge along the
+    // border.
     Dart next_on_border(Dart d) const;
     std::vector<Dart> border(Dart d) const;
 

@@ -12,7 +12,7 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr int kCut = 128; // Pixels with at least this alpha are opaque in an alpha test.
+constexpr int kCut = 128; // Pixels with at least this alpha pass the alpha test.
 
 std::size_t bytes(int value)
 {
@@ -32,7 +32,7 @@ std::array<double, 256> const& linear_table()
     return table;
 }
 
-// The sRGB byte nearest to the linear mean of four sRGB bytes.
+// Returns the sRGB byte nearest to the mean, in linear light, of four sRGB bytes.
 std::uint8_t mean_color(std::array<std::uint8_t, 4> const& bytes)
 {
     auto const& table = linear_table();
@@ -88,8 +88,8 @@ CellPage half_page(CellPage const& page, PageKind kind)
 
 namespace {
 
-// Calls work(cell index, alphas) for each cell of a page; changes of the alphas are written to
-// `back`.
+// Calls work(cell index, alphas) for each cell of a page. Unless `back` is null, the alphas are
+// then written to it, as pixels of the page, because `work` may change them.
 void for_cells(CellPage const& page, std::vector<std::uint8_t>* back,
                std::function<void(std::size_t, std::vector<std::uint8_t>&)> const& work)
 {
@@ -111,8 +111,8 @@ void for_cells(CellPage const& page, std::vector<std::uint8_t>* back,
         }
 }
 
-// Scales alphas so that exactly `count` pixels pass the alpha test. Ties at the threshold are
-// broken evenly.
+// Scales alphas so that exactly `count` pixels pass the alpha test. Of pixels that are equal at the
+// threshold, evenly distributed ones pass.
 void scale_to_keep(std::vector<std::uint8_t>& alphas, std::size_t count)
 {
     auto const there = std::ranges::count_if(alphas, [](int alpha) { return alpha >= kCut; });
@@ -120,7 +120,7 @@ void scale_to_keep(std::vector<std::uint8_t>& alphas, std::size_t count)
         return;
     auto sorted = alphas;
     std::ranges::sort(sorted, std::ranges::greater());
-    // A cell may have fewer non-zero pixels than requested.
+    // A cell may have fewer than `count` non-zero pixels.
     while (count > 0 && sorted[count - 1] == 0)
         --count;
     if (count == 0)

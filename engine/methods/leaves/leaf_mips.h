@@ -6,7 +6,8 @@
 
 namespace tractus::leaf {
 
-// An atlas of square cells with one leaf each, rows from the top; `channels` bytes per pixel.
+// An atlas of square cells with one leaf in each. `pixels` has rows from the top and `channels`
+// bytes per pixel.
 struct CellPage {
     int side = 0; // Side of the page in pixels; a multiple of `cell`, which is a power of two.
     int cell = 0;
@@ -14,22 +15,22 @@ struct CellPage {
     std::vector<std::uint8_t> pixels {};
 };
 
-// Type of content, which determines how four pixels are averaged.
+// Type of a page's content, which determines how four pixels are averaged to one.
 enum class PageKind {
     Color,  // Colours in sRGB, averaged in linear light; an optional fourth channel is alpha.
-    Normal, // Normals as unit vectors, which are renormalised.
+    Normal, // Normals as unit vectors, renormalised after averaging.
     Plain,
 };
 
-// The page at half its resolution. Its cells must be at least 2 pixels wide.
+// Returns the page at half its resolution. The cells of `page` must be at least 2 pixels wide.
 CellPage half_page(CellPage const& page, PageKind kind);
 
-// Share of each cell's pixels with alpha of at least one half, 0 to 1, in order of the cells. The
-// page must have four channels.
+// Returns, for each cell in order, the share of its pixels whose alpha is at least one half, 0 to
+// 1. The page must have four channels.
 std::vector<double> alpha_coverage(CellPage const& page);
 
 // Scales the alpha of each cell so that alpha_coverage() returns `wanted` (Castaño, "Computing
-// alpha mipmaps", 2010); plain averaging makes thin parts vanish.
+// alpha mipmaps", 2010). Without this, averaging makes thin parts of leaves vanish.
 void keep_coverage(CellPage& page, std::span<double const> wanted);
 
 } // namespace tractus::leaf

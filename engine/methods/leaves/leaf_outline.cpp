@@ -11,10 +11,11 @@ namespace tractus::leaf {
 
 namespace {
 
-// Number of points of the line for each span between two points of the half outline.
+// Number of points of the outline's polyline for each span between two points of a half outline.
 constexpr int kPerSpan = 10;
 
-// A Catmull-Rom curve; at corners its tangent points towards the next point.
+// Returns a Catmull-Rom curve through the points. At a corner the tangent on either side points
+// along the chord of the span.
 std::vector<Vec2> curve_through(std::vector<HalfOutline::Point> const& points)
 {
     auto const slope
@@ -82,7 +83,9 @@ std::vector<Vec2> with_margin(std::vector<Vec2> const& line, HalfOutline const& 
     ByLength const by_length(line);
     bool const has_teeth = half.margin == HalfOutline::Margin::Teeth;
     double const peak = 0.5 + 0.4 * std::clamp(half.lean, 0.0, 1.0);
-    std::vector<double> phases; // Positions within a tooth: its foot, its point and those between.
+    // Positions of points within a tooth or scallop, 0 to 1: its foot, its peak and points in
+    // between.
+    std::vector<double> phases;
     if (has_teeth)
         phases = { 0, 0.35 * peak, 0.7 * peak, peak, 0.5 + 0.5 * peak };
     else
@@ -105,7 +108,8 @@ std::vector<Vec2> with_margin(std::vector<Vec2> const& line, HalfOutline const& 
 HalfOutline varied(HalfOutline half, Outline::Variation const& variation, double width,
                    Random& random)
 {
-    // Size of the half, which scales the variation: narrow leaves vary less.
+    // Size of the half outline, to which the variation of its points is proportional: narrow leaves
+    // vary less.
     double size = 0;
     for (auto const& point : half.points)
         size = std::max(size, 3 * point.at.x());
@@ -115,7 +119,8 @@ HalfOutline varied(HalfOutline half, Outline::Variation const& variation, double
         at.x() *= width;
         double const spread = variation.point * size;
         if (i + 1 < half.points.size()) { // The ends are fixed, because both halves meet there.
-            // A separate statement: compilers evaluate arguments in different orders.
+            // Drawn in a statement of its own, because compilers evaluate arguments in different
+            // orders.
             double const y = random.normal();
             at += spread * Vec2(random.normal(), y);
         }
@@ -209,8 +214,8 @@ double Outline::span(Place const& from, Place const& to) const
                                  : to.along - from.along + static_cast<double>(line_.size());
 }
 
-// True if the outline leads forward from one place to another. A part of more than kMax of its
-// points counts as a step back.
+// True if the counter-clockwise way along the outline leads forward from one place to another. A
+// way of more than kMax of the outline's points counts as a step back.
 bool Outline::is_forward(Place const& from, Place const& to) const
 {
     constexpr double kMax = 0.7;
@@ -233,7 +238,7 @@ std::vector<Vec2> Outline::between(Vec2 const& from, Vec2 const& to, double tole
         return made;
     for (double i = std::floor(a.along) + 1; i < a.along + span(a, b); ++i)
         made.push_back(line_[static_cast<std::size_t>(i) % line_.size()]);
-    // Minimum distance of points from the two ends, to avoid edges of length 0.
+    // Minimum distance of the points from `from` and `to`, so that no edge has length 0.
     double const least = 1e-6;
     std::erase_if(made, [&](Vec2 const& point) {
         return (point - from).norm() < least || (point - to).norm() < least;

@@ -18,49 +18,51 @@ struct HalfOutline {
 
         bool operator==(Point const&) const = default;
     };
-    std::vector<Point> points {}; // Points of the outline; empty: the grammar has no outline.
+    // Points of the half outline; empty if the grammar has no outline.
+    std::vector<Point> points {};
 
     enum class Margin { Entire, Teeth, Scallops };
     Margin margin = Margin::Entire;
     int count = 0;    // Number of teeth or scallops on this half.
-    double depth = 0; // Depth of the teeth, as a length; they fade towards both ends.
+    double depth = 0; // Depth of the teeth, as a length. It decreases towards both ends.
     double lean = 0;  // Lean of the teeth towards the tip, 0 to 1.
 };
 
 // The whole margin of one leaf: a closed polyline, counter-clockwise from the petiole's end.
 class Outline {
 public:
-    // Standard deviations of the variation between leaves.
+    // Standard deviations of the random variation between leaves.
     struct Variation {
-        double width = 0.06; // Standard deviation of the factor on x.
-        // Standard deviation of each point's position, as a share of the blade's length.
+        double width = 0.06; // Standard deviation of the factor on the outline's width.
+        // Standard deviation of the position of each point, as a share of the half's size.
         double point = 0.012;
     };
 
-    // Makes an outline of two equal halves, which vary independently. Without points there is no
-    // outline for veins to reach.
+    // Makes an outline of two equal halves, whose points vary independently. If the half has no
+    // points, the outline is empty().
     Outline(HalfOutline const& half, Variation const& variation, Random& random)
         : Outline(half, half, variation, random)
     {
     }
 
-    // Makes an outline of different halves with a common tip; in the left one x is positive to the
-    // left.
+    // Makes an outline of two different halves with a common tip. In `left_half` x is positive to
+    // the left.
     Outline(HalfOutline const& right_half, HalfOutline const& left_half, Variation const& variation,
             Random& random);
 
     bool empty() const { return line_.empty(); }
     std::vector<Vec2> const& line() const { return line_; }
 
-    // Distance from a point to the outline in a direction; 0 if the ray misses the outline.
+    // Returns the distance from a point to the outline in a direction; 0 if the ray misses the
+    // outline.
     double reach(Vec2 const& from, Vec2 const& direction) const;
 
-    // The outline's points between `from` and `to`, counter-clockwise. Empty if either is farther
-    // than `tolerance` from the outline, or if this part is more than 0.7 of the outline's points.
+    // Returns the outline's points between `from` and `to`, counter-clockwise. Empty if either
+    // place is farther than `tolerance` from the outline, or if more than 0.7 of the outline's
+    // points lie between them.
     std::vector<Vec2> between(Vec2 const& from, Vec2 const& to, double tolerance) const;
 
-    // True if the part of the outline from `from` to `to`, counter-clockwise, is at most 0.7 of its
-    // points.
+    // True if at most 0.7 of the outline's points lie between `from` and `to`, counter-clockwise.
     bool goes_forward(Vec2 const& from, Vec2 const& to) const;
 
 private:
@@ -68,9 +70,11 @@ private:
         double along = 0; // Position on the outline as a fractional index.
         double distance = 0;
     };
-    // Part of the outline with its bounding circle, for fast rejection.
+    // Part of the outline, with its bounding circle for fast rejection.
     struct Part {
-        std::size_t begin = 0; // Range of points, each with the segment to the next one.
+        // First point of the part; `end`: one past its last point. Each point stands for the
+        // segment to the next point.
+        std::size_t begin = 0;
         std::size_t end = 0;
         Vec2 middle = Vec2::Zero();
         double radius = 0;

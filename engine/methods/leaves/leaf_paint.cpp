@@ -13,21 +13,23 @@
 
 namespace tractus::leaf {
 
-// Buffers that a painter reuses for each leaf; all are written before they are read.
+// Buffers that a LeafPainter reuses for each leaf. All of them are written before they are read.
 struct LeafPainter::Canvas {
     LeafPicture picture;
     CoverageRaster raster;
     TileGrid tiles;
     std::vector<float> profile;      // Vein profile: 1 on midlines, 0 beside veins (VeinMaps).
     std::vector<std::uint8_t> order; // Order of the nearest vein (VeinMaps).
-    std::vector<float> net;          // Net of the smallest veins, 0 to 1.
-    // Map of eaten parts: 1 in holes, decreasing across their rims. Empty: nothing has been eaten.
+    std::vector<float> net;          // Network of the smallest veins, 0 to 1.
+    // Map of the parts that larvae have eaten: 1 in holes, decreasing across their rims. Empty if
+    // nothing has been eaten.
     std::vector<float> eaten;
-    // Opacity of spots, of their rings and of mines at each pixel; empty if the leaf has none.
+    // Opacity of spots at each pixel; `rings`: of the rings around spots, `mines`: of leaf mines.
+    // Each is empty if the leaf has none.
     std::vector<float> spots;
     std::vector<float> rings;
     std::vector<float> mines;
-    std::vector<double> sums; // Sums of distance and coverage over each row of tiles.
+    std::vector<double> sums; // Sums of distance from veins and of coverage over each row of tiles.
 };
 
 namespace {
@@ -97,7 +99,7 @@ struct ColorRow {
     }
 };
 
-// Returns the age of each pixel in a row, by the law of age_at().
+// Returns the local age of each pixel in a row, by the same law as age_at().
 Row ages(double age, Row const& closeness, Row const& mask, PaintOptions const& options)
 {
     auto const veins = static_cast<float>(options.near_veins);
@@ -110,7 +112,7 @@ Row ages(double age, Row const& closeness, Row const& mask, PaintOptions const& 
 
 } // namespace
 
-// Paints one leaf on a canvas.
+// Paints one leaf, using the buffers of a canvas.
 class LeafBrush {
 public:
     LeafBrush(LeafPainter::Canvas& canvas, PaintOptions const& options, PictureFrame const& frame)
@@ -168,7 +170,7 @@ private:
     }
 
     // Calls work(index of the first pixel, number of pixels, y) for each row of pixels of a tile,
-    // clipped to the picture.
+    // without pixels outside the picture.
     template<typename Work> void for_rows(int column, int row, Work const& work) const
     {
         int const x = column * kTile;
@@ -177,7 +179,7 @@ private:
             work(index(x, y), std::min(kTile, side_ - x), y);
     }
 
-    // Reads a row of a map; pixels outside the picture are 0.
+    // Reads a row of `count` pixels of a map from the index `at` on; the rest of the result is 0.
     static Row read(std::vector<float> const& from, std::size_t at, int count)
     {
         Row made;
@@ -235,8 +237,9 @@ private:
             veins_);
     }
 
-    // Finds the scale of the closeness D, which is 1 half-way between veins: for parallel veins the
-    // mean distance is a quarter of their gap.
+    // Finds the distance from veins at which the closeness D is 1: half-way between veins. Between
+    // parallel veins the mean distance is a quarter of their gap, so this distance is twice the
+    // mean.
     void measure_closeness()
     {
         auto const& distance = veins_.distance;
@@ -283,7 +286,7 @@ private:
             add_spots();
     }
 
-    // Adds at most one spot per square of a grid, at a random position.
+    // Adds brown spots: at most one in each square of a grid, at a random position in the square.
     void add_spots()
     {
         constexpr int kSquares = 16;
@@ -317,8 +320,8 @@ private:
             }
     }
 
-    // Computes heights: veins are raised, the limb between them is vaulted, and small veins form a
-    // closed net.
+    // Computes the heights of the relief: veins are raised, the limb between them is vaulted, and
+    // the smallest veins form a closed net.
     void find_heights()
     {
         picture_.height.assign(count_, 0);
@@ -366,7 +369,7 @@ private:
         });
     }
 
-    // Returns the delay of ageing, 0 to 1, for each pixel of a row of a tile.
+    // Returns the delay of ageing, 0 to 1, for each pixel of one row of pixels in a tile.
     Row masks(int column, int y) const
     {
         Row const patches = smooth(Row(1.6f * sample(patches_, column, y) - 0.3f));
@@ -375,7 +378,7 @@ private:
         return (1 - tip) * patches + tip * from_tip;
     }
 
-    // Mottles the leaf slightly and makes it paler along its veins.
+    // Mottles the leaf slightly and makes it a little darker along its veins.
     static void mottle(ColorRow& color, Row const& clouds, Row const& d)
     {
         Row const share = 0.82f + 0.36f * clouds + 0.08f * (d - 0.5f);
@@ -395,7 +398,8 @@ private:
         color.mix(tint, kTinted * (strength * v + (1 - v) * 0.14f * net));
     }
 
-    // Adds spots, mines, holes and mildew; returns the opacity of the mildew.
+    // Adds the colours of spots, mines, a skeleton, mildew and the rims of holes. Returns the
+    // opacity of the mildew.
     Row add_damage(ColorRow& color, std::size_t at, int count, int column, int y) const
     {
         static Vec3f const spot = linear({ 0.26, 0.13, 0.06 });
@@ -500,14 +504,14 @@ private:
     PictureFrame const& frame_;
     int side_;
     VeinMaps veins_;
-    std::size_t count_;           // Number of pixels of the picture.
-    std::array<Vec3f, 3> colors_; // Young, old and dead colour, linear RGB.
+    std::size_t count_;           // Number of pixels in the picture.
+    std::array<Vec3f, 3> colors_; // Colours of a young, an old and a dead leaf, linear RGB.
     Noise patches_;
     Noise mottle_;
     Noise mildew_;
     std::vector<Vec2> pixels_; // Pixel coordinates of the leaf's vertices.
     Vec2 base_ = Vec2::Zero();
-    double radius_ = 1; // Distance in pixels at which the closeness D is 1.
+    double radius_ = 1; // Distance from veins, in pixels, at which the closeness D is 1.
 };
 
 PictureFrame::PictureFrame(LeafTriangles const& leaf, int side, PicturePlacement const& stand)

@@ -16,8 +16,8 @@
 #include <optional>
 #include <utility>
 
-// This file builds the plant of a leaf sketch: polygons on a stalk, or stems along the lines if
-// these do not form a leaf yet.
+// This file builds the plant of a leaf sketch: polygons on a stalk or, if the lines do not form a
+// leaf yet, a stem along each line.
 namespace tractus::leaf {
 
 namespace {
@@ -80,7 +80,7 @@ std::vector<Material> materials()
 
 struct DerivedLeaf {
     Grammar grammar;
-    std::optional<Leaf> leaf {}; // The derived leaf, which is always set; it refers to the grammar.
+    std::optional<Leaf> leaf {}; // The derived leaf; always set. It refers to `grammar`.
     LeafTriangles triangles {};
 };
 
@@ -101,7 +101,7 @@ Result<std::unique_ptr<DerivedLeaf const>> derived(LeafSketch const& sketch, Dra
     return made;
 }
 
-// Returns the position in space of the vertex nearest to a place in the flat leaf.
+// Returns the position in space of the leaf's vertex that is nearest to a place in the flat leaf.
 Vec3 vertex_at(LeafTriangles const& leaf, Vec2 const& flat)
 {
     auto const nearest = std::ranges::min_element(
@@ -109,7 +109,7 @@ Vec3 vertex_at(LeafTriangles const& leaf, Vec2 const& flat)
     return leaf.positions[static_cast<std::size_t>(nearest - leaf.flat.begin())];
 }
 
-// Returns a frame with y along the leaf and z out of its upper side.
+// Returns a frame whose y axis points along the leaf and whose z axis points out of its upper side.
 Eigen::Matrix3d frame_of(Vec3 const& along, Vec3 const& up)
 {
     Vec3 const y = along.normalized();
@@ -186,7 +186,7 @@ Result<scene::BuiltSource> leaf_plant(LeafSketch const& sketch, DrawnLeaf const&
 
 Result<scene::BuiltSource> stems_along(LeafSketch const& sketch)
 {
-    constexpr double kRadius_mm = 0.4; // Radius of stems on the paper.
+    constexpr double kRadius_mm = 0.4; // Radius, on the paper, of the stems that stand for lines.
     constexpr std::size_t kMaxNodes = 65;
     auto const drawing = TRY(drawing_of(sketch));
     PaperToPlant const to_plant(TRY(foot_of(sketch)), sketch.scale);

@@ -30,11 +30,12 @@ Result<void> check_number(double value, double least, double greatest, char cons
 // True for a line that ends near its beginning.
 bool is_closed(Points const& line)
 {
-    constexpr double kWidestGap = 0.15; // Largest gap, as a share of the line's length.
+    // Largest gap between the ends of a closed line, as a share of the line's length.
+    constexpr double kWidestGap = 0.15;
     return (line.back() - line.front()).norm() < kWidestGap * polyline_length_mm(line);
 }
 
-// Distance from a point to a line.
+// Distance from a point to a polyline.
 double distance_to(Points const& line, Vec3 const& place)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -54,8 +55,8 @@ double mean_distance(Points const& from, Points const& to)
     return sum / static_cast<double>(from.size());
 }
 
-// Makes depths relative to the line's start, because a line may be redrawn at another height of the
-// surface, and thins out its points.
+// Makes the depths of a line relative to its first point, because a line may be redrawn at another
+// height of the surface, and reduces the number of its points.
 Points from_its_begin(Points const& line)
 {
     constexpr std::size_t kMaxPoints = 500;
@@ -68,7 +69,7 @@ Points from_its_begin(Points const& line)
     return made;
 }
 
-// True if the centre of one closed line is inside the other one.
+// True if the centre of one of two closed lines is inside the other line.
 bool lie_on_each_other(Points const& line, Points const& other)
 {
     auto const flat = [](Points const& of) {
@@ -88,7 +89,8 @@ bool lie_on_each_other(Points const& line, Points const& other)
     return is_inside(two, middle_of(one)) || is_inside(one, middle_of(two));
 }
 
-// True if one line traces the other along its whole length, in either direction.
+// True if one line traces the other along its whole length, in either direction, or if they are
+// closed lines of which one contains the other's centre.
 bool draws_again(Points const& line, Points const& other)
 {
     constexpr double kNear_mm = 2.5;
@@ -104,7 +106,7 @@ bool draws_again(Points const& line, Points const& other)
         && mean_distance(other, line) <= kNear_mm;
 }
 
-// Guesses a midrib if the longest line is an outline; no value if it is not.
+// Guesses a midrib if the longest line is closed, or is the only line. Otherwise returns no value.
 std::optional<Points> guessed_midrib(LeafDrawing const& drawing)
 {
     constexpr int kPieces = 32;
@@ -142,8 +144,8 @@ Result<LeafRecognition> seen_in(LeafDrawing drawing)
     return guessed;
 }
 
-// Tries to read the drawing without one of its newest lines, newest first, because the newest line
-// is most likely wrong.
+// Tries to recognise the drawing without one of its newest lines, beginning with the newest, which
+// is most likely wrong. `why` is the reason why the whole drawing is no leaf.
 std::optional<LeafRecognition> seen_without_one(LeafDrawing const& drawing, std::string const& why)
 {
     constexpr std::size_t kNewest = 4;
@@ -300,7 +302,7 @@ Result<std::string> grammar_text(LeafSketch const& sketch, std::string const& ti
     auto const leaf = adjusted_leaf(sketch);
     if (leaf)
         return print_grammar(*leaf, title);
-    TRY(recognise_leaf_sketch(sketch)); // The call fails with a message about what is missing.
+    TRY(recognise_leaf_sketch(sketch)); // The call fails, with a message about what is missing.
     return fail(Fault::User, "the lines are no leaf yet");
 }
 

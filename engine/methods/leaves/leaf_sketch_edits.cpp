@@ -46,8 +46,8 @@ Result<LeafSketch> find_leaf(scene::DocumentState const& state, scene::ItemId pl
     return *sketch;
 }
 
-// Replaces the plant's leaf sketch. The plant moves with its foot on the paper, so that it stays
-// beneath the drawn lines. Fails if the new form gives no leaf.
+// Replaces the leaf sketch of a plant. If the leaf's foot on the paper moves, the plant moves with
+// it, so that it stays beneath the drawn lines. Fails if the new sketch gives no plant.
 Result<scene::DocumentState> with_leaf(scene::DocumentState state, scene::ItemId plant,
                                        LeafSketch sketch)
 {

@@ -12,18 +12,18 @@ namespace tractus::leaf {
 struct AddLeafLine {
     static scene::EditKind const kKind;
 
-    // Id of the plant; 0: begins a new leaf, which becomes the active plant.
+    // Id of the plant; 0: the line begins a new leaf, which becomes the active plant.
     scene::ItemId plant = 0;
     Stroke stroke {}; // Stroke of the line, world frame.
-    // The following fields are for a new leaf only.
+    // Adjustments to a new leaf. Like `scale` and `stands_at_mm`, used only if `plant` is 0.
     LeafForm form {};
-    // Scale of the new leaf, which becomes the document's scale if none was set.
+    // World millimetres per plant millimetre for a new leaf. A document without a scale adopts it.
     double scale = 0.1;
-    Vec3 stands_at_mm = Vec3::Zero(); // Position of the leaf's foot (foot_of()), world frame.
-    scene::ItemId id = 0; // Id of the line, and of the plant that it begins; 0: none assigned yet.
+    Vec3 stands_at_mm = Vec3::Zero(); // Position of a new leaf's foot (foot_of()), world frame.
+    scene::ItemId id = 0; // Id of the line, and of the plant that it begins; 0 if not assigned yet.
 };
 
-// Edit: removes a line of a leaf. Removing the last line is refused; use RemovePlant instead.
+// Edit: removes a line of a leaf. A leaf's only line cannot be removed; use RemovePlant instead.
 struct EraseLeafLine {
     static scene::EditKind const kKind;
 
@@ -39,13 +39,13 @@ struct FormLeaf {
     LeafForm form {};
 };
 
-// Returns the sketch of a plant; null if the plant was not drawn as a leaf.
+// Returns the leaf sketch of a plant; null if the plant was not drawn as a leaf.
 LeafSketch const* leaf_sketch(scene::PlantState const& plant);
 
-// The leaf sketch of the active plant; null if there is none.
+// Returns the leaf sketch of the active plant; null if there is none.
 LeafSketch const* active_leaf_sketch(scene::DocumentState const& state);
 
-// Describes for the user what the leaf consists of and what is still missing.
+// Describes for the user which lines the leaf consists of and which are still missing.
 std::string describe_result(LeafSketch const& sketch);
 
 } // namespace tractus::leaf

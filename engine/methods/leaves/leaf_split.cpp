@@ -6,9 +6,9 @@
 
 namespace tractus::leaf {
 
-// Label for the new edge of the near part: E for O, O for E, otherwise the label half-way around
-// the face. No value if the face cannot be split in this way: it has fewer than four sides, or no
-// opposite side.
+// Returns the label for the edge that a split adds to its near part: E for O, O for E, otherwise
+// that of the side half-way around the face. No value if the face cannot be split in this way,
+// because it has fewer than four sides or no opposite side.
 std::optional<EdgeLabel> Leaf::opposite(FaceId face, EdgeLabel label) const
 {
     std::vector<EdgeLabel> sides;
@@ -30,11 +30,12 @@ std::optional<EdgeLabel> Leaf::opposite(FaceId face, EdgeLabel label) const
     return sides[(at + sides.size() / 2) % sides.size()];
 }
 
-// Returns the dart that ends the first half of a side, which is a chain of edges. A vertex near the
-// middle is reused, so that neighbours that are split alike share it.
+// Returns the dart that ends the first half of a side; the side is a chain of edges. A vertex near
+// the middle is used if there is one, so that neighbouring faces that are split alike share it;
+// otherwise a vertex is inserted.
 Dart Leaf::end_of_first_half(std::vector<Dart> const& chain)
 {
-    // Maximum distance from the middle, as a share of the side's length.
+    // Maximum distance of an existing vertex from the middle, as a share of the side's length.
     constexpr double kNear = 0.05;
     std::vector<double> lengths;
     double whole = 0;
@@ -49,12 +50,12 @@ Dart Leaf::end_of_first_half(std::vector<Dart> const& chain)
         if (std::abs(done + lengths[i] - half) <= kNear * whole && i + 1 < chain.size())
             return LeafMap::a0(d);
         if (done + lengths[i] > half) {
-            // Start of the same edge on the neighbouring face.
+            // Start dart of this edge in the neighbouring face.
             auto const start = LeafMap::a0(map_.a2(d));
             bool const is_sewn = !map_.is_free(d);
             auto const end = map_.insert_vertex(d, (half - done) / lengths[i]);
             auto& other = faces_[static_cast<std::size_t>(map_.face(start))];
-            // Keeps the neighbouring face's first edge at the same start.
+            // The neighbouring face's first edge must keep its start.
             if (is_sewn && other.first == start)
                 other.first = LeafMap::a0(map_.a1(start));
             return end;
@@ -64,8 +65,8 @@ Dart Leaf::end_of_first_half(std::vector<Dart> const& chain)
     return LeafMap::a0(chain.front());
 }
 
-// Splits a face: the two sides next to the rule's edge are cut in half, and a new edge joins the
-// cuts. Returns false if the face cannot be split.
+// Splits a face: the two sides next to the edge that the rule names are each cut in half, and a new
+// edge joins the cuts. Returns false if the face cannot be split.
 Result<bool> Leaf::split(Splitting const& splitting, FaceId face, TextPlace const& place)
 {
     auto const near_label = opposite(face, splitting.edge);
@@ -115,8 +116,8 @@ Result<bool> Leaf::split(Splitting const& splitting, FaceId face, TextPlace cons
     return true;
 }
 
-// Returns the start of the border: the axiom's edge O or, if a face has grown on it, the border's
-// first edge in order of creation.
+// Returns the dart at which walks along the border begin: the start of the axiom's edge O or, if a
+// face has grown there, of the border edge that was created first.
 Dart Leaf::border_start() const
 {
     for (auto const d : map_.cycle(faces_.front().first))
@@ -128,8 +129,8 @@ Dart Leaf::border_start() const
     return d;
 }
 
-// Glues one pair of consecutive edges on the border, the first match from the axiom's edge O on.
-// Returns false if there is none.
+// Glues one pair of consecutive border edges: the first pair that matches the rule, from
+// border_start() on. Returns false if there is none.
 bool Leaf::glue_one(Gluing const& gluing)
 {
     auto const border = map_.border(border_start());
@@ -153,7 +154,7 @@ bool Leaf::glue_one(Gluing const& gluing)
     return false;
 }
 
-// Applies the gluing rules in turn until none matches.
+// Applies all gluing rules in turn, repeatedly, until none of them matches.
 Result<void> Leaf::glue()
 {
     for (bool is_any = true; std::exchange(is_any, false);)

@@ -18,7 +18,7 @@ bool is_in_triangle(Vec2 const& point, Vec2 const& a, Vec2 const& b, Vec2 const&
     return turn(a, b, point) > 0 && turn(b, c, point) > 0 && turn(c, a, point) > 0;
 }
 
-// Triangulates faces, one after another.
+// Triangulates the faces of a leaf, one after another.
 class Cutter {
 public:
     explicit Cutter(LeafTriangles const& leaf)
@@ -26,10 +26,11 @@ public:
     {
     }
 
-    // Returns false if the face overlaps itself.
+    // Triangulates a face. Returns false if it overlaps itself or has too many corners; then its
+    // triangles form a fan.
     bool cut(Corners const& corners, std::vector<Triangle>& to)
     {
-        // Maximum number of corners for ear clipping, which would take too long for more.
+        // Maximum number of corners for ear clipping, which would take too long for larger faces.
         constexpr std::size_t kMaxCorners = 2000;
         if (corners.size() == 4)
             return cut_quad(corners, to);
@@ -58,8 +59,8 @@ private:
 
     double turn_of(Triangle const& t) const { return turn(flat(t[0]), flat(t[1]), flat(t[2])); }
 
-    // Splits a quadrilateral along the diagonal that is shorter in space, provided that both
-    // triangles have the flat face's orientation.
+    // Splits a quadrilateral along its shorter diagonal in space, unless one of the two triangles
+    // would then be reversed in the flat leaf.
     bool cut_quad(Corners const& q, std::vector<Triangle>& to) const
     {
         std::array<Triangle, 2> const first { { { q[0], q[1], q[2] }, { q[0], q[2], q[3] } } };
@@ -77,16 +78,17 @@ private:
         return fits_first || fits_second || std::max(worst(first), worst(second)) == 0;
     }
 
-    // A corner of the remaining polygon.
+    // A corner of the polygon that remains after ears have been cut off.
     struct Corner {
         std::uint32_t vertex = 0;
         Vec2 at = Vec2::Zero();
         std::size_t before = 0;
         std::size_t after = 0;
-        // True for a reflex corner, which may lie inside other corners' ears.
+        // True for a reflex corner; such corners may lie inside the triangles of other corners.
         bool is_hollow = false;
     };
-    // Special values in shapes_: the corner is not an ear, or has already been cut.
+    // Special values in shapes_: kNoEar for a corner that is not an ear, kCut for one that has
+    // already been cut off.
     static constexpr double kNoEar = -1;
     static constexpr double kCut = -2;
 
@@ -139,8 +141,8 @@ private:
         return left;
     }
 
-    // Updates the neighbours of a cut ear: if a reflex corner becomes convex, triangles that
-    // contained it may have become ears.
+    // Updates the two corners beside an ear that has been cut off. If one of them is no longer
+    // reflex, triangles that contained it may have become ears.
     void judge_again(std::size_t before, std::size_t after)
     {
         bool is_filled = false;
@@ -175,7 +177,7 @@ private:
         shapes_[i] = !is_ear ? kNoEar : longest > 0 ? area / longest : 0;
     }
 
-    // Returns the ear with the best shape; no value if there is no ear.
+    // Returns the index of the ear with the best shape (shapes_); no value if there is no ear.
     std::optional<std::size_t> widest_ear() const
     {
         auto const best = std::ranges::max_element(shapes_);
@@ -185,7 +187,7 @@ private:
     }
 
     std::vector<Corner> ring_;
-    // Quality of each corner's triangle: twice its area divided by the square of its longest side.
+    // Shape of each corner's triangle: twice its area divided by the square of its longest side.
     std::vector<double> shapes_;
     std::vector<Vec2> hollows_;
     LeafTriangles const& leaf_;

@@ -95,8 +95,7 @@ private:
         return !is_spared(at);
     }
 
-    // Returns a random position on the leaf, or that at which a random direction from there meets
-    // the margin.
+    // Returns a random starting point for a larva: on the leaf or, more often, at its margin.
     Vec2 find_start(Random& random) const
     {
         Vec2 at(0, 0);
@@ -109,8 +108,8 @@ private:
         return at;
     }
 
-    // Moves a larva straight ahead, or with the least turn that veins allow. Returns false if all
-    // directions are blocked.
+    // Moves a larva straight ahead or, if spared veins block the way, with the smallest possible
+    // turn. Returns false if all directions are blocked.
     bool move(Vec2& at, double& heading, double radius, bool must_stay) const
     {
         for (int turn = 0; turn <= 16; ++turn) {
@@ -164,13 +163,13 @@ private:
 
     struct Bite {
         double radius = 0;
-        // Amplitude and phase of the threefold wave of the bite's edge.
+        // Amplitude and phase of the wave along the bite's edge, which has three periods per turn.
         std::complex<double> wobble;
     };
     void bite_pixel(std::size_t i, Vec2 const& away, double distance, Bite const& bite)
     {
-        // Computes the sines of three and seven times the angle by complex powers, without the
-        // angle itself.
+        // Powers of a complex number give the sines of three and seven times the angle without
+        // computing the angle.
         std::complex<double> const z
             = distance > 0 ? std::complex(away.x(), away.y()) / distance : std::complex(1.0);
         auto const z3 = z * z * z;
@@ -219,7 +218,8 @@ void keep_connected(LarvaGround const& ground, Vec2 const& base, std::span<float
         if (is_kept[i] || alpha[i] <= 0)
             return;
         is_kept[i] = 1;
-        // Pixels that are mostly eaten stay as an edge but do not connect other pixels.
+        // A pixel that is mostly eaten is kept at the edge of the leaf, but does not connect other
+        // pixels to the petiole.
         if (alpha[i] >= 0.5f * ground.coverage[i])
             pending.push_back(at);
     };

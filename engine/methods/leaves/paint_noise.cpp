@@ -7,7 +7,7 @@ namespace tractus::leaf {
 
 namespace {
 
-// Number of cells in a row of a table: of the first octave, or of the larger meshes.
+// Number of cells along a side of a table: cells of the first octave, or large meshes.
 constexpr int kCells = 16;
 
 double eased(double x)
@@ -16,7 +16,7 @@ double eased(double x)
     return x * x * (3 - 2 * x);
 }
 
-// Random value at a point of a periodic grid of `cells` cells.
+// Random value at a point of a grid that repeats after `cells` cells in each direction.
 double lattice(std::uint64_t seed, std::int64_t x, std::int64_t y, std::int64_t cells)
 {
     return grid_hash(seed, (x + cells) % cells, (y + cells) % cells);
@@ -34,7 +34,7 @@ double value_noise(std::uint64_t seed, Vec2 const& at, std::int64_t cells)
     return std::lerp(low, high, v);
 }
 
-// Sum of three octaves of value noise. `at` is from 0 to 1 across the table.
+// Weighted mean of three octaves of value noise. `at` is from 0 to 1 across the table.
 double cloud(Vec2 const& at)
 {
     constexpr std::int64_t kSecond = 34;
@@ -44,8 +44,8 @@ double cloud(Vec2 const& at)
         / 7;
 }
 
-// Distance from the border between Voronoi cells of random points, one per square: 0 on the border,
-// about 0.5 in the middle of a cell.
+// Distance from the nearest border between Voronoi cells: 0 on the border, about 0.5 in the middle
+// of a cell. The cells belong to random points, one in each square of the grid.
 double border(std::uint64_t seed, Vec2 const& at, std::int64_t cells)
 {
     double first = 1e9;

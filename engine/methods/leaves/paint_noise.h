@@ -7,21 +7,21 @@
 
 namespace tractus::leaf {
 
-// Hash of a grid point, 0 to 1.
+// Returns a pseudo-random number, 0 to 1, for a grid point.
 double grid_hash(std::uint64_t seed, std::int64_t x, std::int64_t y);
 
-// A table of tileable noise, values 0 to 1. Computed once per program, because noise per pixel
-// would take longer than all other painting.
+// A table of tileable noise with values from 0 to 1. It is computed once per program, because
+// computing noise for each pixel would take longer than all other painting.
 class NoiseTable {
 public:
     // Clouds: three octaves of value noise.
     static NoiseTable const& clouds();
-    // The network of the smallest veins: 1 on them, 0 between them; large meshes subdivided by
-    // smaller ones (Worley, "A cellular texture basis function", 1996).
+    // The network of the smallest veins: 1 on these veins, 0 between them. Its large meshes are
+    // subdivided by smaller ones (Worley, "A cellular texture basis function", 1996).
     static NoiseTable const& net();
 
-    // Interpolated value at a position given in cells of the first octave (or large meshes), at
-    // least 0.
+    // Interpolated value at a position in the table, at least 0 and in units of cells: for clouds()
+    // those of the first octave, for net() the large meshes.
     float at(float x, float y) const
     {
         float const u = x * per_cell_;
@@ -54,8 +54,8 @@ private:
     std::vector<float> values_;
 };
 
-// A noise table mapped to a picture: `cells` cells along the picture's side, with an offset derived
-// from `seed`.
+// A noise table mapped to a picture: `cells` cells lie along the picture's side, and their offset
+// is derived from `seed`.
 class Noise {
 public:
     Noise(NoiseTable const& table, std::uint64_t seed, double cells);

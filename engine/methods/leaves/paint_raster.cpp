@@ -11,7 +11,7 @@ namespace tractus::leaf {
 
 namespace {
 
-constexpr int kBlock = 4; // Size of a block in pixels.
+constexpr int kBlock = 4; // Side of a block of TileGrid::blocks_, in pixels.
 constexpr int kBlocks = TileGrid::kTile / kBlock;
 
 std::size_t pixels(int value)
@@ -63,7 +63,7 @@ void CoverageRaster::add_triangle(Vec2 const& a, Vec2 const& b, Vec2 const& c)
 
 void CoverageRaster::finish(std::vector<float>& coverage) const
 {
-    constexpr double kRounding = 1e-3; // Coverage sums within this distance of 0 or 1 are rounded.
+    constexpr double kRounding = 1e-3; // Coverage within this distance of 0 or 1 is rounded to it.
     coverage.resize(pixels(side_) * pixels(side_));
     auto* to = coverage.data();
     for (int y = 0; y < side_; ++y) {
@@ -95,8 +95,8 @@ void CoverageRaster::add_line(Vec2 const& a, Vec2 const& b)
     }
 }
 
-// Adds a line segment of height `height` within a row, from x0 to x1. Each pixel that it crosses
-// gets its exact share, and the next pixel gets the rest.
+// Adds a line segment from x0 to x1 within a row of pixels; `height` is its extent in y. Each pixel
+// that the segment crosses gets the area beside its part, and the next pixel gets the rest.
 void CoverageRaster::add_in_row(int y, double height, double x0, double x1)
 {
     double const last = side_;
@@ -126,7 +126,7 @@ namespace {
 
 using TileRow = Eigen::Array<float, TileGrid::kTile, 1>;
 
-// A vein, prepared for rendering rows of a tile.
+// A vein, prepared for computing its distance from the pixels in a row of a tile.
 struct Stroke {
     float x = 0;
     float y = 0;
@@ -194,8 +194,8 @@ public:
     }
 
 private:
-    // Selects the veins that may be nearest to a pixel of the tile, or close enough for their
-    // profile to matter.
+    // Selects the veins that may be nearest to a pixel of the tile at (x, y), or so close to it
+    // that their profile or protection matters.
     void choose(float x, float y)
     {
         constexpr float kHalfDiagonal = 0.7072f * TileGrid::kTile;

@@ -10,8 +10,8 @@ namespace tractus::leaf {
 
 namespace {
 
-// Weighted means of colour, occlusion, roughness, translucency and underside colour; the weight is
-// the leaf's coverage.
+// Sums for weighted means of colour, occlusion, roughness, translucency and underside colour. The
+// weight is the coverage of a pixel by the leaf.
 struct Mean {
     std::array<float, 9> sum {};
     float weight = 0;
@@ -47,7 +47,8 @@ public:
     }
 
 private:
-    // Calls work(index of the first pixel, number of pixels) for each row of pixels of a tile.
+    // Calls work(index of the first pixel, number of pixels) for each row of pixels of a tile,
+    // without pixels outside the picture.
     template<typename Work> void for_rows(int column, int row, Work const& work) const
     {
         constexpr int kWidth = TileGrid::kTile;
@@ -61,7 +62,7 @@ private:
 
     Mean mean_of(int column, int row) const
     {
-        // Step between sampled pixels: a part of the pixels is enough for a mean.
+        // Step between sampled rows and columns of pixels: a mean does not need all pixels.
         constexpr std::size_t kEach = 4;
         Mean mean;
         std::size_t y = 0;
@@ -139,7 +140,8 @@ private:
     LeafPicture& picture_;
     TileGrid const& tiles_;
     bool has_underside_;
-    std::vector<std::vector<Mean>> levels_; // Means of squares of 1, 2, 4 ... tiles.
+    // For each level, the means over squares of 1, 2, 4 ... tiles on a side.
+    std::vector<std::vector<Mean>> levels_;
 };
 
 } // namespace

@@ -5,8 +5,9 @@
 
 namespace tractus::leaf {
 
-// Fills the unmarked tiles with the mean colour of the leaf's pixels in the smallest surrounding
-// square that has any, so that colours continue to the picture's edge.
+// Fills each tile outside the leaf (not TileGrid::is_near()) with a mean colour of the leaf, so
+// that colours continue to the picture's edge. The mean is over the smallest surrounding square of
+// tiles that contains pixels of the leaf.
 void spread_colors(LeafPicture& picture, TileGrid const& tiles);
 
 } // namespace tractus::leaf

@@ -39,8 +39,8 @@ void add_fields(std::vector<Child> const& children, std::vector<Expression const
     }
 }
 
-// Fails if a rule reads a name without a value. Variables, the attributes of the rule's face and
-// names that the rule assigns have values.
+// Fails with a user error if a rule reads a name that has no value there. Built-in names,
+// variables, attributes of the rule's face and names that the rule assigns have values.
 Result<void> check_names(GrammarReader const& reader, Rule const& rule)
 {
     std::vector<bool> has_value(reader.grammar.names.count());

@@ -9,7 +9,8 @@ namespace tractus::leaf {
 
 namespace {
 
-// Face letters of main veins, other than the midrib, that have side veins; P is for those without.
+// Letters for the faces of main veins that have side veins, except the midrib. Main veins without
+// side veins have the letter P.
 constexpr std::string_view kBearingFaces = "QTVWXYZABDFGIJ";
 constexpr char kPlainFace = 'P';
 constexpr double kKnot = 0.008; // Length of a knot, as a share of the blade's length.
@@ -66,7 +67,7 @@ private:
     bool has_hub() const { return leaf_.mains.size() > 1; }
     bool is_curved() const { return leaf_.side_curve_deg != 0 || leaf_.side_curve_at_tip_deg != 0; }
 
-    // Replaces @, which would end the comment, and line ends by blanks.
+    // Replaces line ends, and @, which would end the comment, by blanks.
     static std::string without_signs(std::string title)
     {
         std::ranges::replace_if(
@@ -190,10 +191,8 @@ private:
         }
     }
 
-    std::size_t hub_sides() const // Number of sides of the hub on each side of the midrib.
-    {
-        return std::max<std::size_t>(rights().size(), lefts().size());
-    }
+    // Number of edges of the hub to the left of the midrib, and as many to its right.
+    std::size_t hub_sides() const { return std::max<std::size_t>(rights().size(), lefts().size()); }
     std::vector<std::size_t> rights() const { return mains_beside(true); }
     std::vector<std::size_t> lefts() const { return mains_beside(false); }
     std::vector<std::size_t> mains_beside(bool right) const
@@ -232,7 +231,8 @@ private:
                                    [](auto const& main) { return !main.knots.empty(); });
     }
 
-    // Writes the statements that set the range `from` to `to` of a main vein's first piece.
+    // Writes the statements that set the range of a main vein's first piece, the variables `from`
+    // and `to`, as shares of the vein's length.
     std::string first_piece(std::size_t main) const
     {
         auto const begin = main == 0 && has_hub() ? "hub" : "0";
@@ -285,7 +285,7 @@ private:
             is_plain ? "" : fmt::format("share{}", main), side);
     }
 
-    // Prints one rule for each knot of a main vein.
+    // Prints the rules of a main vein: one for each of its knots.
     void print_rules(std::size_t main)
     {
         auto const& knots = leaf_.mains[main].knots;
@@ -320,8 +320,9 @@ private:
                              main == 0 ? "bent" : "", main == 0 ? "" : "turn", taper);
     }
 
-    // Writes the statement that turns a bent main vein half-way before and half-way after each
-    // knot.
+    // Writes the statement for the turn of a curved main vein at a knot, which accounts for the
+    // vein's curvature from half-way to the knot before to half-way to the next one. The knot and
+    // the piece behind it each turn by `turn`.
     static std::string turning(std::size_t main, std::size_t i)
     {
         auto const before = i == 0 ? std::string("0") : fmt::format("main{}_at{}", main, i);
@@ -343,11 +344,11 @@ private:
     }
 
     DrawnLeaf const& leaf_;
-    std::string faces_; // Letter of the face for each main vein.
+    std::string faces_; // Face letter of each main vein.
     std::string text_;
 };
 
-// Reads variables by name, and records whether one was missing.
+// Reads a grammar's variables by name, and records whether one was missing.
 class NumberReader {
 public:
     explicit NumberReader(Grammar const& grammar)
@@ -381,7 +382,7 @@ public:
 
 private:
     Grammar const& grammar_;
-    NameTable names_; // Copy of the grammar's names, because looking up a name adds it.
+    NameTable names_; // Copy of the grammar's names, because looking up an unknown name adds it.
     bool lacks_one_ = false;
 };
 

@@ -9,11 +9,13 @@
 namespace tractus::leaf {
 
 // Writes a drawn leaf as a grammar's text (parse_grammar()). Each parameter is a named variable on
-// its own line, so that a slider or a keyboard can change it. Derived with Options::variation 0,
-// the grammar gives the drawn leaf. `title` is one line of text for the comment at the beginning.
+// its own line, so that a slider or a keyboard can change it. If the grammar is derived with
+// Leaf::Options::variation 0, it gives the drawn leaf. `title` is one line of text for the comment
+// at the beginning.
 std::string print_grammar(DrawnLeaf const& leaf, std::string const& title);
 
-// Reads the parameters back from such a grammar; no value if one is missing.
+// Reads a drawn leaf's parameters from a grammar that print_grammar() has written; no value if one
+// is missing.
 std::optional<DrawnLeaf> read_drawn_leaf(Grammar const& grammar);
 
 } // namespace tractus::leaf

@@ -9,8 +9,8 @@ namespace tractus::leaf {
 
 namespace {
 
-// Parses a directive such as "#define A(4,1)" or "#axiom : A": the lines of a grammar that are not
-// rules.
+// Parses a directive, a line of a grammar that is not a rule, such as "#define A(4,1)" or "#axiom :
+// A".
 class Directive {
 public:
     explicit Directive(GrammarReader& reader)
@@ -112,7 +112,7 @@ private:
         return {};
     }
 
-    // Parses the shape of the margin; it has no effect without an outline.
+    // Parses the directive #margin, the shape of the margin; it has no effect without an outline.
     Result<void> margin()
     {
         TRY(text_.expect(":"));
@@ -133,8 +133,8 @@ private:
         return {};
     }
 
-    // Parses the points of an outline, from the stalk's end at (0,0) to the tip, such as "(0.1,0.2)
-    // (0.3,0.5,1)"; a third number of 1 makes a corner.
+    // Parses the points of a half outline, from the end of the stalk at (0,0) to the tip, such as
+    // "(0.1,0.2) (0.3,0.5,1)". A third number of 1 makes the point a corner.
     Result<void> outline(std::vector<HalfOutline::Point>& points)
     {
         constexpr std::size_t kMaxPoints = 500;
@@ -173,7 +173,7 @@ private:
         return {};
     }
 
-    // Parses a property of the adult leaf, such as "#steps(9)" or "#size(80)".
+    // Parses a directive about the adult leaf, such as "#steps(9)" or "#size(80)".
     Result<void> adult(std::string_view what)
     {
         constexpr double kMax = 1000;

@@ -10,7 +10,8 @@ namespace {
 constexpr int kDeepestChild = 100;
 constexpr std::size_t kMaxRules = 10'000;
 
-// Parses a rule: growing, splitting or gluing (Peyrat et al. 2008, section 3).
+// Parses a rule of one of three kinds: growing, splitting or gluing (Peyrat et al. 2008, section
+// 3).
 class RuleText {
 public:
     explicit RuleText(GrammarReader& reader)
@@ -98,8 +99,8 @@ private:
         return made;
     }
 
-    // Parses a successor: an edge and two faces, such as "OBC", or the face itself with the faces
-    // that grow on it.
+    // Parses the successor of a rule: either an edge and two faces, such as "OBC", or the face
+    // itself with the faces that grow on it.
     Result<void> successor(Rule& rule)
     {
         auto const place = text_.place();
@@ -146,8 +147,8 @@ private:
                     child.edge_place,
                     fmt::format("\"{}\" is no edge: they are O, E, C1, C2 and so on", word));
             child.edge = *edge;
-            // If the rule overrides the number of edges, the edge is checked later, when that value
-            // is known.
+            // If the rule overrides the parent's number of edges, the edge is checked when the rule
+            // is applied, because only then that number is known.
             if (parent_fields.empty() || parent_fields[kEdgeCount].empty())
                 reader_.named_edges.push_back(
                     { parent, *edge, std::string(word), false, child.edge_place });

@@ -38,7 +38,8 @@ constexpr std::size_t kMaxStrokes = 300;
 constexpr double kMinStroke_mm = 2;
 constexpr double kStep_mm = 0.5;
 
-// Least-squares plane of the drawing; its normal points up or, for an upright plane, to the viewer.
+// Least-squares plane of the drawing. Its normal points up or, if the plane is upright, towards the
+// viewer.
 struct DrawingPlane {
     Vec3 center = Vec3::Zero();
     Vec3 right = Vec3::UnitX();
@@ -105,18 +106,19 @@ public:
     }
 
 private:
-    static constexpr double kMaxImbalance = 0.5; // Greatest imbalance() of a midrib.
+    // Maximum imbalance() of a stroke that is a midrib.
+    static constexpr double kMaxImbalance = 0.5;
 
     struct Attached {
         double distance = std::numeric_limits<double>::infinity();
         std::size_t parent = 0;
-        // True if the end of the stroke, not its beginning, is at the parent.
+        // True if the stroke was drawn towards the parent: its end, not its beginning, is there.
         bool by_its_end = false;
     };
 
     bool is_free(std::size_t stroke) const { return !roles_[stroke]; }
 
-    // Describes a stroke by its number and its starting point.
+    // Describes a stroke, for messages, by its number and its starting point.
     std::string name_stroke(std::size_t stroke) const
     {
         auto const& at = drawn_[stroke].front();
@@ -124,7 +126,7 @@ private:
                            at.x(), at.y(), at.z());
     }
 
-    // Closes the outline; a single half is closed by its mirror image.
+    // Makes the closed outline `ring_`. If only one half was drawn, its mirror image closes it.
     void close_ring()
     {
         for (auto const& [stroke, point] : outline_.line)
@@ -142,7 +144,7 @@ private:
 
     double tolerance_mm() const { return std::max(3.0, 0.035 * extent_); }
 
-    // Finds the stalk: a stroke outside the outline that ends at it.
+    // Finds the stalk: a stroke that lies outside the outline and has one end on it.
     void find_stalk()
     {
         for (std::size_t i = 0; i < flat_.size() && !stalk_; ++i) {
@@ -167,7 +169,7 @@ private:
                         nearest_on(std::vector { ring_.back(), ring_.front() }, at).distance);
     }
 
-    // True if the other stroke begins or ends on this line.
+    // True if the stroke with the index `other` begins or ends on `line`.
     bool touches(std::size_t other, FlatLine const& line) const
     {
         return std::min(nearest_on(line, flat_[other].front()).distance,
@@ -175,8 +177,8 @@ private:
             < tolerance_mm();
     }
 
-    // Score of a stroke as the midrib, which is long, divides the leaf in halves and touches many
-    // veins.
+    // Score of a stroke as a midrib: high if it is long, divides the leaf into equal halves and
+    // touches many veins.
     double midrib_score(std::size_t stroke) const
     {
         double touching = 0;
@@ -191,9 +193,9 @@ private:
     }
 
     // Returns the difference between the leaf's areas on the two sides of a stroke, as a share of
-    // the whole. The areas are divided by the straight line through the stroke's ends or, if that
-    // is too unequal for a midrib and the stroke reaches from margin to margin, by the stroke
-    // itself.
+    // the whole area. The areas are divided by the straight line through the stroke's ends. If they
+    // differ too much for a midrib and the stroke reaches from margin to margin, they are divided
+    // by the stroke itself.
     double imbalance(std::size_t stroke) const
     {
         auto const& line = flat_[stroke];
@@ -212,7 +214,7 @@ private:
         return reaches(line.front()) && reaches(line.back());
     }
 
-    // Share of the leaf on one side of a line from margin to margin, however it bends.
+    // Share of the leaf's area on one side of a line from margin to margin, however the line bends.
     double share_along(FlatLine const& line) const
     {
         double const from = nearest_on(ring_, line.front()).along;
@@ -270,8 +272,8 @@ private:
 
     double hub_radius_mm() const { return std::max(2.0, 0.025 * extent_); }
 
-    // Returns the total lean of the side veins: positive towards the end of the midrib `rib`,
-    // negative towards its beginning.
+    // Returns the sum of the side veins' leans: positive if they lean towards the end of the midrib
+    // `rib`, negative if towards its beginning.
     double lean_forward(FlatLine const& rib) const
     {
         double sum = 0;
@@ -288,7 +290,7 @@ private:
         return sum;
     }
 
-    // Orients the midrib from base to tip.
+    // Reverses the midrib if necessary, so that it runs from base to tip.
     void orient_midrib()
     {
         auto const& rib = flat_[midrib_];
@@ -321,8 +323,8 @@ private:
         std::ranges::reverse(lines_[stroke]);
     }
 
-    // Finds the hub, where the main veins meet: where the midrib enters the blade, or a little
-    // above that point if at least three veins begin there.
+    // Finds the hub, the place where the main veins meet: where the midrib enters the blade or, if
+    // at least three veins begin together a little above that point, there.
     Vec2 find_hub() const
     {
         auto const& rib = flat_[midrib_];
@@ -431,7 +433,8 @@ private:
     std::vector<RecognisedLeaf::Vein> sides_;
 };
 
-// Resamples a stroke at even distances.
+// Resamples a stroke at even distances. Fails with a user error if its points cannot be used; the
+// message contains the stroke's number.
 Result<std::vector<Vec3>> even_line(std::vector<Vec3> const& stroke, std::size_t number)
 {
     constexpr double kMaxPoints = 4000;

@@ -28,8 +28,8 @@ bool is_whole(scene::PlantState const& plant)
     return plant.grafts.empty() && plant.hidden_branches.empty();
 }
 
-// A scene with only this plant, and the positions of the plant's nodes after bending by strokes, in
-// plant millimetres.
+// A scene with only a beginning's plant, and the positions of the plant's nodes after bending by
+// strokes, in plant millimetres.
 struct BentPlant {
     scene::Scene scene;
     std::vector<Vec3> nodes_mm;
@@ -49,7 +49,8 @@ Result<BentPlant> build_bent_plant(Beginning const& beginning, scene::LoadOption
     return result;
 }
 
-// Removes all axes except the kept ones and their ancestors. Fails if none is kept.
+// Removes all axes except those with the keys `kept` and their ancestors; empty `kept`: all axes
+// stay. Fails if the plant has none of these axes.
 Result<void> keep_only(std::vector<std::uint32_t> const& kept, Plant& plant, AxisKeys& keys)
 {
     if (kept.empty())

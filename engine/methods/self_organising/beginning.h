@@ -12,12 +12,13 @@
 
 namespace tractus::self_organising {
 
-// The plant from which a self-organising tree continues to grow, as it was at that moment; it may
-// be of any method.
+// The plant from which a self-organising tree continues to grow, as it was when this growth began.
+// Any method may have made the plant.
 struct Beginning {
     // The plant together with the strokes that bend it; not null.
     std::shared_ptr<scene::PlantState const> plant;
-    // World millimetres per plant millimetre; gives the bending strokes their size.
+    // World millimetres per plant millimetre; relates the strokes, which are in the world frame, to
+    // the plant.
     double scale = 0.1;
     // Keys of the axes that are kept; their ancestors are kept with them. Empty: all axes are kept.
     std::vector<std::uint32_t> kept_axes {};
@@ -25,7 +26,7 @@ struct Beginning {
     // on young wood (GivenWood::Buds).
     bool wakes_buds = false;
 };
-// Shared, because all versions of a tree have the same beginning.
+// A shared pointer, because all versions of a tree in the undo history have the same beginning.
 using SharedBeginning = std::shared_ptr<Beginning const>;
 
 // Makes a beginning from the plant at index `number` of a document. `builder` supplies the scale if

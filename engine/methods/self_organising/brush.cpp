@@ -17,19 +17,20 @@ namespace tractus::self_organising {
 namespace {
 
 constexpr std::uint32_t kSowStream = 0x50EE;
-// Side of a cell, in internode lengths. A cell has two cubic internode lengths and gets one marker
-// on average.
+// Side of a cell in which markers are sown, in internode lengths: the cell has twice the volume of
+// a cube with sides of one internode length. It gets one marker on average.
 constexpr double kCellInternodes = 1.26;
-// Exclusive upper limit for the number of markers in a cell: 0 to 2 are drawn.
+// Exclusive upper limit for the random number of markers in a cell: 0, 1 or 2 markers are sown.
 constexpr double kMaxInCell = 3;
 constexpr std::size_t kMaxSownCells = 4'000'000;
 
-// Internode length along a sweep. It is shorter than the habit's if the brush is small, so that a
-// few internodes fit into the ball.
+// Internode length along a sweep. It is shorter than the habit's if the brush is small, so that at
+// least four internodes fit into the radius of its largest ball; likewise for a small volume.
 double internode_mm(BrushSweep const& sweep, Habit const& habit)
 {
     constexpr double kInternodesInRadius = 4;
-    // Minimum number of internode lengths along the longest side of a volume's bounding box.
+    // Minimum number of internode lengths along the longest side of the box around a volume's ball
+    // centres.
     constexpr double kInternodesInVolume = 80;
     if (sweep.is_volume) {
         Eigen::AlignedBox3d box;
@@ -53,7 +54,7 @@ public:
     {
     }
 
-    // Marks the cells of cleared volumes as covered, so that they are never sown.
+    // Marks the cells of cleared space as covered, so that no markers are sown there.
     Result<void> clear()
     {
         for (auto const& path : sweep_.cleared)
@@ -97,8 +98,8 @@ private:
                         kMaxSownCells, side_));
     }
 
-    // Marks the cells in a ball as covered and sows the new ones; with null `markers` they stay
-    // empty.
+    // Marks the cells in a ball as covered and sows markers in those that were not covered before.
+    // Null `markers`: nothing is sown.
     Result<void> cover(Vec3 const& centre, double radius, std::vector<Vec3>* markers)
     {
         double const across = 2 * radius / side_ + 1;
@@ -141,7 +142,7 @@ private:
 };
 
 // Number of balls that the brush has passed by the end of a year. If the years divide the stroke
-// evenly, the last year includes all of them.
+// evenly, the brush has passed all balls at the end of the last year.
 std::size_t balls_until(BrushSweep const& sweep, int year)
 {
     auto const& balls = sweep.balls;
@@ -196,9 +197,10 @@ Result<std::vector<Vec3>> sow(BrushSweep const& sweep, Habit const& habit)
 
 std::vector<BrushBall> dense_path(std::span<BrushBall const> balls)
 {
-    // Largest distance between successive centres, as a share of the smaller radius.
+    // Maximum distance between the centres of successive balls, as a share of the smaller of their
+    // radii.
     constexpr double kStep = 0.25;
-    // Limit on the balls inserted where a faulty device jumps.
+    // Maximum number of balls between two given ones, in case a faulty device reports a jump.
     constexpr double kMaxPieces = 10'000;
     std::vector<BrushBall> path;
     for (auto const& ball : balls) {

@@ -8,7 +8,8 @@ namespace tractus::self_organising {
 
 Cell cell_at(Vec3 const& position, double side)
 {
-    // Limit on cell coordinates; larger ones would exceed the precision of a double.
+    // Maximum absolute value of a cell coordinate; a double cannot represent much larger integers
+    // exactly.
     constexpr double kFarthest = 1e15;
     auto const along = [&](double x) {
         return static_cast<std::int64_t>(std::clamp(std::floor(x / side), -kFarthest, kFarthest));

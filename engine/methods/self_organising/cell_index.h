@@ -9,7 +9,7 @@
 
 namespace tractus::self_organising {
 
-// Integer coordinates of a cell in a cubic grid that begins at the origin.
+// Integer coordinates of a cell in a grid of cubes; cell (0, 0, 0) begins at the origin.
 using Cell = std::array<std::int64_t, 3>;
 
 Cell cell_at(Vec3 const& position, double side);

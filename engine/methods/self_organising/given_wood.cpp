@@ -18,7 +18,8 @@ namespace {
 // Minimum distance between nodes that bear buds, in internode lengths.
 constexpr double kBudDistance = 0.7;
 
-// Makes a name for an axis without a key, from its parent axis's name and its index in the plant.
+// Makes a name for an axis without a key, from the name of its parent axis and the axis's own index
+// in the plant.
 std::uint64_t name_of_given(std::uint64_t parent, std::uint64_t number)
 {
     auto mixed = parent * 0x9E3779B97F4A7C15U + number + 0x6769766E;
@@ -84,7 +85,8 @@ private:
         }
     }
 
-    // Adds a segment, divided into parts of about one internode. Returns the node at its upper end.
+    // Adds a segment, divided into equal parts of nearly one internode length. Returns the node at
+    // the segment's upper end.
     std::uint32_t add_segment(Axis const& axis, std::uint32_t i, std::uint32_t below,
                               NodeLinks& links, bool begins_lateral)
     {
@@ -104,8 +106,8 @@ private:
         return below;
     }
 
-    // Adds a node above `below`. `width_mm` is the diameter of the internode between them; without
-    // a value the node is the foot of an additional stem.
+    // Adds a node above `below` and returns it. `width_mm` is the diameter of the internode between
+    // the two; no value: the node is the foot of an additional stem.
     std::uint32_t add_node(std::uint32_t below, NodeLinks& links, Vec3 const& at,
                            std::optional<double> width_mm)
     {
@@ -203,7 +205,8 @@ private:
     std::vector<bool> has_buds_;                       // True for nodes that may bear buds.
     std::vector<std::vector<std::uint32_t>> children_; // First nodes of each node's lateral axes.
     std::vector<std::uint32_t> node_at_end_;           // Node at the upper end of each segment.
-    double since_bud_mm_ = 0; // Distance from the last node on the current axis that may bear buds.
+    // Distance along the current axis from its last node that may bear buds to its newest node.
+    double since_bud_mm_ = 0;
 };
 
 } // namespace
@@ -221,8 +224,8 @@ void bend_tree(GrowingTree& tree, TreePlant const& plant, std::span<Vec3 const> 
     for (std::size_t i = 0; i < tree.size(); ++i)
         before[i] = tree.places[i].position;
     Vec3 const base = before[0];
-    // An axis begins at a node of its parent axis. The parent comes first in the plant, so the
-    // first position found for a node is the parent's.
+    // A lateral axis begins at a node of its parent axis, so the plant has this node twice. The
+    // parent axis comes first; the node gets its position from there.
     std::vector<bool> is_known(tree.size());
     is_known[0] = true;
     for (std::size_t k = 0; k < nodes_mm.size(); ++k) {

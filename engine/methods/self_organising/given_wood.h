@@ -14,8 +14,10 @@ namespace tractus::self_organising {
 struct GivenWood {
     // Only the plant's axes are used. The plant and the keys must outlive this struct.
     Plant const& plant;
-    AxisKeys const& keys {}; // Names that the axes keep: one for each axis, or none at all.
-    // Longer segments are divided into internodes of this length; 0: the habit's internode length.
+    // Keys from which the axes get their names: one for each axis, or none at all.
+    AxisKeys const& keys {};
+    // Internode length in mm: segments are divided into equal parts of nearly this length. 0: the
+    // habit's internode length.
     double internode_mm = 0;
     enum class Buds {
         Young, // Lateral buds only on wood younger than a bud's life (Habit::bud_life).
@@ -28,8 +30,8 @@ struct GivenWood {
 };
 
 // Converts wood into a tree that can grow. Each segment, or each part of a divided one, ends in a
-// node; each axis gets a terminal bud, and nodes get lateral buds as the habit says. A node's age
-// in years follows from the length of the longest path above it. The axis that begins at the
+// node; each axis gets a terminal bud, and nodes get lateral buds according to the habit. A node's
+// age in years follows from the length of the longest path above it. The axis that begins at the
 // plant's origin becomes the trunk; any other axis without a parent becomes an additional stem.
 // `seed` drives the random variation of the buds. The habit must have passed check_habit().
 GrowingTree tree_from_wood(GivenWood const& wood, Habit const& habit, std::uint64_t seed);

@@ -17,8 +17,8 @@ namespace tractus::self_organising {
 namespace {
 
 struct Environment {
-    // Light or space that each bud perceives. The directions are empty when buds compete for light;
-    // they are then computed later, only for the buds that grow.
+    // Light or space that each bud perceives. If buds compete for light, the directions are empty
+    // here and are computed later, only for the buds that grow.
     BudPerception perceived;
     std::optional<LightGrid> grid;
 };

@@ -23,7 +23,7 @@ struct StepCount {
     bool operator==(StepCount const&) const = default;
 };
 
-// A ball within which buds may grow; buds outside it wait.
+// A ball within which buds may grow; buds outside the ball wait.
 struct Region {
     Vec3 centre = Vec3::Zero();
     double radius = 0;
@@ -31,7 +31,7 @@ struct Region {
 
 // The environment of a growing tree.
 struct Surroundings {
-    std::vector<Vec3> markers {}; // Markers of free space; growth removes those that are used up.
+    std::vector<Vec3> markers {}; // Markers of free space; growth removes used-up markers.
     // Points that cast shade in addition to the tree's own buds; for Laws::Environment::Light.
     std::span<Vec3 const> shading {};
     std::uint64_t seed = 1; // Seed of all random variation.

@@ -21,8 +21,8 @@ struct NodePlace {
 // Topology of a node. Its lateral positions, each a bud or an axis, are the `lateral_count` entries
 // of GrowingTree::laterals from `first_lateral` on.
 struct NodeLinks {
-    std::uint32_t parent = kNone; // The node below; kNone at the base.
-    std::uint32_t main = kNone;   // The next node of the same axis; kNone at its end.
+    std::uint32_t parent = kNone; // The next node towards the base; kNone for the base itself.
+    std::uint32_t main = kNone;   // The next node of the same axis; kNone for the axis's last node.
     std::uint32_t first_lateral = 0;
     std::uint8_t lateral_count = 0;
     // False once the terminal bud has died. Only meaningful if main is kNone.
@@ -33,7 +33,8 @@ struct NodeLinks {
     std::uint64_t axis = 0;  // Name of the node's axis, which stays the same as the tree grows.
 };
 
-// A lateral position of a node: a bud, an axis, or nothing once either has died.
+// A lateral position of a node. It has a bud, or the axis that grew from the bud, or nothing if
+// they have died.
 struct Lateral {
     Vec3 direction = Vec3::UnitZ(); // Direction of the bud, a unit vector.
     // First node of the axis that grew from the bud; kNone: no axis has grown.
@@ -51,10 +52,12 @@ struct GrowingTree {
     // Moment in kg mm that bent each node's internode to its present shape (sag.h).
     std::vector<Vec3> bent_by;
     std::uint16_t step = 0; // Number of growth steps so far.
-    // Nodes up to this step are given wood (given_wood.h); later ones have grown. 0: the whole tree
-    // has grown. Given internodes do not count when branches are shed for lack of light.
+    // Nodes of this growth step and of earlier ones are given wood (given_wood.h); nodes of later
+    // steps have grown. 0: the whole tree has grown. Given internodes do not count when branches
+    // are shed for lack of light.
     std::uint16_t given_step = 0;
-    // True if a brush led the last steps. Twigs then stay alive even without space to grow.
+    // True if the tree grew along a brush in its last steps. Twigs then stay alive even without
+    // space to grow.
     bool is_brushed = false;
 
     std::size_t size() const { return links.size(); }
@@ -82,8 +85,8 @@ Vec3 const& direction_of(GrowingTree const& tree, Bud const& bud);
 // must be marked, too. The other nodes keep their order.
 void remove_nodes(GrowingTree& tree, std::vector<bool> const& is_dead);
 
-// Horton-Strahler order of each node: 1 at the tips; where two children share the highest order,
-// the node's order is one more.
+// Horton-Strahler order of each node: 1 at the tips. Any other node has the highest order of its
+// children, or one more if two of its children have that order.
 std::vector<int> strahler_orders(GrowingTree const& tree);
 
 // Calls use(child) for each child of a node: first the next node of its axis, then the first nodes
@@ -97,8 +100,8 @@ template<typename Use> void for_each_child(GrowingTree const& tree, std::size_t 
             use(lateral.node);
 }
 
-// Scalar product and length, summed in the order x, y, z so that ties are decided as in the
-// reference implementation; Eigen adds y and z first.
+// Scalar product and length, summed in the order x, y, z. Ties between buds are then decided as in
+// the program against which the growth laws were checked; Eigen would add y and z first.
 inline double dot(Vec3 const& a, Vec3 const& b)
 {
     return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();

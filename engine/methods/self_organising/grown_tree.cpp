@@ -77,7 +77,8 @@ Result<void> live(GrowingTree& grown, GrownTree const& tree, std::size_t number,
     auto const& part = tree.life[number];
     TRY(check_life(part));
     if (part.kind == LifePeriod::Kind::Clear)
-        return {}; // A clearing period only affects the periods before it.
+        // A period that clears space has already affected the sweeps of the periods before it.
+        return {};
     if (part.kind == LifePeriod::Kind::Prune) {
         auto const balls = TRY(brush_balls(part));
         TRY(prune(grown, balls, tree.habit, tree.seed));
@@ -158,7 +159,8 @@ static Result<GrowingTree> grow_in_stand(GrownTree const& tree, std::size_t numb
     before.life.resize(number);
     if (same(part.stand->place().members[part.place_in_stand].tree, before))
         return part.stand->grow_member(part.place_in_stand, options, on_year);
-    // The tree's habit or seed has changed since, so the stand grows again with the changed tree.
+    // The tree has changed since the stand was made, for example its habit or seed. The stand
+    // therefore grows again with the changed tree.
     auto place = part.stand->place();
     place.members[part.place_in_stand].tree = std::move(before);
     return Stand(std::move(place)).grow_member(part.place_in_stand, options, on_year);
@@ -169,7 +171,8 @@ Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& o
 {
     TRY(check_habit(tree.habit));
     TRY(check_age(tree));
-    // Index of the first period after the last one in a stand.
+    // Index of the period that follows the tree's last period in a stand; 0 if it never grew in
+    // one.
     std::size_t first = tree.life.size();
     while (first > 0 && !tree.life[first - 1].stand)
         --first;

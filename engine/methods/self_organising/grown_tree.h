@@ -38,20 +38,20 @@ struct LifePeriod {
     double min_radius_mm = 8;
     double most_radius_mm = 40;
     bool waits_outside = false; // See BrushSweep::waits_outside.
-    // Pen time that counts as one year; 0: the years divide the stroke's duration evenly.
+    // Seconds of drawing that count as one year; 0: the years divide the stroke's duration evenly.
     double seconds_per_year = 0;
-    // The tree's position and its scale in world millimetres per plant millimetre when the stroke
-    // was drawn. Set by the edits.
+    // The tree's position and scale (world millimetres per plant millimetre) when the stroke was
+    // drawn. The edit that adds the period sets both.
     Vec3 stands_at_mm = Vec3::Zero();
     double scale = 0.1;
-    // The stand of trees in which this one grows, and its index there; null: the tree grows alone.
-    // Set by GrowStand.
+    // The stand in which the tree grows, and the tree's index there; null: the tree grows alone.
+    // GrowStand sets both.
     std::shared_ptr<Stand const> stand {};
     std::size_t place_in_stand = 0;
 };
 
-// Source of a self-organising tree: its life so far. The tree is grown anew from this whenever it
-// is needed; equal lives give equal trees.
+// Source of a self-organising tree: its life so far. The tree is grown anew from this source
+// whenever it is needed; equal sources give equal trees.
 struct GrownTree {
     Habit habit {};
     std::uint64_t seed = 1;
@@ -74,7 +74,7 @@ struct PlantTree {
     scene::ItemId id = 0; // Id of the new plant; 0: not yet assigned.
 };
 
-// Edit: lets a tree grow for another period.
+// Edit: adds a period, of growth, pruning or clearing, to a tree's life.
 struct GrowOn {
     static scene::EditKind const kKind;
 
@@ -106,7 +106,8 @@ struct ChangeHabit {
     std::uint64_t seed = 1;
 };
 
-// The brush along a period's stroke, in the tree's frame. Fails if the stroke cannot be read.
+// The balls of the brush along a period's stroke, in the tree's frame. Fails if the stroke's
+// samples are not in memory.
 Result<std::vector<BrushBall>> brush_balls(LifePeriod const& part);
 
 // Edit: lets all visible self-organising trees of a document grow on without a brush, beside each
@@ -120,20 +121,22 @@ struct GrowStand {
 // Number of years that a period takes; 0 for a period of pruning or clearing.
 int years_of(LifePeriod const& part);
 
-// Check a period's values and the tree's total age. Both fail with a user error.
+// check_life() checks a period's values, check_age() the total of a tree's years. Both fail with a
+// user error.
 Result<void> check_life(LifePeriod const& part);
 Result<void> check_age(GrownTree const& tree);
 
 // Grows the tree from its beginning through all periods of its life. `on_year` receives the tree at
 // its beginning and after each year. Fails with a user error for a habit or life out of range and
-// for a stroke that is not in memory.
+// for a stroke whose samples are not in memory.
 Result<GrowingTree> grow_tree(GrownTree const& tree, scene::LoadOptions const& options = {},
                               YearCallback const& on_year = {});
 
 // Grows the tree and converts it to a plant. Axes keep their keys when the tree grows older.
 Result<scene::BuiltSource> build_tree(GrownTree const& tree, scene::LoadOptions const& options);
 
-// Converts a grown tree to a plant's source and back; null for a source of another kind.
+// Convert a grown tree to a plant's source and back. grown_tree_of() returns null for a source of
+// another kind.
 scene::PlantSource source_of(GrownTree tree);
 GrownTree const* grown_tree_of(scene::PlantSource const& source);
 

@@ -9,8 +9,9 @@
 namespace tractus::self_organising {
 
 // The growth habit of a species: the numbers of a habit file (app/habits). Lengths are in
-// millimetres at natural size, angles in degrees. A value ending in _old holds from `old_years` on;
-// in earlier years it is interpolated from the seedling's value.
+// millimetres at natural size, angles in degrees. Some values have a second field, ending in _old:
+// the first field is the value of a seedling, the second that of a tree of `old_years` years or
+// more, with linear interpolation between them.
 struct Habit {
     std::string name = "tree"; // Common name, such as "oak".
     std::string latin {};      // Botanical name, such as "Quercus robur".
@@ -35,17 +36,19 @@ struct Habit {
     // trunk.
     double angle_deg = 50, lateral_angle_deg = 45;
     double divergence_deg = 137.5, lateral_divergence_deg = 137.5;
-    // Azimuth of the first laterals; 90 together with a divergence of 180 makes flat sprays.
+    // Azimuth of the laterals at an axis's first node; 90 together with a divergence of 180 makes
+    // flat sprays.
     double lateral_start_deg = 0;
     // Standard deviations of the random variation of the divergence and branching angles.
     double divergence_spread_deg = 12, angle_spread_deg = 8;
     double laterals_at_node = 1;
-    // Laterals at the end of each annual shoot of the trunk; 0: as many as at any other node.
+    // Number of laterals at the end of each annual shoot of the trunk; 0: as many as at any other
+    // node.
     double whorl = 0;
     // Upward tropism of the trunk, of its branches, of their branches, and of all higher orders;
     // negative: downwards.
     double tropism_trunk = 0.1, tropism_branches = 0.1, tropism_twigs = 0.1, tropism_last = 0.1;
-    // Strength of the pull towards light, or towards a brush's free space.
+    // Strength with which shoots turn towards light, or towards the free space of a brush.
     double space_weight = 0.35;
 
     // The fields from here on describe light and shade.
@@ -90,12 +93,12 @@ struct HabitNumber {
 };
 std::span<HabitNumber const> habit_numbers();
 
-// Checks a habit. Fails with a user error for a number out of range; the message names it and the
-// range.
+// Checks a habit. Fails with a user error for a number out of range; the message names the number's
+// key and the range.
 Result<void> check_habit(Habit const& habit);
 
-// The growth laws for a year of the tree's life, from 1. Lengths are in millimetres; buds compete
-// for light.
+// The growth laws for one year of a tree's life; the first year is 1. Lengths are in millimetres;
+// buds compete for light.
 Laws growth_laws_in_year(Habit const& habit, int year);
 
 // The growth laws for a year in which buds compete for a brush's markers, with internodes of the

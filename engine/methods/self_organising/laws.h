@@ -43,8 +43,8 @@ struct Laws {
         = Environment::Space;
     double internode = 1;
 
-    // A bud perceives what lies in a cone about its direction; the angle is the cone's full opening
-    // angle.
+    // A bud perceives light or markers in a cone about its direction: `perception_radius` is the
+    // cone's length, `perception_angle_deg` its full opening angle.
     double perception_radius = 5;
     double perception_angle_deg = 90;
     double occupancy_radius = 2; // A marker nearer than this to any bud is used up.
@@ -76,17 +76,18 @@ struct Laws {
     // (Surroundings::seed).
     double divergence_spread_deg = 0;
     double angle_spread_deg = 0;
-    int laterals_at_node = 1; // Lateral buds at each node, 0 to 8.
-    // Lateral buds at the last node of each trunk shoot; 0: as many as at any other node.
+    int laterals_at_node = 1; // Number of lateral buds at each node, 0 to 8.
+    // Number of lateral buds at the last node of each trunk shoot; 0: as many as at any other node.
     int whorl = 0;
     // Probability that the terminal bud of a lateral shoot dies in its first winter.
     double terminal_loss = 0;
-    int bud_life = 0; // Steps after which a dormant lateral bud dies; 0: never.
+    int bud_life = 0; // Number of steps after which a dormant lateral bud dies; 0: it never dies.
 
     // A lateral branch that receives less light or space than this per internode dies.
     double shed_below = 0;
 
-    double pipe_exponent = 2.3;  // Exponent e of the pipe model: d^e = sum of the children's d^e.
+    // Exponent e of the pipe model: diameter^e = sum of the children's diameter^e.
+    double pipe_exponent = 2.3;
     double twig_diameter = 0.05; // Diameter of internodes without children.
     // True: shed branches still count towards the width of the wood below them.
     bool keeps_dead_wood = false;
@@ -96,8 +97,8 @@ struct Laws {
     bool operator==(Laws const&) const = default;
 };
 
-// Checks laws. Fails with a user error for a value out of range; the message names it and the
-// range.
+// Checks growth laws. Fails with a user error for a value out of range; the message names the
+// value's field and the range.
 Result<void> check_laws(Laws const& laws);
 
 } // namespace tractus::self_organising

@@ -18,7 +18,7 @@ Result<StepCount> grow_year(GrowingTree& tree, Surroundings& surroundings, Habit
 // user error for another number of years or a habit out of range, and like grow_step().
 Result<GrowingTree> grow_without_brush(Habit const& habit, int years, std::uint64_t seed);
 
-// The weights and the stiffness of a habit's wood and leaves.
+// The weights of a habit's wood and leaves, and the stiffness of its wood.
 SagLaws sag_laws(Habit const& habit);
 
 } // namespace tractus::self_organising

@@ -31,7 +31,7 @@ Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const
 {
     constexpr double kSame = 1e-12; // Shades that differ by less count as equal.
     double const cosine = std::cos(radians(laws.perception_angle_deg) / 2);
-    // A cheap test with a margin for rounding rules out most cells before the exact one.
+    // A cheap test with a margin for rounding excludes most cells before the exact test.
     double const farthest = laws.perception_radius * laws.perception_radius * (1 + 1e-9);
     double const narrowest = cosine > 0 ? cosine * cosine * (1 - 1e-9) : 0;
     auto const reach = static_cast<std::int64_t>(std::ceil(laws.perception_radius / laws.cell));
@@ -49,8 +49,8 @@ Vec3 brightest_direction(LightGrid const& grid, Vec3 const& position, Vec3 const
             double const off_row = aside * aside + up * up;
             if (off_row > farthest)
                 continue;
-            // No cell of the row lies in the cone if even the row's direction nearest to the cone's
-            // axis, (x, aside, up) with the best x, is too far from it.
+            // The row has no cell in the cone if the cone does not even contain the row's direction
+            // nearest to the cone's axis, (x, aside, up) with the best x.
             double const beside = std::max(aside * direction.y() + up * direction.z(), 0.0);
             double const lengthwise = direction.x() * direction.x();
             if (cosine > 0 && beside * beside < (narrowest - lengthwise) * off_row)

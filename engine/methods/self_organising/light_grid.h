@@ -10,10 +10,10 @@
 
 namespace tractus::self_organising {
 
-// Shade by shadow propagation (Palubicki et al. 2009): a point adds shade * fall^-k to each cell of
-// the k-th layer below its own, in a square with a side of 2 k + 1 cells, for k from 0 to the
-// depth. Each cell sums in the order of the points, so the result is the same on any number of
-// threads.
+// Shade by shadow propagation (Palubicki et al. 2009), with the values of Laws: a point adds shade
+// * shade_fall^-k to the cells of the k-th layer below its own layer, in a square with a side of 2
+// k + 1 cells, for k from 0 to shade_depth. Each cell adds up its shade in the order of the points,
+// so the result is the same on any number of threads.
 class LightGrid {
 public:
     // Computes the shade of points. Fails with a user error if the points spread over more cells
@@ -34,7 +34,8 @@ public:
 private:
     void add_up(std::vector<Cell> const& cells, Laws const& laws);
 
-    // First cell of the grid. The grid exceeds the points by the shade's reach, except at the top.
+    // First cell of the grid. The grid extends beyond the points as far as their shade reaches; at
+    // the top it ends with the highest point.
     Cell low_ {};
     Cell size_ {}; // Number of cells along x, y and z.
     std::vector<double> shade_;

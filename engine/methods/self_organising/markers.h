@@ -11,8 +11,10 @@ namespace tractus::self_organising {
 
 // The light or space that each bud of a tree perceives.
 struct BudPerception {
-    std::vector<double> quality; // Q of each bud: the light or space that it perceives; 0: none.
-    // V of each bud: unit vector of the direction to grow in; zero if there is none.
+    // Q of each bud: the light or space that the bud perceives; 0: none.
+    std::vector<double> quality;
+    // V of each bud: unit vector of the direction in which the bud should grow; zero if the bud
+    // perceives nothing.
     std::vector<Vec3> direction;
 };
 

@@ -14,7 +14,7 @@ namespace tractus::self_organising {
 
 namespace {
 
-// Number of nodes below a cut whose buds wake, counted from the cut along the axis.
+// Number of nodes whose buds wake below a cut, counted from the cut down the axis.
 constexpr int kWakingNodes = 4;
 
 // Finds the internodes that a ball touches along its path.
@@ -120,8 +120,8 @@ std::vector<bool> waking_nodes(GrowingTree const& tree, std::vector<std::uint32_
     return is_waking;
 }
 
-// Gives the marked nodes a bud at each lateral position without bud or branch. Nodes without
-// lateral positions get as many as the laws say.
+// Gives the marked nodes a bud at each lateral position without bud or branch. Marked nodes without
+// lateral positions get Laws::laterals_at_node of them.
 void wake(GrowingTree& tree, std::vector<bool> const& is_waking, Laws const& laws,
           std::uint64_t seed)
 {

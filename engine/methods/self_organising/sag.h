@@ -22,7 +22,7 @@ struct SagLaws {
 void sag(GrowingTree& tree, std::vector<double> const& diameters, SagLaws const& laws);
 
 // Makes the tree's present shape its rest shape under its present load, for wood that grew along a
-// brush.
+// brush or that was bent by strokes.
 void set_wood(GrowingTree& tree, std::vector<double> const& diameters, SagLaws const& laws);
 
 } // namespace tractus::self_organising

@@ -34,7 +34,7 @@ public:
     }
 
     // Grows one shoot. `node` and `lateral` are the indices of the first node and the first lateral
-    // reserved for it.
+    // reserved for the shoot.
     void grow(Shoot const& shoot, std::uint32_t node, std::uint32_t lateral)
     {
         auto const& bud = shoot.bud;
@@ -133,7 +133,7 @@ private:
 
 } // namespace
 
-// Spaces the laterals of a node evenly around it, with random variation.
+// Spaces the lateral buds of a node evenly around the node, with random variation.
 void set_lateral_buds(GrowingTree& tree, std::uint32_t number, Laws const& laws, std::uint64_t seed)
 {
     auto const& node = tree.links[number];

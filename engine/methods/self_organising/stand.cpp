@@ -25,7 +25,7 @@ Eigen::AlignedBox3d reach_of_shade(GrowingTree const& tree, Habit const& habit)
     return box;
 }
 
-// Adds to `within` the points that are in the box once `shift` has moved them to the tree's frame.
+// Moves points by `shift` to the frame of a tree and adds those inside `box` to `within`.
 void add_within(Eigen::AlignedBox3d const& box, std::vector<Vec3> const& points, Vec3 const& shift,
                 std::vector<Vec3>& within)
 {
@@ -34,7 +34,8 @@ void add_within(Eigen::AlignedBox3d const& box, std::vector<Vec3> const& points,
             within.push_back(at);
 }
 
-// The centre of each grid cell that contains any of the points, in the order of the cells.
+// The centre of each grid cell that contains any of the points after moving them by `shift`, in the
+// order of the cells.
 std::vector<Vec3> one_for_each_cell(std::vector<Vec3> const& points, Vec3 const& shift, double side)
 {
     std::set<Cell> cells;
@@ -86,7 +87,8 @@ Stand::points_of_others(scene::LoadOptions const& options) const
     auto const& members = place_.members;
     std::vector<std::vector<Vec3>> still(members.size());
     for (auto const& other : place_.others) {
-        // Points on the plant's wood, by the side length of the cells.
+        // Points on the wood of `other`; key: side length of the light cells for which they are
+        // dense enough.
         std::map<double, std::vector<Vec3>> wood_by_cell;
         for (std::size_t i = 0; i < members.size(); ++i) {
             double const cell_mm = members[i].tree.habit.cell_mm;

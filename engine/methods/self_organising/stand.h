@@ -14,9 +14,9 @@ namespace tractus::self_organising {
 
 // Trees that grow beside each other for some years and shade each other. In each year every tree is
 // shaded by the others' buds as they were at the year's beginning, so the trees' order does not
-// matter. A neighbour's bud casts as much shade as one of the tree's own. Other plants of the
-// document shade, too, but do not grow: each cell of the tree's light grid that holds their wood
-// counts as one bud. Immutable except for a cache; thread-safe.
+// matter. A neighbour's bud casts as much shade on a tree as the tree's own buds do. Other plants
+// of the document shade, too, but do not grow: each cell of a tree's light grid that contains their
+// wood counts as one bud. Immutable except for a cache; thread-safe.
 class Stand {
 public:
     struct Member {
@@ -49,8 +49,8 @@ private:
     points_of_others(scene::LoadOptions const& options) const;
 
     Place place_;
-    // Members that grew when another member was requested, kept until they are requested
-    // themselves. A document builds all of its trees, so each grows only once.
+    // `waiting_` keeps members that grew when another member was requested, until they are
+    // requested themselves. A document builds all of its trees, so each member grows only once.
     mutable std::mutex mutex_;
     mutable std::vector<std::unique_ptr<GrowingTree>> waiting_;
     // Cached result of points_of_others(), which has to build each of the other plants.

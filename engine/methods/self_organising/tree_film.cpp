@@ -12,7 +12,8 @@ namespace tractus::self_organising {
 
 namespace {
 
-// Identifies a node in the trees of all years: the name of its axis and its number along the axis.
+// Identifies a node in the trees of all years: the name of the node's axis and the node's number
+// along that axis.
 using NodeName = std::pair<std::uint64_t, std::uint32_t>;
 
 struct HashOfName {
@@ -24,7 +25,8 @@ struct HashOfName {
 
 using NodesByName = std::unordered_map<NodeName, std::uint32_t, HashOfName>;
 
-// For each node of `tree`, its index in an earlier tree, or kNone.
+// For each node of `tree`, its index in the same tree in an earlier year, or kNone if it had not
+// grown yet.
 std::vector<std::uint32_t> numbers_in(GrowingTree const& earlier, GrowingTree const& tree)
 {
     NodesByName known;
@@ -36,7 +38,7 @@ std::vector<std::uint32_t> numbers_in(GrowingTree const& earlier, GrowingTree co
         if (auto const found = known.find({ tree.links[i].axis, tree.links[i].rank });
             found != known.end())
             numbers[i] = found->second;
-    // The base is not found by name, because its name changes when the trunk begins to grow.
+    // The base cannot be found by its name, which changes when the trunk begins to grow.
     numbers[0] = 0;
     return numbers;
 }
@@ -48,16 +50,17 @@ Vec3 internode_of(GrowingTree const& tree, std::uint32_t node)
                           : Vec3(tree.places[node].position - tree.places[below].position);
 }
 
-// A moment between two years: the tree at the beginning and at the end of the year, and the share
-// of the year that has passed.
+// A moment within a year: the tree at the beginning and at the end of the year, and the share of
+// the year that has passed.
 struct Moment {
     GrowingTree const& before;
     GrowingTree const& after;
     double share;
 };
 
-// An internode at a moment; `before` and `after` are its node's indices in the two trees, or kNone.
-// An internode of both trees turns gradually from one direction to the other.
+// The vector of an internode at a moment. `before` and `after` are the indices of its upper node in
+// the trees moment.before and moment.after, or kNone. An internode that is in both trees turns
+// gradually from its old to its new direction.
 Vec3 internode_at(Moment const& moment, std::uint32_t before, std::uint32_t after)
 {
     if (after == kNone)
@@ -160,8 +163,8 @@ void TreeFilm::shape_at(double age, Plant& plant) const
     place_leaves(age, internodes, plant);
 }
 
-// Size, 0 to 1, of the leaves on an internode of the last tree. Leaves grow with the internode and
-// fall in the year after their last one.
+// Size, 0 to 1, of the leaves on an internode of the last tree. Leaves grow with their internode,
+// live for Habit::leaf_years years and shrink to 0 in the year after.
 double TreeFilm::leaf_size(std::size_t node, double age) const
 {
     auto const born = static_cast<std::size_t>(

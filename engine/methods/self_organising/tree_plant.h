@@ -12,9 +12,9 @@ namespace tractus::self_organising {
 
 struct TreePlant {
     Plant plant {};
-    // Key of each axis, which stays the same in other years of the same tree.
+    // Key of each axis; an axis has the same key in every year of the tree.
     AxisKeys keys {};
-    // For each node of the plant, the index of the tree's node there.
+    // For each node of the plant, the index of the node at the same place in the GrowingTree.
     std::vector<std::uint32_t> tree_nodes {};
 };
 
@@ -24,8 +24,9 @@ struct TreePlant {
 // of the leaves.
 TreePlant plant_of(GrowingTree const& tree, Habit const& habit, std::uint64_t seed);
 
-// Factor on the width of a tree's wood near the ground, where the trunk is wider within about one
-// trunk width. `height_mm` is that of the node above the base.
+// Factor on the width of a trunk's wood at a node: the trunk is wider near the ground, and the
+// extra width falls by a factor of e for each trunk width of height. 1 for all other axes.
+// `height_mm` is the node's height above the base.
 double flare_at(Habit const& habit, NodeLinks const& node, double height_mm,
                 double base_diameter_mm);
 

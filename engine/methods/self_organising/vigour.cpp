@@ -83,8 +83,8 @@ private:
 
     GrowingTree const& tree_;
     Laws const& laws_;
-    // Light or space received by each node's main axis and by each lateral; replaced later by their
-    // vigour.
+    // Light or space received by each node's main axis and by each lateral; later replaced by the
+    // vigour of that axis or lateral.
     std::vector<double> terminal_;
     std::vector<double> lateral_;
     std::vector<double> given_; // Vigour that arrives at each node.

@@ -15,8 +15,9 @@ struct Shares {
 };
 
 // Sums the buds' quality from the tips to the base and distributes vigour upwards. The base has
-// vigour alpha * sum. At each node the main axis gets the share lambda * Q_main / (lambda * Q_main
-// + (1 - lambda) * Q_laterals) of it; the laterals divide the rest in proportion to what each
+// vigour alpha * sum (alpha: Laws::vigour). At each node the main axis gets the share lambda *
+// Q_main / (lambda * Q_main + (1 - lambda) * Q_laterals) of the node's vigour (lambda:
+// Laws::apical_control); the laterals divide the rest in proportion to the quality that each
 // received. `buds` come from living_buds().
 Shares share_vigour(GrowingTree const& tree, std::vector<Bud> const& buds,
                     std::vector<double> const& quality, Laws const& laws);

@@ -7,9 +7,9 @@
 
 namespace tractus::self_organising {
 
-// The value d^e of each node's internode by the pipe model: the sum over the node's children and
-// the branches shed there, or the value of a twig if there are none (Shinozaki et al. 1964;
-// Minamino and Tateno 2014 for the exponent e).
+// The power d^e of the diameter d of each node's internode by the pipe model: the sum of d^e over
+// the node's children and the branches shed there, or that of a twig if there are none (Shinozaki
+// et al. 1964; Minamino and Tateno 2014 for the exponent e).
 std::vector<double> pipe_sums(GrowingTree const& tree, Laws const& laws);
 
 // The diameter of each node's internode by the pipe model.

@@ -139,9 +139,9 @@ private:
     std::size_t count_;
     double alpha_;
     double node_;
-    // True: added branches are at nodes from the start. If they were snapped only at the end,
-    // branches of a node that straddles the border between two nodes would be separated. The older
-    // patterns keep snapping at the end, so that existing plants do not change.
+    // True for whorls of another number than the default: added branches are at nodes throughout
+    // the search. Snapping them only at the end could separate the branches of one node. All other
+    // patterns still snap at the end, so that plants of earlier versions do not change.
     bool is_on_nodes_;
     std::vector<Place> places_;
 };
@@ -203,8 +203,8 @@ double misfit(Pattern pattern, double node, Place const& a, Place const& b)
         return 0;
     auto const& lower = a.u <= b.u ? a : b;
     auto const& upper = a.u <= b.u ? b : a;
-    // The number of nodes between the two branches is rounded. The paper's floor would put a
-    // perfect pattern exactly on the discontinuities.
+    // The number of nodes between the two branches is rounded. Rounding down, as in Wither 2009,
+    // would put a perfect pattern exactly on the discontinuities.
     double const nodes = std::round((upper.u - lower.u) / node);
     double const period_deg = law.period_deg();
     double rest = std::fmod(upper.theta_deg - lower.theta_deg - nodes * law.turn_deg, period_deg);

@@ -63,7 +63,7 @@ struct Place {
 };
 
 // A branch that is visible in the drawing. It normally keeps its u, and its theta stays within
-// `most_off_deg` of its side of the plane.
+// `most_off_deg` of the side where the branch was drawn.
 struct DrawnPlace {
     double u = 0;
     double theta_deg = 0; // Side where the branch was drawn: 0 (right) or 180 (left).
@@ -77,10 +77,10 @@ struct ArrangementOptions {
     std::size_t count = 0; // Number of branches in all, at least as many as were drawn.
     // Added branches are placed between this u and the tip.
     double first_u = 0;
-    // Falloff of the proximity term (Wither 2009: 20). Default: 2 per branch.
+    // Falloff of the proximity term (Wither 2009: 20). Default: twice the number of branches.
     std::optional<double> alpha {};
     int proposals = 3000;
-    // How patterns with nodes use them.
+    // How branches are placed in patterns with nodes.
     enum class Nodes {
         Whole, // The branches of a node share one u (whole_whorls.h).
         Snap, // Added branches move to the nearest node after the search, so nodes can hold more or
@@ -106,14 +106,15 @@ struct Arrangement {
 Arrangement arrange(std::vector<DrawnPlace> const& drawn, ArrangementOptions const& options,
                     RandomKey const& key);
 
-// Pattern cost of a pair when nodes are `node` apart in u: 0 for a perfect fit, at most 1/2.
+// Cost of two branches that do not fit the pattern, with nodes `node` apart in u: 0 for a perfect
+// fit, at most 1/2.
 double misfit(Pattern pattern, double node, Place const& a, Place const& b);
 
-// Proximity cost of a pair: 1 at the same position, falling with distance; faster for a greater
-// `alpha`.
+// Proximity cost of two branches: 1 at the same position, falling with their distance, and faster
+// for a greater `alpha`.
 double closeness(double alpha, Place const& a, Place const& b);
 
-// Weights of the two terms in the cost of a pair (w1 and w2 in Wither 2009).
+// Weights of closeness() and misfit() in the cost of two branches (w1 and w2 in Wither 2009).
 constexpr double kClosenessWeight = 2;
 constexpr double kMisfitWeight = 1;
 

@@ -14,10 +14,11 @@ namespace tractus::silhouette {
 namespace {
 
 constexpr std::array kTangentShares { 0.5, 1.0, 1.5, 2.0 };
-// Tolerance for leaving the outline, as a share of its diagonal.
+// Maximum distance by which a branch may leave the outline, as a share of the outline's diagonal.
 constexpr double kMaxOutside = 0.01;
 constexpr std::size_t kChords = 16;
-// Difference in t within which a later sample replaces an earlier one.
+// A new sample of the branching angle replaces earlier samples that differ from it in t by less
+// than this.
 constexpr double kSameSample = 0.05;
 
 double curve_length(Cubic const& curve)
@@ -39,7 +40,7 @@ Vec2 direction_at(std::span<Vec2 const> trunk, std::size_t sample)
 }
 
 // Candidate bases with their distances from the branch's end, nearest first. A branch is never
-// shorter than its chord, so the search can stop early.
+// shorter than its chord, so the search for the shortest branch can stop early.
 std::vector<std::pair<double, std::size_t>> bases_by_distance(BranchSearch const& search,
                                                               Vec2 const& end)
 {
@@ -200,8 +201,8 @@ BranchCurve drawn_branch(BranchSearch const& search, std::span<Vec2 const> strok
     branch.side = cross(direction_at(search.trunk, sample), curve.end - curve.base) > 0
         ? Side::Left
         : Side::Right;
-    // Normal equations for the magnitudes of the two tangents. A small weight pulls them towards
-    // the chord, for strokes of few points.
+    // Normal equations for the curve's tangents at both ends. A small weight pulls both tangents
+    // towards the chord, for strokes of few points.
     Vec2 const way = curve.end - curve.base;
     constexpr double kToStraight = 1e-3;
     double aa = kToStraight;
@@ -253,7 +254,7 @@ std::vector<Vec2> points_of(std::span<Vec2 const> outline, Arc const& arc)
 }
 
 // The part of a bump's arc inside the cone at the branch's base; at least the samples beside the
-// tip.
+// bump's tip.
 std::vector<Vec2> shared_with(std::span<Vec2 const> outline, Bump const& bump, Cubic const& branch,
                               double cone_deg)
 {

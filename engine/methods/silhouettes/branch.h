@@ -45,13 +45,13 @@ private:
     double over_ = 0;
 };
 
-// A branch that starts at a sample of a trunk.
+// The curve of a branch, which starts at one of the trunk's samples.
 struct BranchCurve {
     Cubic curve {};
     std::size_t trunk_sample = 0;
     double t = 0;      // Position of the branch's base along the trunk, 0 to 1.
     double length = 0; // Arc length of the branch, as the sum of sixteen chords.
-    // Magnitude of the curve's end tangents as a share of the chord from base to end.
+    // Magnitude of the curve's tangents at both ends, as a share of the chord from base to end.
     double tangent_share = 0;
     Side side = Side::Left;
     double outside = 0; // Greatest distance by which the branch leaves the outline.
@@ -63,8 +63,8 @@ struct BranchEnd {
     Vec2 tangent = Vec2::UnitY(); // Unit tangent in the branch's direction.
 };
 
-// Input of the search for a branch: the trunk's samples, those where a branch may start, and the
-// outline that it should stay inside.
+// Input of the search for a branch: the trunk's samples, the range of samples where the branch may
+// start, and the outline that the branch should stay inside.
 struct BranchSearch {
     std::span<Vec2 const> trunk; // Trunk samples, at least two, equally spaced.
     Run bases;
@@ -75,7 +75,8 @@ struct BranchSearch {
 // Chord from a branch's base to the point at `share` of its length.
 Vec2 chord_to_share(Cubic const& curve, double share);
 
-// The branch that starts at one sample. The magnitude of its end tangents is `share` of the chord.
+// The branch that starts at one sample. The magnitude of the tangents at both ends of the branch is
+// `share` of the length of its chord.
 BranchCurve branch_from(BranchSearch const& search, std::size_t sample, BranchEnd const& to,
                         double share = 0.5);
 

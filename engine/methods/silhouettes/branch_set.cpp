@@ -19,8 +19,9 @@ constexpr double kOverSurface = 1.02;
 constexpr double kOutlined_deg = 10; // Limit of rotation for a branch with a drawn outline, which
                                      // must stay visible in the drawing plane.
 
-// Greatest rotation of a visible branch out of the plane, degrees. Long branches rotate less, so
-// that the outline keeps its shape.
+// Greatest rotation of a visible branch out of the plane, degrees. `span` is the distance of the
+// branch's end from the trunk, `greatest` the greatest such distance. Branches that reach far
+// rotate less, so that the outline keeps its shape.
 double most_off_deg(double span, double greatest)
 {
     constexpr double kShort_deg = 45;
@@ -64,8 +65,8 @@ double largest_inside(BranchSetMaker::Model const& model, Branch const& branch, 
     return scales.low;
 }
 
-// Ratio of the largest size that the branch's crown can have at an azimuth to that on its own side
-// of the plane; only used with a drawn surface.
+// Ratio of the largest size that the branch's crown can have at an azimuth to its largest size on
+// its own side of the plane; only used with a drawn surface.
 double widening(BranchSetMaker::Model const& model, Branch const& branch, double theta_deg)
 {
     constexpr Scales kAny { 0.1, 6, kOverSurface };
@@ -90,7 +91,7 @@ double area_at(CrownSurface const& surface, double theta_deg)
 }
 
 // Limits the rotation of a branch that ends in the outline to azimuths where the crown is nearly as
-// wide. Otherwise the outline would look empty.
+// wide as in the plane. Otherwise the outline would look empty.
 double most_off_deg_in(CrownSurface const& surface, double theta_deg, double most_deg)
 {
     // Minimum area of a sector, as a share of that at theta_deg; corresponds to 0.87 of the width.
@@ -160,7 +161,8 @@ BranchSet BranchSetMaker::make(std::size_t index, LevelOptions const& options) c
           .nodes = options.nodes },
         { .seed = options_.seed, .stream = 2, .substream = static_cast<std::uint32_t>(index) });
     Model const model { system, surface, drawn };
-    // A complete node keeps all of its branches, even if the crown leaves hardly any room.
+    // Where nodes are kept whole, a node keeps all of its branches even if the crown leaves hardly
+    // any room for them.
     bool const is_whole
         = options.nodes == ArrangementOptions::Nodes::Whole && options.pattern != Pattern::Even;
     auto const smaller = is_whole ? Lean::Smaller::Least : Lean::Smaller::LeftOut;
@@ -315,8 +317,8 @@ void BranchSetMaker::place_added_branch(BranchSet& branch_set, Model const& mode
         { nearest, name_of_added_branch(branch_set, place), place.u, place.theta_deg, way });
 }
 
-// Names an added branch after its rounded position. Added branches are redistributed as a whole
-// after a change; whichever is then at this position gets the same name.
+// Names an added branch after its rounded position. A change redistributes all added branches; the
+// one that is then at this position gets this name.
 std::string BranchSetMaker::name_of_added_branch(BranchSet const& branch_set, Place const& place)
 {
     constexpr double kSteps = 12; // Resolution of the names, along the parent and around it.

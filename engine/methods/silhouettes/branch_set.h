@@ -29,8 +29,8 @@ struct BranchSet {
     std::vector<PositionedBranch> branches; // Branches sorted by u.
 };
 
-// Distributes the branches of systems around their parents and adds others that end at the crown's
-// surface. Both constructor arguments must outlive the object.
+// Distributes the branches of systems around their parents and adds further branches that end at
+// the crown's surface. Both constructor arguments must outlive the object.
 class BranchSetMaker {
 public:
     BranchSetMaker(Skeleton const& skeleton, TreeOptions const& options)
@@ -54,7 +54,8 @@ public:
     };
     static std::vector<DrawnPlace> drawn_places(Line const& parent, CrownSurface const& surface,
                                                 BranchingSystem const& system);
-    // The visible branch that an added branch at this position copies; no value if there is none.
+    // The visible branch that an added branch at this position copies; no value if no branch is
+    // visible.
     static std::optional<std::size_t> nearest_drawn(Model const& model, Place const& place);
 
     // Adds the visible branch `i`. `place` has the position where it was inferred; `moves_to` is
@@ -80,7 +81,8 @@ public:
     // The similarity that moves a branch's base to `from` and leaves its end where it is.
     static Similarity similarity_to_end(Branch const& branch, Vec2 const& from);
 
-    // Axis of a branch. `below` is the index of its own system, kNoSystem if it has none.
+    // Axis of a branch. `below` is the index of the system of its children, kNoSystem if it has no
+    // children.
     std::vector<Vec2> line_of(Branch const& model, std::size_t below) const;
 
 private:

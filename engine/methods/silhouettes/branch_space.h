@@ -27,9 +27,9 @@ struct ParentBranch {
 Space space_of(ParentBranch const& bearer, PositionedBranch const& standing, Branch const& branch,
                double share = 1);
 
-// Transform of a placed branch, like space_of(), but inside a drawn crown surface. Branches of
-// branches rotate back towards the plane in which their parent was fitted to the surface, and
-// shrink, as far as needed to stay inside.
+// Transform of a placed branch, like space_of(), but fitted into a drawn crown surface: the branch
+// rotates back towards its parent's plane and shrinks about its base, as far as needed to stay
+// inside. For branches of branches, whose parent is already inside.
 Space space_under(SurfaceFit const& surface, ParentBranch const& bearer,
                   PositionedBranch const& standing, Branch const& branch);
 

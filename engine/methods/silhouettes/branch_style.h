@@ -17,12 +17,13 @@ struct BranchStyle {
     double children_deviation = 0;
     double bare = 0; // Share of the axes without children, below 1. The trunk always has some.
     double unbranched = 0; // Position of the first child, as a share of the parent's length.
-    // Mean distance between consecutive children, where children of one node count with distance 0.
+    // Mean distance between consecutive children as a share of the parent's length; within a node
+    // the distance is 0.
     double spacing = 0;
     double unevenness = 0; // Coefficient of variation of the distance between nodes.
     // Standard deviation of the distance between consecutive children, including the zero distances
     // within a node and the differences between parents, as a share of the parent's length. 0:
-    // distances vary by about `unevenness`.
+    // distances vary by `unevenness` alone.
     double spacing_deviation = 0;
     // Branching angles of the first and the last child, interpolated linearly in between.
     double first_angle_deg = 0;

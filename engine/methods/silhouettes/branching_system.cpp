@@ -11,9 +11,10 @@ namespace tractus::silhouette {
 
 namespace {
 
-// In crowns that are divided evenly, greatest distance of the foot bump's end from the trunk, as a
-// share of the bump's radius. Where two large lobes meet under the crown, the trunk enters through
-// the corner of one of them and passes near the lobe's end, although it is not the foot.
+// Maximum distance of the foot bump's end from the trunk, as a share of the bump's radius, in
+// crowns with a given number of branches. Where two large lobes meet under the crown, the trunk
+// enters through the corner of one lobe and passes near its end, although that lobe is not the
+// foot.
 constexpr double kCloseFoot = 0.6;
 
 // The apex bump's end, if it is within 60 degrees of the trunk's final direction.
@@ -59,8 +60,8 @@ Branch branch_to(BranchingSystem const& system, Bump const& bump, BranchCurve pa
     return branch;
 }
 
-// The lateral bump in which a drawn branch ends, among those without a branch so far; no value if
-// it ends in none.
+// The lateral bump in which a drawn branch ends, among the bumps that have no branch so far; no
+// value if the branch ends in none of them.
 std::optional<std::size_t> bump_at(std::span<Bump const> bumps, Vec2 const& end,
                                    std::span<std::optional<Branch> const> taken)
 {
@@ -85,8 +86,8 @@ double angle_at_base_deg(BranchingSystem const& system, BranchCurve const& path,
     return degrees(std::fabs(std::atan2(cross(along, out), along.dot(out))));
 }
 
-// Drawn branches, by the index of the bump in which they end, and those that end in no bump. Their
-// branching angles become samples of `angles` for the other branches.
+// Drawn branches: in `of_bump` by the index of the bump in which they end, in `elsewhere` if they
+// end in no bump.
 struct DrawnBranches {
     std::vector<std::optional<Branch>> of_bump;
     std::vector<Branch> elsewhere {};
@@ -153,7 +154,8 @@ void infer_branches(BranchingSystem& system, Run const& bases, DrawnBranches dra
         system.branches.push_back(std::move(branch));
 }
 
-// Adds branches to the parts of the outline without bumps, until the system has `branches` of them.
+// Adds branches to the parts of the outline without bumps, until the system has `branches`
+// branches.
 void add_spaced(BranchingSystem& system, Run const& bases, BranchingAngles const& angles,
                 std::size_t branches)
 {
@@ -181,7 +183,8 @@ void add_spaced(BranchingSystem& system, Run const& bases, BranchingAngles const
 FillOptions filling(FillOptions options, std::size_t branches)
 {
     constexpr double kMinGap = 0.006;
-    constexpr double kMinLength = 0.02; // Shorter branches are hidden by the trunk.
+    // Minimum length of a branch; shorter ones are hidden by the trunk.
+    constexpr double kMinLength = 0.02;
     if (branches > 0) {
         options.most_branches = branches;
         options.enough = 1;
@@ -216,8 +219,8 @@ void add_branches(BranchingSystem& system, Run const& bases, std::optional<Vec2>
     }
 }
 
-// Adds the apex branch: straight into the bump ahead of the trunk, most of the way to the bump's
-// tip.
+// Adds the apex branch: straight from the trunk's end into the apex bump, to halfway between the
+// bump's end and its tip.
 void add_apex(BranchingSystem& system, std::size_t branches)
 {
     auto crown = apex_crown(system, branches);
@@ -245,8 +248,8 @@ void move_to_sheet(Branch& branch, Similarity const& way)
     branch.path.curve = way.cubic(branch.path.curve);
     branch.path.length *= way.turn.norm();
     branch.path.outside *= way.turn.norm();
-    // Conjugates the similarity from the model to the copy by the rotation and scale of the frame.
-    // For a mirrored copy the frame's rotation enters with the opposite sign.
+    // Transforms the similarity from the model to the copy, too: it is conjugated by the rotation
+    // and scale of `way`. For a mirrored copy the rotation of `way` enters with the opposite sign.
     auto& copy = branch.from_model;
     copy.from = way.point(copy.from);
     copy.to = way.point(copy.to);

@@ -15,8 +15,9 @@ struct InferenceOptions {
     BumpThresholds bumps {};
     FillOptions fill {};
     BranchingAngles angles {};
-    // Number of branches, besides the trunk's own end, that a crown has whose outline has fewer
-    // bumps (spaced_ends.h). 0: branches in bumps, and others until enough of the crown is covered.
+    // Number of branches, not counting the trunk's own end, that a crown gets if its outline has
+    // fewer bumps (spaced_ends.h). 0: a crown gets one branch per bump, then others until enough of
+    // it is covered.
     std::size_t branches = 0;
     double unbranched = 0; // Share of the trunk, from its base, on which no branch is inferred.
     // Drawn branches may start only on the part of the trunk inside the outline, or anywhere on it.
@@ -37,7 +38,7 @@ struct BranchingSystem {
     // First one branch per lateral bump, in the order of the bumps (a drawn branch where one ends
     // in the bump), then the other drawn branches, then the added ones.
     std::vector<Branch> branches;
-    // Share of the outline's area covered by the crowns of the bumps' branches.
+    // Share of the outline's area covered by crowns before branches are added to fill the rest.
     double coverage_before = 0;
     double coverage_after = 0; // Share of the outline's area covered by the crowns of all branches.
     std::vector<std::string> notes;
@@ -52,8 +53,8 @@ struct BranchingSystem {
     // (sibling_style.h). The system then takes no other style.
     bool is_in_siblings_style = false;
 
-    // The trunk with its extension, equally spaced or nearly so. Where an apex branch continues the
-    // trunk, that part is left out.
+    // The trunk with its extension, equally spaced or nearly so. If an apex branch continues the
+    // trunk, the extension is left out.
     std::vector<Vec2> whole_trunk() const;
     bool has_apex_branch() const
     {

@@ -4,8 +4,8 @@
 
 namespace tractus::silhouette {
 
-// Index of the branch that ends in a bump. The system's first branches belong to the lateral bumps,
-// in the same order.
+// Index of the branch that ends in a bump. The system's first branches end in the lateral bumps, in
+// the order of the bumps.
 static std::optional<std::size_t> branch_of_bump(BranchingSystem const& system, std::size_t bump)
 {
     if (system.bumps[bump].role != Role::Lateral || system.is_in_siblings_style)
@@ -18,8 +18,9 @@ static std::optional<std::size_t> branch_of_bump(BranchingSystem const& system, 
 
 std::optional<BumpLeaf> leaf_on_bump(Skeleton const& skeleton, Vec2 const& place, Search search)
 {
-    constexpr double kNear = 0.04; // Tolerance around the branch's part of the crown, as a share of
-                                   // the outline's diagonal.
+    // Maximum distance of the touch from the branch's part of the crown, as a share of the
+    // outline's diagonal.
+    constexpr double kNear = 0.04;
     for (auto const s : outlined_systems(skeleton, search)) {
         auto const& system = skeleton.systems[s];
         auto const bump = touched_bump(system.bumps, system.outline,

@@ -8,8 +8,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-// Greatest distances of a touch from a bump's arc and from a joint, as shares of the outline's
-// diagonal.
+// Maximum distances of a touch from a bump's arc and from the joint between two bumps, as shares of
+// the outline's diagonal.
 constexpr double kNearBump = 0.04;
 constexpr double kNearJoint = 0.08;
 
@@ -27,8 +27,9 @@ std::vector<Vec2> points_between(std::span<Vec2 const> outline, std::uint32_t fi
     return points;
 }
 
-// True if the point is within the bump's end area. A branch ends in the middle of a lobe, which can
-// be on the inner side of the chord.
+// True if the point is near the bump's end: in a circle with the radius of the cap, or half of the
+// cap's chord if that is less. In a lobe, the end can be outside the bump, on the inner side of its
+// chord.
 bool is_around_end(Bump const& bump, std::span<Vec2 const> outline, Vec2 const& place)
 {
     double const half = (outline[bump.cap.last] - outline[bump.cap.first]).norm() / 2;
@@ -108,7 +109,7 @@ void pull_inside(Bump& bump, std::span<Vec2 const> outline)
 }
 
 // Makes a bump from its arc. The arc is narrowed evenly from both ends until the half disc over its
-// ends contains it; this is the cap.
+// ends contains the rest, which is the cap.
 Bump bump_on(std::span<Vec2 const> outline, Arc const& arc, double strength)
 {
     auto const n = static_cast<std::uint32_t>(outline.size());
@@ -124,8 +125,9 @@ Bump bump_on(std::span<Vec2 const> outline, Arc const& arc, double strength)
 std::uint32_t split_sample(std::span<Vec2 const> outline, Bump const& bump, Vec2 const& place)
 {
     constexpr double kMinPart = 0.2;
-    constexpr double kTooNear = 0.25; // A touch nearer to the ray's origin than this share of the
-                                      // bump's height has no clear direction.
+    // A touch nearer to the ray's origin than this share of the bump's height gives no clear
+    // direction.
+    constexpr double kTooNear = 0.25;
     // Minimum distance of the ray's origin from the bump's tip, as a multiple of the distance from
     // the tip to the bump's end.
     constexpr double kMinOriginDistance = 1.5;
@@ -265,7 +267,7 @@ Result<TouchedDrawing> touched(Drawing const& drawing, BumpTouch const& touch,
         auto const bump = touched_bump(system.bumps, system.outline, touch);
         if (!bump)
             continue;
-        // Touches on this outline, and their indices among all touches of the drawing.
+        // Touches on the outline of `system`, and their indices among all touches of the drawing.
         std::vector<BumpTouch> touches;
         std::vector<std::size_t> numbers;
         for (std::size_t i = 0; i < drawing.touches.size(); ++i)

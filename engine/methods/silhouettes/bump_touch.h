@@ -12,18 +12,19 @@
 namespace tractus::silhouette {
 
 // Finds the bump that a touch refers to. A split refers to the bump that contains the touch;
-// failing that, to one whose end area surrounds it; failing that, to one whose arc is within 4 % of
-// the outline's diagonal. Bumps of fewer than eight samples are too small to split. A join refers
-// to the nearest joint within 8 % of the diagonal. A joint is the part of the outline from the end
-// of one bump to the beginning of the next.
+// failing that, to one whose end is near the touch; failing that, to one whose arc is no further
+// from the touch than 4 % of the outline's diagonal. Bumps of fewer than eight samples are too
+// small to split. A join refers to the nearest joint within 8 % of the diagonal. A joint is the
+// part of the outline from the end of one bump to the beginning of the next.
 //
-// Returns the index of the bump; for a join, of the first of the two along the outline. No value if
-// the touch is at no bump. The touch, the bumps and the outline share one frame and unit.
+// Returns the index of the bump; for a join, of the first of the two bumps along the outline. No
+// value if the touch refers to no bump. The touch, the bumps and the outline share one frame and
+// unit.
 std::optional<std::size_t> touched_bump(std::span<Bump const> bumps, std::span<Vec2 const> outline,
                                         BumpTouch const& touch);
 
 // Indices of the systems whose outlines were drawn, smallest outline first. Search::OnTrunk: only
-// the crown's.
+// the system of the whole crown.
 std::vector<std::size_t> outlined_systems(Skeleton const& skeleton, Search search);
 
 // Splits and joins bumps, one touch after the other, before roles are assigned. Returns the number
@@ -36,12 +37,13 @@ std::vector<std::size_t> outlined_systems(Skeleton const& skeleton, Search searc
 std::size_t take_touches(std::vector<Bump>& bumps, std::span<Vec2 const> outline,
                          std::span<BumpTouch const> touches);
 
-// The effect of a touch on a drawing. It is added to the touches of the smallest outline with a
-// bump there, or it undoes an earlier touch: joining two halves undoes the split that made them,
-// and splitting near a joint undoes that join.
+// The effect of a touch on a drawing. The touch is added to the touches of the smallest outline
+// with a bump there, or it undoes an earlier touch: joining two halves undoes the split that made
+// them, and splitting a joined bump near the touch that joined it undoes the join.
 struct TouchedDrawing {
     BumpTouch added {};
-    // Index, among the drawing's touches, of the touch that is undone; `added` is unused then.
+    // Index, among the drawing's touches, of the earlier touch that is undone; `added` is unused
+    // then.
     std::optional<std::size_t> taken_back {};
 };
 

@@ -26,7 +26,8 @@ struct Bump {
     Vec2 tangent = Vec2::Zero();
     double radius = 0;       // Radius of the cap, taken as a circle.
     Vec2 tip = Vec2::Zero(); // The cap's farthest point along `tangent`.
-    // Rise of the bump divided by the threshold for bumps; 0: the outline has no junction.
+    // Rise of the bump divided by the minimum rise of a bump; 0: the outline has no junction
+    // triangle.
     double strength = 0;
     Role role = Role::Lateral;
     // Index of the touch that made the bump (bump_touch.h); no value if none did.
@@ -39,14 +40,13 @@ struct BumpThresholds {
     // Minimum rise as a share of the diagonal of the outline's bounding box.
     double rise_of_diagonal = 0.012;
     double rise_of_chord = 0.06; // Minimum rise as a share of the chord at the limb's base.
-    // Choice of the chord whose middle is a bump's end: in both cases the first chord, from the
-    // bump's base outwards, whose half disc contains the outline beyond it.
+    // The chords that are tried for a bump's end. The end is the middle of the first chord, from
+    // the bump's base outwards, whose half disc contains the outline beyond the chord.
     enum class Ends {
-        // The first one among the edges of triangles. In a round lobe, whose points lie on one
-        // circle, tremor decides which triangles there are, and ends move by more than a tenth of
-        // the diagonal.
+        // Edges of triangles. In a round lobe, whose points lie on one circle, tremor decides which
+        // triangles there are, and ends move by more than a tenth of the diagonal.
         OfTriangles,
-        // The first one among chords that narrow evenly from both ends of the bump's arc.
+        // Chords that narrow evenly from both ends of the bump's arc.
         Even,
     } ends
         = Ends::OfTriangles;
@@ -54,8 +54,8 @@ struct BumpThresholds {
 
 // The bumps of an outline, in the order of their arcs. Limbs that rise too little are removed,
 // weakest first; this may turn their junction triangle into a sleeve triangle. If no junction is
-// left, as in an ellipse, the result is the two ends beyond the longest chord. Roles are not
-// assigned yet.
+// left, as in an ellipse, the result is two bumps: the parts of the outline on either side of the
+// longest chord. Roles are not assigned yet.
 std::vector<Bump> find_bumps(ChordalAxis const& axis, BumpThresholds const& thresholds = {});
 
 // True if the half disc over the ends of an arc contains the whole arc, up to a tolerance given as
@@ -74,11 +74,11 @@ struct Run {
 // The longest run of trunk samples inside the outline; no value if none is inside.
 std::optional<Run> inside_run(std::span<Vec2 const> outline, std::span<Vec2 const> trunk);
 
-// Assigns roles. `run` is the range of trunk samples inside the outline. In an outline that is
-// nearly round, the two end bumps become foot and apex. If the trunk has neither an apex nor a fork
-// ahead, returns the point to which it should be extended: straight on, 85 % of the way to the
-// outline. The foot is the bump through which the trunk enters, if the trunk passes the bump's end
-// at less than `foot_reach` times the bump's radius.
+// Assigns roles to an outline's bumps. `run` is the range of trunk samples inside the outline. In
+// an outline that is nearly round, the two end bumps become foot and apex. If the trunk has neither
+// an apex nor a fork ahead, returns the point to which the trunk should be extended: straight on,
+// 85 % of the way to the outline. The foot is the bump through which the trunk enters, if the trunk
+// passes the bump's end at less than `foot_reach` times the bump's radius.
 std::optional<Vec2> set_roles(std::vector<Bump>& bumps, std::span<Vec2 const> outline,
                               std::span<Vec2 const> trunk, Run const& run, double foot_reach = 1);
 

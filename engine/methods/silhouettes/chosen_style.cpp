@@ -109,7 +109,8 @@ Result<void> choose_styles(ChosenStyles& styles, ChosenStyles const& chosen,
 
 Result<ChosenStyles> copied_by(Skeleton const& skeleton, std::span<Vec2 const> stroke)
 {
-    // A stroke crosses a branch if it comes this near to it, as a share of the outline's diagonal.
+    // Maximum distance of a stroke from a branch that it crosses, as a share of the outline's
+    // diagonal.
     constexpr double kOver = 0.01;
     constexpr std::size_t kPlaces = 400;
     auto const source = branch_near(skeleton, stroke.front());

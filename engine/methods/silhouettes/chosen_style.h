@@ -23,12 +23,12 @@ std::string source_of(ChosenStyles const& styles, std::string branch);
 Result<void> choose_styles(ChosenStyles& styles, ChosenStyles const& chosen,
                            Skeleton const& skeleton);
 
-// The style choices that a stroke makes. The style of the branch on which the stroke begins
+// The style choices that a stroke stands for. The style of the branch on which the stroke begins
 // (own_branch.h) is copied to the branches of the same level that it crosses, to within 1 % of the
 // outline's diagonal. A stroke that crosses no other branch removes the style chosen for its first
 // branch. Only the trunk's branches and the children of branches that were drawn on are considered.
-// Fails with a user error if the stroke begins on no branch. The skeleton and the stroke are in the
-// same millimetres.
+// Fails with a user error if the stroke begins on no branch. The skeleton and the stroke share one
+// frame, in millimetres.
 Result<ChosenStyles> copied_by(Skeleton const& skeleton, std::span<Vec2 const> stroke);
 
 } // namespace tractus::silhouette

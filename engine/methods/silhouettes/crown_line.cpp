@@ -38,7 +38,7 @@ double length_in_space(CrownLine const& line)
 bool comes_back_in_space(CrownLine const& line)
 {
     // Largest gap between the ends of a closed line, as a share of its length; the same as for
-    // outlines on the sheet.
+    // outlines on the sheet (outline.cpp).
     constexpr double kWidestGap = 0.25;
     return (line.back() - line.front()).norm() <= kWidestGap * length_in_space(line);
 }
@@ -85,7 +85,7 @@ double wrapped_turn(double angle)
     return angle - 2 * kPi * std::round(angle / (2 * kPi));
 }
 
-// Number of turns that a plan makes around a point.
+// Number of turns that a line's plan view makes around a point.
 double turns_around(std::vector<Vec2> const& plan, Vec2 const& middle)
 {
     double angle = 0;
@@ -190,7 +190,7 @@ tl::unexpected<Error> not_around(char const* what, CrownLine const& line)
 Result<CrownLineKind> kind_of(CrownLine const& line)
 {
     constexpr double kMin_mm = 2;
-    // Up to this rise, as a share of its greatest width, a line counts as a ring, however many
+    // A line that rises by at most this share of its greatest width counts as a ring, however many
     // turns it makes.
     constexpr double kFlat = 0.12;
     constexpr double kTilted = 0.25;

@@ -10,7 +10,7 @@
 namespace tractus::silhouette {
 
 // A line in space on the crown's surface, millimetres: x and y on the sheet, z the distance behind
-// it.
+// the sheet.
 using CrownLine = std::vector<Vec3>;
 
 // Classes of crown lines, distinguished by their shape.
@@ -21,15 +21,16 @@ enum class CrownLineKind {
 };
 
 // Classifies a line. A ring rises by at most a quarter of its greatest width. A climbing line makes
-// at least one and a quarter turns. An outline deviates from its plane by at most a fifth of its
-// width. Fails with a user error for any other line.
+// at least one and a quarter turns. An outline deviates from its vertical plane by at most a fifth
+// of its width. Fails with a user error for any other line.
 Result<CrownLineKind> kind_of(CrownLine const& line);
 
 // Azimuth of the vertical plane of an outline, 0 to below 180 degrees: 0 in the sheet, 90 at right
-// angles to it.
+// angles to the sheet.
 double azimuth_deg(CrownLine const& side);
 
-// Centre of a line in plan view (x to the right, y behind the sheet); of a ring, its centroid.
+// Centre of a line in plan view (x to the right, y behind the sheet); for a ring, the centroid of
+// its plan.
 Vec2 plan_middle(CrownLine const& line);
 
 double mean_height(CrownLine const& line); // Mean y of the line, millimetres on the sheet.
@@ -42,15 +43,15 @@ bool takes_place_of(CrownLine const& line, CrownLine const& other);
 constexpr std::size_t kAzimuths = 72;
 
 // Intersections of lines with the half plane at each azimuth, as (height along the trunk, distance
-// from it).
+// from the trunk).
 using Crossings = std::array<std::vector<Vec2>, kAzimuths>;
 
-// Adds the intersection of a ring with each azimuth, one per azimuth. Fails with a user error if
-// the ring does not go around the trunk.
+// Adds the intersections of a ring with the half planes, one per azimuth. Fails with a user error
+// if the ring does not go around the trunk.
 Result<void> add_ring(CrownLine const& ring, TrunkFrame const& trunk, Crossings& crossings);
 
-// Adds the intersections of a climbing line, as many per azimuth as it makes turns. Fails like
-// add_ring().
+// Adds the intersections of a climbing line with the half planes, as many per azimuth as the line
+// makes turns. Fails like add_ring().
 Result<void> add_climb(CrownLine const& climb, TrunkFrame const& trunk, Crossings& crossings);
 
 } // namespace tractus::silhouette

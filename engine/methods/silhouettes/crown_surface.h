@@ -44,11 +44,11 @@ public:
     // (Lowest, highest) height of the surface at an azimuth.
     Vec2 heights(double theta_deg) const;
 
-    // True if a point in space is inside. The point is in the frame of TrunkFrame::of().
+    // True if a point in space is inside the crown. The point is in the frame of TrunkFrame::of().
     bool holds(Vec3 const& point) const;
 
-    // Converts to the trunk's frame. For a point of the plane the sign of the distance tells the
-    // side: positive to the right.
+    // Converts to the trunk's frame. For a point of the drawing plane, the sign of its distance
+    // from the trunk gives the side: positive to the right.
     Vec2 to_trunk(Vec2 const& point) const { return frame_.of(point); }
     Vec3 to_trunk(Vec3 const& point) const { return frame_.of(point); }
 

@@ -117,7 +117,7 @@ CrownVolume::CrownVolume(Skeleton const& skeleton, double scale)
     }
 }
 
-// Inverse of the transform in make_tree(): (x, y, distance behind the sheet).
+// Inverse of the transform in make_tree(); returns (x, y, distance behind the sheet).
 Vec3 CrownVolume::to_sheet(Vec3 const& plant_mm) const
 {
     Vec3 const at = scale_ * plant_mm;

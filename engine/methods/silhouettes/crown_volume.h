@@ -18,7 +18,7 @@ public:
 
     bool holds(Vec3 const& plant_mm) const;
 
-    // A box around the volume, at most a few percent larger than necessary.
+    // A box around the volume, computed from the crown surface's sections at 36 azimuths.
     Bounds const& box_mm() const { return box_mm_; }
 
 private:
@@ -40,9 +40,9 @@ struct CrownBall {
     double radius_mm = 0;
 };
 
-// Balls that together fill a volume: no part of them is outside by more than 2 % of the box's
-// longest side, and what they leave out is no wider than twice that. Ordered from the widest to the
-// narrowest.
+// Balls that together fill a volume. They reach out of the volume by at most 2 % of the box's
+// longest side, and the gaps that they leave in it are at most 4 % wide. Ordered from the widest to
+// the narrowest.
 std::vector<CrownBall> fill_with_balls(CrownVolume const& volume);
 
 // Axis keys of the trunk and of the branches that were drawn, in the plant that build_tree() makes

@@ -14,13 +14,14 @@ namespace {
 
 constexpr double kAzimuthStep_deg = 360.0 / kAzimuths;
 
-// Cap that closes the crown's profile beyond its last known point. The square of the distance from
-// the trunk continues as a parabola down to 0, so spheres, cones and shapes in between close
-// exactly.
+// Cap that closes the crown's profile beyond the profile's last known point. The square of the
+// distance from the trunk continues as a parabola down to 0, so spheres, cones and shapes in
+// between close exactly.
 class Cap {
 public:
-    // `squares`: squared distances from the trunk at the last point, and one and two steps before
-    // it. `height`: height of the cap; by default it ends where the parabola reaches 0.
+    // `squares`: squared distances from the trunk at the profile's last point, and one and two
+    // steps before that point. `height`: height of the cap; by default it ends where the parabola
+    // reaches 0.
     Cap(std::array<double, 3> const& squares, double step, std::optional<double> height)
         : square_(std::max(squares[0], 1e-12))
     {
@@ -32,8 +33,8 @@ public:
         }
         // Minimum height of a cap, as a share of the last point's distance from the trunk.
         constexpr double kLowest = 0.3;
-        // Height of a cap if the profile does not narrow towards its end, as a share of the same
-        // distance.
+        // Height of a cap if the profile does not narrow towards its end, as a share of the last
+        // point's distance from the trunk.
         constexpr double kFlat = 0.4;
         height_ = height.value_or(std::clamp(end_of(curved, kFlat * radius), kLowest * radius,
                                              std::max(radius, 1.5 * step)));
@@ -41,8 +42,8 @@ public:
 
     double height() const { return height_; }
 
-    // Ratio of the distance from the trunk at height `x` beyond the last point to that at the last
-    // point.
+    // Distance from the trunk at height `x` beyond the profile's last point, as a share of the
+    // distance at the last point.
     double share(double x) const
     {
         double const curved = -(square_ + slope_ * height_) / (height_ * height_);
@@ -94,8 +95,8 @@ std::vector<Vec2> merged_places(std::vector<Vec2> places, double apart)
     return result;
 }
 
-// Heights at which profiles end: as they are, or the same at all azimuths. Even is for climbing
-// lines, which end at a different height at each azimuth.
+// Heights at which profiles end: at each profile's own first and last point, or at the same heights
+// for all azimuths. Even is for climbing lines, which end at a different height at each azimuth.
 enum class Ends { AsTheyAre, Even };
 
 std::vector<Profile> profiles_of(Crossings const& crossings, double low, double high, Ends ends)
@@ -166,8 +167,8 @@ private:
         bool const has_three = share <= 0.5;
         double const last = at(0);
         double const before = at(1);
-        // Up to this share of the neighbouring squared distance, the crown already ends in a point
-        // and needs no cap.
+        // If the squared distance at the end is at most this share of the next one, the crown
+        // already ends in a point and needs no cap.
         constexpr double kFlat = 1e-6;
         if (last <= kFlat * std::max({ last, before, 1e-12 }))
             return std::nullopt;
@@ -266,8 +267,8 @@ double top_of(std::vector<Vec2> const& outline)
     return box_of(outline).high.y();
 }
 
-// Direction of the trunk if none was drawn: upright from `foot` or, by default, from a point below
-// the crown.
+// A trunk of length 1 for a drawing that has none: upright from `foot` or, by default, from a point
+// below the crown.
 std::vector<Vec2> upright_trunk(std::vector<CrownLine> const& lines,
                                 std::optional<Vec2> const& foot)
 {

@@ -17,17 +17,17 @@ namespace tractus::silhouette {
 //
 // Rings and climbing lines give the distance from the trunk by height at each of kAzimuths
 // azimuths. A monotone curve interpolates these; beyond its ends the surface is extrapolated until
-// it closes. Near the azimuths of outlines, the outlines define it. With outlines alone, the
-// surface is interpolated from one to the next (CrownSurface). Fails like kind_of(), add_ring() and
-// add_climb().
+// it closes. Near the azimuths of outlines, the outlines define the surface. With outlines alone,
+// the surface is interpolated from one to the next (CrownSurface). Fails like kind_of(), add_ring()
+// and add_climb().
 Result<std::vector<Meridian>> meridians_of(std::vector<CrownLine> const& lines,
                                            TrunkFrame const& trunk,
                                            std::vector<Vec2> const& outline);
 
 // Sets Drawing::surface from lines in space. If the drawing has no outline, the surface's section
-// with the sheet becomes the outline. If it has no trunk either, one rises from `foot`. Default of
-// `foot`: a quarter of the crown's height below its middle. Fails like meridians_of() and
-// clean_drawing().
+// with the sheet becomes the outline. If the drawing has no trunk either, a trunk is added that
+// rises from `foot`. Default of `foot`: below the crown by a quarter of the crown's height. Fails
+// like meridians_of() and clean_drawing().
 Result<void> add_surface(Drawing& drawing, std::vector<CrownLine> const& lines,
                          std::optional<Vec2> const& foot);
 

@@ -11,7 +11,7 @@ namespace tractus::silhouette {
 namespace {
 
 constexpr double kMaxOverlap = 0.2; // Share of a new crown's cells that may be covered already.
-// Largest and smallest scale of a copy relative to its model.
+// Largest and smallest scale of a copy relative to the branch that it copies.
 constexpr double kLargestCopy = 1.5;
 constexpr double kSmallestCopy = 0.15;
 // A lone branch whose cap radius is below this share of the outline's diagonal is not copied.
@@ -87,8 +87,8 @@ private:
         run_.last = trunk_.size() - 1;
     }
 
-    // Default model if there is no branch to copy: a straight branch, a quarter of the trunk long,
-    // with a lens as its crown.
+    // The branch to copy if the crown has none, or only a sliver (kSliver): straight, three
+    // sixteenths of the trunk long, with a lens as its crown.
     Branch lens() const
     {
         double const length = length_of(crown_.trunk) / 4;
@@ -126,8 +126,8 @@ private:
                       sign_of(side) * radians(crown_.angles.at_deg(t)));
     }
 
-    // The similarity that moves a model to a new base, as large as fits inside the outline; no
-    // value if it would be too small.
+    // The similarity that moves a model to a new base, as large as its copy fits inside the
+    // outline; no value if the copy would be too small.
     std::optional<Similarity> fitted(Branch const& model, Vec2 const& base, Vec2 const& start,
                                      Side side) const
     {
@@ -196,7 +196,8 @@ private:
         }
     }
 
-    // Makes a branch that was added from lens() a copy of the first one of these.
+    // All branches made from lens() become copies of the first of them. The first call only records
+    // which branch that is; later calls set the model of `branch` and the similarity from it.
     void copy_first_lens(Branch& branch)
     {
         if (!first_lens_) {
@@ -230,8 +231,9 @@ private:
         }
     }
 
-    // Step for widest_gap(). Outlines with few samples, as inferred crowns have, are searched
-    // coarsely; this takes a quarter of the time of an operation that dominates inference.
+    // Step for widest_gap(). The search for gaps dominates the time of inference. Outlines with few
+    // samples, as inferred crowns have, are therefore searched with twice the step, in a quarter of
+    // the time.
     int gap_step() const
     {
         constexpr std::size_t kFewSamples = 200;

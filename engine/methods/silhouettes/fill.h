@@ -35,16 +35,17 @@ struct Branch {
     std::vector<Vec2> crown {}; // Crown of the branch: counter-clockwise, or clockwise if mirrored.
     double cone_deg = 0;    // Opening angle of the crown's cone, for a branch that ends in a bump.
     bool is_beyond = false; // True if the branch's base is on the trunk's extension.
-    // Index in the system of the branch that a copy copies, and the similarity from there.
+    // For a copy: the index, in the system, of the branch that it copies, and the similarity from
+    // that branch to the copy.
     std::optional<std::size_t> model {};
     Similarity from_model {};
     // The drawn outline of the branch's crown (own_outline.h); empty if none was drawn.
     std::vector<Vec2> own_outline {};
-    // Branches that were drawn on this one (own_branch.h), and the propagation of their style to
-    // the siblings of this one.
+    // Strokes of the branches that were drawn on this branch (own_branch.h), and which other
+    // branches take their style.
     std::vector<std::vector<Vec2>> own_branches {};
     StyleScope style_to = StyleScope::None;
-    // Path of the branch whose style was chosen for this one (chosen_style.h).
+    // Path of the branch whose style was chosen for this branch (chosen_style.h).
     std::string style_from {};
     // Touches at bumps of the branch's own outline (bump_touch.h).
     std::vector<BumpTouch> touches {};
@@ -71,15 +72,15 @@ struct FillOptions {
     int steps = 24;
     // Share of the trunk inside the outline, from its lower end, where no copies are added.
     double first_step = 0.08;
-    // Greatest number of branches of the system, existing ones included.
+    // Maximum number of branches of the system, existing ones included.
     std::size_t most_branches = 60;
-    double min_copy = 0.012; // Smallest area of a copy, as a share of the outline's area.
+    double min_copy = 0.012; // Minimum area of a copy, as a share of the outline's area.
     // Filling stops when this share of the outline's area is covered; any remaining gaps stay.
     double enough = 0.95;
     // Minimum length of a branch into a gap, as a share of the diagonal of the outline's box.
     double min_length = 0;
-    double min_gap = 0.012; // Smallest radius of a gap to fill, as a share of the square root of
-                            // the outline's area.
+    // Minimum radius of a gap to fill, as a share of the square root of the outline's area.
+    double min_gap = 0.012;
 };
 
 // Input of fill_crown(): the crown with its branches so far.
@@ -103,9 +104,9 @@ struct FilledCrown {
 
 // Adds branches where the crown is empty. First, copies of the nearest sibling are added from base
 // to top on both sides, rotated to the local branching angle and as large as fits inside the
-// outline. If more than a fifth of a copy's crown is covered already, smaller ones are tried
-// (Wither 2009, extended by sizes). Then a branch is added into the widest gap, repeatedly; its
-// crown is the free area around its end.
+// outline. If more than a fifth of a copy's crown is covered already, smaller copies are tried
+// (Wither 2009; the smaller copies are an extension). Then a branch is added into the widest gap,
+// repeatedly; its crown is the free area around its end.
 FilledCrown fill_crown(CrownToFill const& crown, FillOptions const& options = {});
 
 } // namespace tractus::silhouette

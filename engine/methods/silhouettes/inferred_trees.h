@@ -9,9 +9,9 @@
 
 namespace tractus::silhouette {
 
-// Cache of what was inferred for the newest versions of a tree. All versions of the tree share it,
-// so that a changed line can be compared with the previous version without inferring it again. It
-// affects speed only, never results. Thread-safe.
+// Cache of the skeletons that were inferred for the newest versions of a tree. All versions of the
+// tree share it, so that a changed line can be compared with the previous version without inferring
+// it again. It affects speed only, never results. Thread-safe.
 class InferredTrees {
 public:
     // A cached inference, shared with readers.
@@ -33,8 +33,8 @@ private:
     std::list<Version> newest_first_;
 };
 
-// The inference of the tree, ignoring a declaration of the crown as a leaf; from the cache, or
-// computed and stored there. Fails like skeleton_of().
+// The inferred skeleton of a tree, ignoring a declaration of the crown as a leaf. It comes from the
+// cache or is computed and stored there. Fails like skeleton_of().
 Result<InferredTrees::Inferred> inferred(OutlinedTree const& tree);
 
 } // namespace tractus::silhouette

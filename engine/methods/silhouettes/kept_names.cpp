@@ -13,7 +13,7 @@ namespace tractus::silhouette {
 namespace {
 
 // Transforms an earlier system so that its trunk coincides with the later system's. Branches are
-// then compared by their position on the parent, wherever the parent has moved.
+// then compared by their position on the parent, even if the parent has moved.
 BranchingSystem laid_on(BranchingSystem system, BranchingSystem const& later)
 {
     Vec2 const from = system.trunk.back() - system.trunk.front();
@@ -116,7 +116,7 @@ std::string path_in(BranchNamer::NewSystem const& made, std::size_t branch)
     return made.parent.empty() ? name : made.parent + kPathSeparator + name;
 }
 
-// Reassigns outlines whose branches are gone to the branches that they surround.
+// Reassigns outlines whose branches are gone to the new branches that the outlines surround.
 void settle_outlines(Drawing& drawing, BranchNamer::NewSystem const& made)
 {
     auto const is_outlined = [&](std::string const& path) {
@@ -134,7 +134,8 @@ void settle_outlines(Drawing& drawing, BranchNamer::NewSystem const& made)
     }
 }
 
-// Reassigns branches whose parents are gone to the new branches on which they begin.
+// Reassigns drawn branches whose parents are gone to the new branches on which the drawn ones
+// begin.
 void settle_branches(Drawing& drawing, BranchNamer::NewSystem const& made,
                      std::vector<std::optional<std::size_t>> const& partners)
 {
@@ -151,8 +152,8 @@ void settle_branches(Drawing& drawing, BranchNamer::NewSystem const& made,
 
 } // namespace
 
-// The earlier system that corresponds to a new one: the children of the earlier branch that matches
-// its parent or a copy of this.
+// The earlier system that corresponds to a new one: that of the earlier branch that matches the new
+// system's parent or a copy of the parent.
 std::optional<std::size_t> KeptNames::earlier_system(NewSystem const& made) const
 {
     if (made.parent_system == kNoSystem)

@@ -12,7 +12,7 @@
 
 namespace tractus::silhouette {
 
-// The inference of a drawing, against which a later drawing is compared.
+// The result of inferring a drawing, with which a later drawing is compared.
 struct InferredDrawing {
     Skeleton skeleton {};
     // Systems of the skeleton before drawn parts were applied to their branches; empty if nothing
@@ -44,11 +44,12 @@ public:
     // Names of all branches named so far.
     BranchNames const& names() const { return names_; }
 
-    // The systems before drawn parts were applied to their branches; empty if nothing was drawn.
+    // The systems before drawn parts were applied to their branches; empty if nothing was drawn on
+    // branches.
     std::vector<BranchingSystem> take_systems() { return std::move(systems_); }
 
-    // True if inference replaced the children of some branch by others, so that their paths alone
-    // do not identify them.
+    // True if inference replaced the children of some branch by other children, so that the paths
+    // of these children are not unique.
     bool has_replaced_children() const { return has_replaced_children_; }
 
 private:
@@ -81,8 +82,8 @@ struct Renamed {
 
 // Names for the branches of `after`, based on those of the earlier drawing. Updates in `after`
 // which branches its lines belong to. While a crown is declared a leaf, its branches keep the names
-// that they would have without this; `earlier` must be inferred without it, too. Fails like
-// infer_skeleton().
+// that they would have without that declaration; `earlier` must be inferred without it, too. Fails
+// like infer_skeleton().
 Result<Renamed> kept_names(InferredDrawing const& earlier, Drawing& after, SkeletonOptions options,
                            std::string const& fresh);
 
@@ -92,13 +93,13 @@ struct DrawingToInfer {
     SkeletonOptions const& options;
 };
 
-// Names the branches of a changed drawing like the overload above, but infers the earlier drawing
-// first.
+// Names the branches of a changed drawing like the other kept_names(), but first infers the earlier
+// drawing.
 Result<Renamed> kept_names(DrawingToInfer const& before, Drawing& after,
                            SkeletonOptions const& options, std::string const& fresh);
 
-// Reassigns lines to branches after the tree has been without a crown for a while, when the names
-// of the trunk's former branches no longer mean anything.
+// Reassigns lines to branches when a tree gets a crown again that it had lost: the names of the
+// trunk's former branches then no longer mean anything.
 class ReassigningNamer final : public BranchNamer {
 public:
     void name(NewSystem const& made, Drawing& drawing) override;

@@ -17,7 +17,7 @@ struct LeafBlade {
     // Base and tip in the drawing plane.
     Vec2 base = Vec2::Zero();
     Vec2 tip = Vec2::UnitY();
-    bool mirrors = false; // True: the blade lies with its other side up.
+    bool mirrors = false; // True: the blade lies with its lower side up.
     double stalk = 0;     // Position where the blade begins, as a share of the parent's length.
 };
 

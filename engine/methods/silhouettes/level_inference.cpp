@@ -4,8 +4,8 @@
 
 namespace tractus::silhouette {
 
-// Infers a system whose branches include the strokes drawn on the parent, unchanged. If the
-// parent's crown is too small, a lens around the parent serves as its crown.
+// Infers the children of `parent`; they include the strokes that were drawn on it, unchanged. If
+// the parent's crown is too small, a lens around the parent serves as its crown.
 static Result<BranchingSystem> system_with_strokes(Branch const& parent, InferenceOptions options)
 {
     options.drawn_bases = InferenceOptions::DrawnBases::Anywhere;

@@ -25,11 +25,11 @@ struct LevelInference {
 // infer_system().
 Result<BranchingSystem> infer_crown_system(Drawing const& drawing, InferenceOptions const& options);
 
-// Infers the children of a branch, with everything that was drawn on it unchanged. Fails like
-// infer_system().
+// Infers the children of a branch; everything that was drawn on the branch stays unchanged. Fails
+// like infer_system().
 Result<BranchingSystem> system_below(Branch const& branch, LevelInference const& how);
 
-// The options with the branching angles of a level's style, if that level has one.
+// Returns `options` with the branching angles of the level's style, if that level has a style.
 InferenceOptions styled(InferenceOptions options, std::vector<BranchStyle> const& styles,
                         int level);
 

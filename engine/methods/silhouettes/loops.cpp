@@ -55,8 +55,8 @@ bool crosses_itself(std::span<Vec2 const> outline)
 
 LargestLoop largest_loop(std::vector<Vec2> const& outline)
 {
-    constexpr std::size_t kMaxCuts = 20'000; // Limit on crossings, because a scribble can have a
-                                             // number quadratic in its edges.
+    // Maximum number of cuts: a scribble's crossings can be as many as the square of its edges.
+    constexpr std::size_t kMaxCuts = 20'000;
     std::vector<std::vector<Vec2>> waiting { outline };
     LargestLoop best;
     for (std::size_t cuts = 0; !waiting.empty() && cuts < kMaxCuts; ++cuts) {

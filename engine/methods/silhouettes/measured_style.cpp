@@ -16,7 +16,7 @@ namespace tractus::silhouette {
 namespace {
 
 constexpr std::size_t kMaxMeasuredLevels = 3;
-// A divergence angle counts as significant from this concentration on.
+// Minimum concentration (MeasuredLevel::divergence_sureness) of a significant divergence angle.
 constexpr double kSureOfTurn = 0.5;
 // Minimum number of children from which a parent's divergence angles show a direction of rotation.
 constexpr std::size_t kMinOfTurns = 4;
@@ -334,7 +334,7 @@ Result<MeasuredStyle> measure_style(Plant const& plant)
     return style;
 }
 
-// Clamps a style to the ranges of a form.
+// Clamps the values of a style to the ranges that check_form() allows.
 static BranchStyle within_limits(BranchStyle style)
 {
     style.children = std::min(style.children, kMaxChildren);

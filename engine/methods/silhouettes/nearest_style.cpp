@@ -29,8 +29,8 @@ std::shared_ptr<scene::PlantState const> plant_of(scene::DocumentState const& st
     return number ? state.plants[*number] : nullptr;
 }
 
-// True if `taker` must take the style again because `source` has changed or was not its source
-// before.
+// True if `taker` must take its style again because `source` has changed, or because it did not
+// take the style of `source` before.
 bool is_other(scene::DocumentState const& before, scene::DocumentState const& after,
               scene::PlantState const& taker, scene::ItemId source)
 {
@@ -94,8 +94,8 @@ std::vector<scene::Edit> dependent_style_edits(scene::Scene const& scene,
     auto const state = scene::apply_edits(scene.state, step, builder);
     if (!state)
         return edits; // The error is reported by the code that applies the step.
-    // Trees that must take the style of another plant. Mostly there are none, and then no plant is
-    // built.
+    // Trees that must take a style, with the id of the tree that has it. Mostly there are none, and
+    // then no plant is built.
     std::vector<std::pair<std::shared_ptr<scene::PlantState const>, scene::ItemId>> takers;
     for (auto const& plant : state->plants) {
         auto const* const tree = outlined_tree(*plant);

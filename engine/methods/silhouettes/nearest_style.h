@@ -34,8 +34,8 @@ scene::ItemId nearest_with_style(scene::DocumentState const& state, Vec3 const& 
 // plane_branches stay. Fails like measure_style().
 Result<TreeForm> with_style_of(TreeForm form, Plant const& plant);
 
-// Additional edits that follow from a step: each tree that takes its style from the nearest one is
-// updated if that tree has changed or a different one is nearest now.
+// Additional edits that become necessary with the edits of `step`: a tree that takes the style of
+// the nearest tree is updated if that nearest tree changes or a different tree becomes the nearest.
 std::vector<scene::Edit> dependent_style_edits(scene::Scene const& scene,
                                                std::vector<scene::Edit> const& step);
 

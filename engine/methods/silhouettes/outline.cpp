@@ -17,7 +17,8 @@ constexpr std::size_t kMinPoints = 8;
 constexpr double kWidestGap = 0.25;
 // Largest gap between strokes that are joined, as a share of the drawing's diagonal.
 constexpr double kWidestJoin = 0.1;
-constexpr double kShortestBranch = 1e-2; // Shortest branch, as a share of the drawing's diagonal.
+// Minimum length of a branch, as a share of the drawing's diagonal.
+constexpr double kShortestBranch = 1e-2;
 // Add a note if more than this share of the outline's area was left out.
 constexpr double kWarnShare = 0.1;
 // Height of the default trunk, as a share of the outline's height.
@@ -58,7 +59,7 @@ std::vector<Vec2> without_repeats(std::vector<Vec2> const& points)
     return kept;
 }
 
-// The frame of CleanDrawing, before coordinates are rounded.
+// The normalised frame of a CleanDrawing, before coordinates are rounded.
 Similarity frame_of(Drawing const& drawing)
 {
     Similarity frame;
@@ -93,7 +94,8 @@ std::vector<Vec2> in_frame(std::vector<Vec2> const& points, Similarity const& fr
     return result;
 }
 
-// Appends the second stroke to the first; `ends` says which of their ends meet.
+// Appends the second stroke to the first. `ends` gives the ends that meet: of the first stroke its
+// end if bit 0 is set, otherwise its beginning; of the second stroke likewise by bit 1.
 std::vector<Vec2> joined(std::vector<Vec2> first, std::vector<Vec2> second, unsigned ends)
 {
     if ((ends & 1U) == 0)
@@ -176,8 +178,8 @@ std::vector<Vec2> smoothed(std::vector<Vec2> const& outline, double deviation)
     return result;
 }
 
-// Rotates the samples so that they do not depend on where the stroke began, also for a mirrored
-// outline.
+// Makes the sample farthest from the trunk's base the first. The samples then do not depend on
+// where the stroke began, also for a mirrored outline.
 void begin_at_farthest(std::vector<Vec2>& outline)
 {
     auto const farthest

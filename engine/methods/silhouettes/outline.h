@@ -11,19 +11,20 @@
 
 namespace tractus::silhouette {
 
-// The branches to which the style of a branch that was drawn on is propagated (sibling_style.h).
+// Which branches take the style of a branch that was drawn on (sibling_style.h).
 enum class StyleScope {
     None,
     Siblings, // Siblings that were not drawn on.
-    Deeper,   // Siblings, and the descendants of these and of the branch itself, down to the last
-              // level.
+    // Siblings, and the descendants of the siblings and of the branch itself, down to the last
+    // level.
+    Deeper,
 };
 
 // The drawn outline of one branch's crown.
 struct OwnOutline {
     std::string branch; // Path of the branch (Skeleton::at(), skeleton.h).
     std::vector<Vec2> outline;
-    StyleScope style_to = StyleScope::None; // Style propagation from this branch.
+    StyleScope style_to = StyleScope::None; // Branches that take this branch's style.
     // True if the branch is declared a leaf, which ends the recursion (leaf_blade.h).
     bool is_leaf = false;
 };
@@ -32,7 +33,7 @@ struct OwnOutline {
 struct OwnBranch {
     std::string branch; // Path of the parent branch.
     std::vector<Vec2> line;
-    StyleScope style_to = StyleScope::None; // Style propagation from the parent branch.
+    StyleScope style_to = StyleScope::None; // Branches that take the parent's style.
 };
 
 // A touch at the bumps of a drawn outline (bump_touch.h).
@@ -46,7 +47,8 @@ struct BumpTouch {
     std::string branch {}; // Path of the branch that the outline belongs to; "": the crown.
 };
 
-// Chosen styles (chosen_style.h): path of a branch to path of the branch whose style it takes.
+// Chosen styles (chosen_style.h): maps the path of a branch to the path of the branch whose style
+// it takes.
 using ChosenStyles = std::map<std::string, std::string>;
 
 // The lines drawn for one branching system (Wither, Boudon, Cani, Godin, "Structure from
@@ -74,7 +76,7 @@ struct Drawing {
 // stroke is an outline, an open one a branch.
 bool is_closed_stroke(std::span<Vec2 const> stroke);
 
-// Limit on the points of all strokes of a drawing together.
+// Maximum number of points in all strokes of a drawing together.
 constexpr std::size_t kMaxDrawnPoints = 20'000;
 
 // Options for preparing an outline.
@@ -87,7 +89,7 @@ struct OutlineOptions {
 // A drawing prepared for inference: a simple outline, counter-clockwise and equally spaced, and the
 // trunk. It is in a normalised frame: the trunk's end is above its base, and the diagonal of the
 // outline's bounding box is 1. Coordinates are rounded, so that a drawing that was moved, turned or
-// scaled gives identical results from here on.
+// scaled gives an identical inference.
 struct CleanDrawing {
     std::vector<Vec2> outline;
     std::vector<Vec2> trunk;                    // Trunk as 64 equally spaced points, base first.
@@ -100,10 +102,10 @@ struct CleanDrawing {
 constexpr std::size_t kTrunkSamples = 64;
 
 // Prepares a drawing: joins outline strokes whose ends are near each other, closes the outline,
-// cuts off overshooting ends, keeps the largest loop if it crosses itself, resamples it at equal
-// distances and filters out the tremor of the hand. Samples begin where the outline is farthest
-// from the trunk's base. If no trunk was drawn, one rises from the outline's lowest point under its
-// centroid to 85 % of its height.
+// cuts off overshooting ends, keeps the largest loop of an outline that crosses itself, resamples
+// the outline at equal distances and filters out the tremor of the hand. Samples begin where the
+// outline is farthest from the trunk's base. If no trunk was drawn, a trunk is added: it rises from
+// the outline's lowest point under the centroid to 85 % of the outline's height.
 //
 // Fails with a user error if the outline is missing, too small (25 mm², eight points) or open by
 // more than a quarter of its length, if the trunk is a dot, or if there are too many points or

@@ -24,8 +24,8 @@ Result<std::vector<Vec2>> points_of(Stroke const& stroke)
     return points;
 }
 
-// The points of a stroke, simplified: a pen reports far more points than a line needs, and the
-// number of points is limited.
+// The points of a stroke, simplified: a pen reports far more points than a line needs, and drawings
+// may have only kMaxDrawnPoints points.
 Result<std::vector<Vec2>> line_of(Stroke const& stroke)
 {
     constexpr std::size_t kMaxPoints = 2000;

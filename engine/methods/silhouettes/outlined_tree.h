@@ -48,14 +48,15 @@ struct DrawnTouch {
     scene::ItemId id = 0;
     Stroke stroke {}; // Stroke of the touch; only its midpoint counts.
     BumpTouch::Kind kind = BumpTouch::Kind::Split;
-    std::string branch {}; // Path of the branch; "": the bump is on the crown's outline.
+    // Path of the branch whose outline has the bump; "": the crown's outline has it.
+    std::string branch {};
 };
 
 // A line in space on the crown's surface (drawn_surface.h); `id` is that of the edit that added it.
 struct DrawnCrownLine {
     scene::ItemId id = 0;
-    // Stroke with x and y on the sheet, like all strokes, and z as the distance behind it in
-    // millimetres.
+    // Stroke with x and y on the sheet, like all strokes, and z as the distance behind the sheet,
+    // in millimetres.
     Stroke stroke {};
 };
 
@@ -108,8 +109,8 @@ Result<Vec2> foot_of(OutlinedTree const& tree);
 // there is no outline, and like infer_skeleton().
 Result<Skeleton> skeleton_of(OutlinedTree const& tree);
 
-// Path of the branch for which a stroke is the own outline (own_outline.h); no value if it is the
-// outline of no branch, or if the tree has no outline. Fails like skeleton_of().
+// Path of the branch whose crown a stroke outlines (own_outline.h); no value if the stroke outlines
+// no branch, or if the tree has no outline. Fails like skeleton_of().
 Result<std::optional<std::string>>
 branch_outlined_by(OutlinedTree const& tree, Stroke const& stroke, Search search = Search::OnTrunk);
 
@@ -127,13 +128,13 @@ struct LineOnBranch {
 Result<std::optional<BumpLeaf>> leaf_on_bump(OutlinedTree const& tree, Stroke const& stroke,
                                              Search search);
 
-// Adds an outline to the branch that it surrounds, replacing an earlier one. Fails with a user
-// error if it surrounds no branch, and like clean_drawing().
+// Adds a stroke as the outline of the branch that it surrounds, replacing an earlier outline. Fails
+// with a user error if the stroke surrounds no branch, and like clean_drawing().
 Result<OutlinedTree> with_own_outline(OutlinedTree tree, Stroke const& stroke,
                                       LineOnBranch const& line);
 
-// Functions for a branch drawn on another branch (own_branch.h): the path of the branch to which a
-// stroke belongs, and the tree with the stroke added. They correspond to branch_outlined_by() and
+// For a stroke that draws a branch on another branch (own_branch.h): the path of that other branch,
+// and the tree with the stroke added. The functions correspond to branch_outlined_by() and
 // with_own_outline().
 Result<std::optional<std::string>> parent_of_drawn_branch(OutlinedTree const& tree,
                                                           Stroke const& stroke,
@@ -141,24 +142,25 @@ Result<std::optional<std::string>> parent_of_drawn_branch(OutlinedTree const& tr
 Result<OutlinedTree> with_own_branch(OutlinedTree tree, Stroke const& stroke,
                                      LineOnBranch const& line);
 
-// The style choices that a stroke makes (copied_by(), chosen_style.h), and the tree with these
+// The style choices that a stroke stands for (copied_by(), chosen_style.h), and the tree with such
 // choices. Fail like copied_by(), choose_styles() and skeleton_of().
 Result<ChosenStyles> styles_copied_by(OutlinedTree const& tree, Stroke const& stroke);
 Result<OutlinedTree> with_styles(OutlinedTree tree, ChosenStyles const& chosen);
 
-// Adds a touch at a bump, or removes the one that it undoes. Fails like touched() (bump_touch.h).
+// Adds a touch at a bump, or removes the earlier touch that it undoes. Fails like touched()
+// (bump_touch.h).
 Result<OutlinedTree> with_touch(OutlinedTree tree, DrawnTouch touch, Search search);
 
 // Position of a touch on the paper: the midpoint of its stroke.
 Result<Vec2> place_of(DrawnTouch const& touch);
 
 // Id of the smallest drawn outline around a stroke's midpoint; 0 for the crown's outline, no value
-// if there is no outline around it.
+// if no outline surrounds the midpoint.
 Result<std::optional<scene::ItemId>> outline_around(OutlinedTree const& tree, Stroke const& stroke);
 
-// Adds a line on the crown's surface and removes those that it replaces (takes_place_of(),
-// crown_line.h). An outline within eight degrees of the sheet becomes the crown's outline. Fails
-// like kind_of().
+// Adds a line on the crown's surface and removes the lines that it replaces (takes_place_of(),
+// crown_line.h). An outline whose plane is within eight degrees of the sheet becomes the crown's
+// outline. Fails like kind_of().
 Result<OutlinedTree> with_crown_line(OutlinedTree tree, DrawnCrownLine line);
 
 Result<CrownLine> crown_line_of(Stroke const& stroke);
@@ -167,15 +169,15 @@ Result<CrownLine> crown_line_of(Stroke const& stroke);
 // branch or bump does not exist. Fails like infer_system().
 Result<std::size_t> count_without_effect(OutlinedTree const& tree);
 
-// Keeps the names of the tree's branches and the assignment of lines to branches after lines have
-// changed (kept_names.h). Does nothing if there is no outline.
+// After the lines of a tree have changed from `before` to `after`, keeps the names of its branches
+// and the assignment of lines to branches (kept_names.h). Does nothing if there is no outline.
 Result<void> keep_names(OutlinedTree const& before, OutlinedTree& after, std::string const& fresh);
 
-// Builds the plant: as large as drawn when shown at its scale, with its foot at the origin. Without
-// an outline it is a bare stem along the trunk. Fails with a user error if there is neither outline
-// nor trunk, or if the trunk is a dot, and like infer_skeleton() and check_form().
+// Builds the plant, with its foot at the origin: shown at the tree's scale, it is as large as
+// drawn. Without an outline it is a bare stem along the trunk. Fails with a user error if there is
+// neither outline nor trunk, or if the trunk is a dot, and like infer_skeleton() and check_form().
 //
-// Caches the inference for later versions.
+// Caches the inferred skeleton for later versions of the tree.
 Result<scene::BuiltSource> build_tree(OutlinedTree const& tree,
                                       scene::LoadOptions const& options = {});
 

@@ -107,14 +107,14 @@ scene::BuiltSource built_of(Skeleton const& skeleton, OutlinedTree const& tree)
     return built;
 }
 
-// Varies, by another seed, only what the drawing leaves open.
+// Returns the tree with another seed, which varies only what the drawing leaves open.
 OutlinedTree varied(OutlinedTree tree, scene::SourceVariation const& variation)
 {
     constexpr std::uint32_t kStream = 0x7472;
     Random random({ variation.seed ^ tree.form.seed, kStream + variation.stream, variation.plant });
     tree.form.seed = random.next_u64();
-    tree.inferred.reset(); // Members of a collection are not edited one after the other, so a
-                           // shared cache would not help.
+    // The cache would not help, because members of a collection are not versions of one tree.
+    tree.inferred.reset();
     return tree;
 }
 

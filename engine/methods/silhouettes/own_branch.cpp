@@ -7,7 +7,8 @@ namespace tractus::silhouette {
 
 namespace {
 
-// A point on a branch is at most this far from its axis, as a share of the outline's diagonal.
+// A point on a branch is at most this far from the branch's axis, as a share of the outline's
+// diagonal.
 constexpr double kNear = 0.025;
 // A point on a branch is at least this far from the trunk, as a share of the outline's diagonal.
 constexpr double kOffTrunk = 0.02;

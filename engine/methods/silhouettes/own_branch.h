@@ -19,33 +19,35 @@ enum class Search {
 
 // The branch of a system at a point, and its distance from the point; no value if there is none.
 //
-// A point is on a branch if it is within 2.5 % of the outline's diagonal of the branch's axis,
-// nearer to it than to all others and to the trunk, and at least 2 % of the diagonal away from the
-// trunk. The apex branch is not considered.
+// A point is on a branch if the branch's axis is at most 2.5 % of the outline's diagonal away and
+// nearer than the trunk and all other branches, and if the trunk is at least 2 % of the diagonal
+// away. The apex branch is not considered.
 struct NearestBranch {
     std::size_t branch = 0;
     double distance = 0;
 };
 std::optional<NearestBranch> branch_near(BranchingSystem const& system, Vec2 const& place);
 
-// The nearest branch at a point over all systems of the skeleton that may be drawn on.
+// The nearest branch at a point, over all systems of the skeleton whose branches may be drawn on.
 std::optional<BranchRef> branch_near(Skeleton const& skeleton, Vec2 const& place);
 
 // The branch of a system that is the parent of a stroke: the stroke begins on it (branch_near())
-// and is not closed. No value if there is none. The system and the stroke are in the same
-// millimetres.
+// and is not closed. No value if there is no such branch. The system and the stroke share one
+// frame, in millimetres.
 std::optional<std::size_t> parent_of(BranchingSystem const& system, std::span<Vec2 const> stroke);
 
-// Attaches drawn strokes to the branches of a system. A copy that gets one is no longer a copy;
-// copies of a branch remain copies of it. Strokes on branches that do not exist are ignored.
+// Attaches drawn strokes to the branches of a system. A copy that gets a stroke is no longer a
+// copy; copies of a branch that gets a stroke remain copies of that branch. Strokes on branches
+// that do not exist are ignored.
 void take_own_branches(BranchingSystem& system, std::span<OwnBranch const> branches);
 
 // Adds a stroke to a drawing as a child of the branch on which it begins. Fails with a user error
-// if it begins on none or is shorter than 2 % of that branch, and like infer_system().
+// if the stroke begins on no branch or is shorter than 2 % of that branch, and like infer_system().
 Result<void> add_own_branch(Drawing& drawing, std::vector<Vec2> stroke, StyleScope style_to,
                             SkeletonOptions const& options = {}, Search search = Search::OnTrunk);
 
-// Path of the branch to which add_own_branch() would attach the stroke; no value if there is none.
+// Path of the branch to which add_own_branch() would attach the stroke; no value if there is no
+// such branch.
 Result<std::optional<std::string>> parent_of_drawn_branch(Drawing const& drawing,
                                                           std::span<Vec2 const> stroke,
                                                           SkeletonOptions const& options = {},

@@ -52,14 +52,14 @@ std::vector<Vec2> crown_in(std::vector<Vec2> const& drawn, Branch const& branch)
     return resampled_outline(clean->to_sheet.points(clean->outline), kPoints);
 }
 
-// Makes the crown of a copy follow its model's new crown. It does not exceed the copy's previous
-// size and stays inside the outline.
+// Gives a copy the new crown of the branch that it copies. The copy's crown does not exceed its
+// previous size and stays inside the system's outline.
 void follow_model(BranchingSystem const& system, Branch& copy, double area_before)
 {
-    // Greatest distance by which the copy's crown may leave the outline, as a share of its
+    // Maximum distance by which the copy's crown may leave the outline, as a share of the outline's
     // diagonal.
     constexpr double kMaxOver = 0.01;
-    // Smallest scale, as a share of the largest one that does not enlarge the copy.
+    // Minimum scale of the copy, as a share of the largest scale that does not enlarge it.
     constexpr double kSmallest = 0.3;
     auto const& model = system.branches[*copy.model];
     double const limit = kMaxOver * box_of(system.outline).diagonal();
@@ -151,7 +151,7 @@ void take_own_outlines(BranchingSystem& system, std::span<OwnOutline const> outl
 }
 
 // Searches among the trunk's branches as inferred, then among those with drawn outlines applied; a
-// branch can be in different places in the two.
+// branch can be in different places before and after that.
 static Result<std::optional<std::pair<std::string, double>>>
 outlined_on_trunk(Drawing const& drawing, std::span<Vec2 const> stroke,
                   SkeletonOptions const& options)

@@ -162,7 +162,7 @@ std::size_t most_before_sides(Flood const& flood, Mask const& size)
 }
 
 // Size, in pixels, at which the flood grows least when its level changes by 12 % up and down; of
-// nearly equal ones, the largest. No value if the flood always grows fast.
+// several nearly equally steady sizes, the largest. No value if the flood always grows fast.
 std::optional<std::size_t> steadiest(Flood const& flood, Mask const& size)
 {
     constexpr float kRise = 0.12f;
@@ -284,8 +284,8 @@ std::vector<Vec2> edge_of(Mask const& mask)
         edge.emplace_back(x - 1, mask.height - 1 - y);
         x += dx;
         y += dy;
-        // Returns true if the pixel ahead on the given side of the direction belongs to the region.
-        // Left is towards smaller y.
+        // Returns true if the pixel ahead on one side of the direction (dx, dy) belongs to the
+        // region. `side`: 1 for left, -1 for right, as seen in the picture.
         auto const ahead = [&](int side) {
             int const u = x + (dx > 0 ? 0 : dx < 0 ? -1 : side * dy > 0 ? 0 : -1);
             int const v = y + (dy > 0 ? 0 : dy < 0 ? -1 : side * dx > 0 ? -1 : 0);

@@ -34,12 +34,12 @@ double distance_to_outline(std::span<Vec2 const> outline, Vec2 const& point);
 // Distance of a point from an open polyline.
 double distance_to_line(Vec2 const& point, std::span<Vec2 const> line);
 
-// Distance to the first intersection of a ray with the outline, as a multiple of `ahead`; no value
-// if the ray does not meet the outline.
+// Distance to the first intersection of a ray with the outline, as a multiple of the length of
+// `ahead`; no value if the ray does not meet the outline.
 std::optional<double> ray_distance_to_outline(std::span<Vec2 const> outline, Vec2 const& from,
                                               Vec2 const& ahead);
 
-// Greatest distance from the outline of the points outside it; 0 if all are inside.
+// Greatest distance of the points outside an outline from the outline; 0 if all points are inside.
 double excursion(std::span<Vec2 const> outline, std::span<Vec2 const> points);
 
 // True if two segments cross at a point interior to both.
@@ -90,8 +90,8 @@ struct Similarity {
     Cubic cubic(Cubic const& curve) const;
 };
 
-// The `turn` of a similarity that maps the direction `from` to `to`, multiplied by both lengths.
-// `mirrors` selects the mirroring similarity.
+// Similarity::turn of a rotation that maps the direction of `from` to that of `to`, multiplied by
+// the lengths of both. `mirrors`: the rotation follows a mirroring.
 Vec2 turn_between(Vec2 const& from, Vec2 const& to, bool mirrors);
 
 } // namespace tractus::silhouette

@@ -7,7 +7,7 @@
 
 namespace tractus::silhouette {
 
-// A child axis by its position on its parent.
+// Position, direction and length of a child axis relative to its parent.
 struct PositionedLateral {
     double u = 0;
     double angle_deg = 0;
@@ -17,7 +17,7 @@ struct PositionedLateral {
 };
 
 // The children of an axis, given their ids, sorted by position from its base. A child that goes
-// straight on from the tip continues the axis and is left out, as is one without length.
+// straight on from the axis's tip continues the axis and is left out, as is a child without length.
 std::vector<PositionedLateral> children_of(Plant const& plant, AxisId parent,
                                            std::span<AxisId const> ids);
 
@@ -28,7 +28,7 @@ struct NodeOfChildren {
 };
 
 // Groups children, at least one and sorted by position, into nodes: those within a fifth of the
-// mean distance share a node. The result refers to the given children.
+// mean distance share a node. The returned spans refer to `children`.
 std::vector<NodeOfChildren> nodes_of(std::span<PositionedLateral const> children);
 
 } // namespace tractus::silhouette

@@ -39,8 +39,8 @@ std::optional<std::size_t> find_foot(std::vector<Bump> const& bumps, std::span<V
     return std::nullopt;
 }
 
-// Penalty of a bump as the apex: below 1 if the bump surrounds the trunk's end or is straight ahead
-// of the end.
+// Penalty for choosing a bump as the apex: below 1 if the bump surrounds the trunk's end or is
+// straight ahead of the end.
 double closeness(Bump const& bump, Vec2 const& end, Vec2 const& ahead)
 {
     Vec2 const way = bump.end - end;

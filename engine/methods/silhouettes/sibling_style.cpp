@@ -69,7 +69,7 @@ public:
         angles_.emplace(angles_of(*below_), angles_of(*above_));
     }
 
-    // Mean of a number over both sources, weighted by their distance along the trunk.
+    // A number interpolated between both sources by the sibling's position along the trunk.
     template<typename Number> double mean(Number const& number) const
     {
         double const low = number(*below_);
@@ -107,8 +107,8 @@ std::vector<double> places_on(double length, Mixed const& style, std::uint64_t s
     return StyledPlaces(places, Pattern::Even, seed, 1).next({ .number = number });
 }
 
-// Sides for `count` children. From the base on, the share on the left follows that of the source's
-// children.
+// Sides for `count` children. From the base on, the share of children on the left follows that of
+// the source's children.
 std::vector<Side> sides_for(std::size_t count, ParentStyle const& source)
 {
     auto const n = source.children.size();

@@ -9,10 +9,10 @@
 
 namespace tractus::silhouette {
 
-// The style of a branch (Wither 2009, section 4.2): its children in the plane, without the one that
-// continues from its tip.
+// The style of a branch (Wither 2009, section 4.2), given by its children in the plane, without the
+// child that continues from its tip.
 struct ParentStyle {
-    // A child, as the model for copies on siblings.
+    // A child of the branch, from which children of its siblings are copied.
     struct Child {
         double u = 0; // Position of the child, as a share of the parent's length.
         double angle_deg = 0;
@@ -40,24 +40,25 @@ struct ParentStyle {
 ParentStyle parent_style(Branch const& parent, BranchingSystem const& system);
 
 // Replaces the children of a branch by ones in the style of its siblings that were drawn on: the
-// two nearest along the trunk, or the only one. The first and last positions are the sources', as
-// shares of the length. Distances have the sources' mean and standard deviation in absolute length.
-// Branching angles follow the sources' by position, and sides alternate as theirs do, seen from the
-// trunk. Each child is a copy of the nearest source child on the same side, as large as fits into
-// the crown: one third to one and a half times the size given by the ratio of the parents' lengths.
+// two nearest along the trunk, or the only one. The first and last child are at the sources'
+// positions, as shares of the length. Distances between children have the sources' mean and
+// standard deviation in absolute length. Branching angles follow the sources' by position, and
+// sides alternate as theirs do, seen from the trunk. Each child is a copy of the nearest source
+// child on the same side, as large as fits into the crown: one third to one and a half times the
+// size given by the ratio of the parents' lengths.
 //
 // `sources`: at least one, sorted by t.
 void take_style(BranchingSystem& system, Branch const& parent, std::span<ParentStyle const> sources,
                 std::uint64_t seed);
 
-// Ends a branch in a copy of another branch's leaf, at the same relative position. The leaf has the
-// same size, scaled down with a shorter branch; it shrinks further, to no less than a third, while
-// more than a tenth of it would be outside the outline.
+// Ends a branch in a copy of another branch's leaf, at the same relative position. The copy has the
+// same size or, on a shorter branch, is scaled down with the branch; it shrinks further, to no less
+// than a third, while more than a tenth of it would be outside the outline.
 void take_leaf(Branch& branch, Branch const& source, std::span<Vec2 const> outline);
 
 // Turns the ends of a system's branches, including the apex branch, into leaves like those of their
-// siblings. A branch is turned if it was not drawn on, if `may` returns true for it, and if the
-// nearest branch that passes its style to siblings is a leaf.
+// siblings. This happens to a branch if it was not drawn on, if `may` returns true for it, and if
+// the nearest branch that passes its style to siblings ends in a leaf.
 void spread_leaves(BranchingSystem& system, std::function<bool(Branch const&)> const& may);
 
 // True if the system has branches and all of them are leaves.

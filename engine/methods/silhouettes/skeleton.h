@@ -16,7 +16,7 @@ constexpr std::size_t kNoSystem = ~std::size_t { 0 };
 
 using BranchNames = std::map<std::string, std::vector<std::string>>;
 
-// Number of branching levels and the resolution of their inference.
+// Options for inferring a skeleton: the number of branching levels, and how each is inferred.
 struct SkeletonOptions {
     int levels = 2; // Number of branching levels, 1 to 3; 1: only the trunk has branches.
     InferenceOptions tree {};
@@ -34,7 +34,8 @@ struct SkeletonOptions {
     // trunk. Branches without an entry are named by name_of().
     BranchNames names {};
     // Styles by level: the trunk's branches, then their branches. A style that is set replaces the
-    // branching angles of the options above, and no branch is inferred below its first position.
+    // branching angles of the InferenceOptions, and no branch is inferred below the position of the
+    // style's first child.
     std::vector<BranchStyle> styles {};
     // Seed for the distances between branches that follow a sibling's style.
     std::uint64_t seed = 1;
@@ -46,8 +47,9 @@ struct BranchRef {
     std::size_t branch = 0;
 };
 
-// A tree of branching systems: the crown of each branch is the silhouette of the next system.
-// Copies of a branch share its system, transformed by the similarity from the model to the copy.
+// A tree of branching systems: the crown of each branch is the silhouette from which its own system
+// is inferred. Copies of a branch share its system, transformed by the similarity from the model to
+// the copy.
 struct Skeleton {
     std::vector<BranchingSystem> systems; // Branching systems, the trunk's first.
     // Index of the system of each branch of each system; kNoSystem: the branch has no children.
@@ -56,8 +58,9 @@ struct Skeleton {
     std::vector<std::string> parents;
     std::vector<Meridian> surface {}; // Surface of the whole tree's crown (Drawing::surface).
 
-    // The branch with this path: the names of its ancestors from the trunk's branch on, and its
-    // own, as "b3/d0". For copies the path uses the model's names. No value if there is none.
+    // The branch with this path, such as "b3/d0": the names of the branch's ancestors, from the
+    // branch of the trunk on, and its own name. For copies the path uses the model's names. No
+    // value if there is none.
     std::optional<BranchRef> at(std::string_view path) const;
     std::string path_of(BranchRef const& branch) const;
 
@@ -86,8 +89,8 @@ public:
         BranchingSystem& system;
         std::size_t index;         // Index of the system in the skeleton.
         std::string const& parent; // Path of the system's parent; "": the trunk.
-        // Index of the parent's system, kNoSystem for the trunk's; and the indices there of the
-        // parent and its copies.
+        // Index of the system to which the parent branch belongs, kNoSystem if the parent is the
+        // trunk; and the indices in that system of the parent and its copies.
         std::size_t parent_system;
         std::vector<std::size_t> const& parents;
     };
@@ -96,8 +99,8 @@ public:
 };
 
 // Infers the whole tree of a drawing. Branches with their own outline have children even on levels
-// where others have none. Branches that were drawn on get what was drawn, and siblings that follow
-// their style get children as well. Fails like infer_system().
+// where others have none. Branches that were drawn on get the drawn children, and siblings that
+// follow their style get children as well. Fails like infer_system().
 Result<Skeleton> infer_skeleton(Drawing const& drawing, SkeletonOptions const& options = {});
 
 // Infers the whole tree with names from `namer`, which may change the drawing's assignment of lines
@@ -110,9 +113,9 @@ constexpr char kPathSeparator = '/';
 std::string_view parent_in(std::string_view path); // The path without its last name.
 std::string_view last_name_in(std::string_view path);
 
-// Default name of a branch: "b4" ends in bump 4; "L7" and "R7" are copies at the seventh position
-// on the left and right; "g2" fills gap 2; "d1" was drawn; "apex" is the trunk's own end. A name
-// kept from an earlier drawing takes precedence.
+// Default name of a branch: "b4" ends in bump 4; "L7" and "R7" are copies at step 7 on the left and
+// right; "g2" fills gap 2; "s3" ends at position 3 of an outline without bumps; "d1" was drawn;
+// "apex" is the trunk's own end. A name kept from an earlier drawing takes precedence.
 std::string name_of(Branch const& branch);
 
 // Index of the branch with this name in a system; no value if there is none.

@@ -198,8 +198,8 @@ private:
         });
     }
 
-    // True if the children of a branch are inferred with its level. A target with copies is
-    // inferred as well, because its copies keep the inferred children.
+    // True if the children of a branch are inferred together with those of its level. This includes
+    // a target that has copies, because the copies keep the inferred children.
     bool is_wanted(BranchRef const& at, Which which) const
     {
         auto const& branch = skeleton_.systems[at.system].branches[at.branch];
@@ -237,7 +237,7 @@ private:
         }
     }
 
-    // The style that a branch passes on; it has no children if the branch has none.
+    // The style that a branch passes on; a style without children if the branch has no children.
     ParentStyle style_of(BranchRef const& at)
     {
         auto const below = skeleton_.system_of[at.system][at.branch];
@@ -328,7 +328,7 @@ private:
                 from_above_[below] = handed;
     }
 
-    // Gives the targets of the current level their chosen styles.
+    // Gives the branches in `targets_` their chosen styles.
     void follow_chosen(LevelInference const& how)
     {
         std::vector<std::optional<BranchingSystem>> made;

@@ -13,7 +13,7 @@ namespace {
 
 // Position of a spaced branch's end on the straight line from its base to the outline, 0 to 1.
 constexpr double kEndsAt = 0.85;
-// Greatest distance by which a branch may leave the outline, as a share of its diagonal.
+// Maximum distance by which a branch may leave the outline, as a share of the outline's diagonal.
 constexpr double kMaxOut = 0.01;
 // Minimum length of a branch, as a share of the outline's diagonal; the trunk would hide shorter
 // ones.
@@ -144,8 +144,8 @@ private:
         return static_cast<double>(crown_.outline.size()) / static_cast<double>(crown_.branches);
     }
 
-    // The part of the outline that belongs to the bump's own branch alone: the whole arc of a bump
-    // up to kMaxParts spacings wide, or that width around the tip of a wider one.
+    // The part of the outline that belongs to a bump's own branch alone: the whole arc of the bump,
+    // or kMaxParts times spacing() around its tip if the arc is longer.
     Arc kept_by_lateral(Bump const& bump) const
     {
         constexpr double kMaxParts = 3;
@@ -183,8 +183,8 @@ private:
         return owners;
     }
 
-    // Divides the stretches without an owner into even parts, each about one spacing wide. There
-    // are at most as many parts as the crown lacks branches.
+    // Divides the stretches without an owner into even parts, each about spacing() samples long.
+    // There are at most as many parts as the crown lacks branches.
     std::vector<Arc> parts() const
     {
         auto const stretches = owners().free_stretches();
@@ -192,8 +192,8 @@ private:
         for (auto const& stretch : stretches)
             free += static_cast<double>(stretch.count);
         double const lacks = static_cast<double>(crown_.branches - crown_.has);
-        // Minimum width of a part, in spacings. On a smooth outline all parts are narrower than a
-        // spacing, since the trunk's ends own some of the outline.
+        // Minimum length of a part, as a share of spacing(). On a smooth outline all parts are
+        // shorter than spacing(), since the trunk's ends own some of the outline.
         constexpr double kNarrowest = 0.8;
         double const width = std::max(kNarrowest * spacing(), free / lacks);
         std::vector<Arc> arcs;
@@ -237,8 +237,8 @@ private:
         return part;
     }
 
-    // Sorts the parts of one side of the trunk by their bases, and moves bases apart that are too
-    // close.
+    // Sorts the parts of one side of the trunk by the bases of their branches, and moves bases
+    // apart that are too close to each other.
     void spread_bases(std::vector<Part>& parts) const
     {
         if (parts.empty())
@@ -297,8 +297,8 @@ private:
         return at + (1 - kEndsAt) * inwards;
     }
 
-    // The part described as a bump, with a radius for which the cone at the branch's base contains
-    // the part.
+    // The part of the outline in which a branch ends, described as a bump. Its radius is such that
+    // the cone at the branch's base contains the part.
     Bump described(Arc const& arc, Cubic const& curve, Vec2 const& tip) const
     {
         auto bump = describe_bump(crown_.outline, arc, arc, 0);

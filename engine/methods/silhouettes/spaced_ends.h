@@ -10,9 +10,9 @@ namespace tractus::silhouette {
 
 // Divides a crown's outline where it has no bumps, so that a crown gets as many branches as its
 // form has, however smooth or rough its outline is drawn (an extension of Wither 2009, which only
-// has branches in bumps and copies of these). A part is 1/`branches` of the outline. A bump keeps
-// up to three parts, each drawn branch and each end of the trunk one part; the rest is divided
-// evenly.
+// has branches in bumps and copies of these). A bump keeps up to three times the outline's length
+// per branch; each drawn branch and each end of the trunk keeps that length once. The rest of the
+// outline is divided evenly.
 
 // Input of spaced_branches().
 struct CrownToDivide {
@@ -29,18 +29,19 @@ struct SpacedBranch {
     BranchCurve path {};
     // The part of the outline in which the branch ends, described as a bump.
     Bump part {};
-    // Position of the part on the outline, in units of a quarter of a part; identifies the branch.
+    // Position of the part on the outline, in quarters of the outline's length per branch;
+    // identifies the branch.
     std::size_t number = 0;
 };
 
-// The branches to be added, at most as many as the crown lacks; on each side of the trunk they are
-// in order from its base to its top. Each leaves the trunk at the branching angle of its base and
-// goes straight to its part of the outline, or like an inferred branch where the straight line
-// leaves the outline.
+// The branches to be added, at most as many as the crown lacks. The branches of each side of the
+// trunk are in order from the trunk's base to its top. Each leaves the trunk at the branching angle
+// of its base and goes straight to its part of the outline; where the straight line would leave the
+// outline, the branch is inferred instead (infer_branch()).
 std::vector<SpacedBranch> spaced_branches(CrownToDivide const& crown);
 
-// The part of the outline that an end of the trunk keeps: the bump's cap, or 1/`branches` of the
-// outline around the bump's tip if that is longer.
+// The part of the outline that belongs to an end of the trunk in the foot or apex bump: the bump's
+// cap, or 1/`branches` of the outline around the bump's tip if that is longer.
 Arc kept_by_trunk(std::span<Vec2 const> outline, Bump const& bump, std::size_t branches);
 
 } // namespace tractus::silhouette

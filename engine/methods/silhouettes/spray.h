@@ -9,7 +9,7 @@ namespace tractus::silhouette {
 
 // Shape and number of the leaves of a twig.
 struct LeafForm {
-    int per_spray = 24;   // Leaves per twig, 1 to 500.
+    int per_spray = 24;   // Number of leaves per twig, 1 to 500.
     double length = 0.3;  // Length of a leaf, as a share of the twig's length.
     double width = 0.4;   // Width of a leaf, as a share of its length.
     double lean_deg = 55; // Angle between leaf and twig.

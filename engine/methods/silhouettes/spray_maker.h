@@ -18,7 +18,7 @@ struct SprayParent {
     AxisId axis = kNone;
 };
 
-// Adds twigs with leaves to a tree. The constructor arguments must outlive it.
+// Adds twigs with leaves to a tree. The constructor arguments must outlive this object.
 class SprayMaker {
 public:
     SprayMaker(Tree& tree, TreeOptions const& options)
@@ -34,8 +34,9 @@ public:
     // material, their leaves the second.
     void add_shapes();
 
-    // Adds twigs of about one length, more of them on a longer parent, beyond the share `from` of
-    // its length. `places`: positions of the parent's nodes as shares of its length.
+    // Adds twigs along the part of a parent beyond the share `from` of its length. A longer parent
+    // gets more twigs, not longer ones. `places`: positions of the parent's nodes as shares of its
+    // length.
     void add(SprayParent const& parent, std::vector<double> const& places, double from);
 
 private:
@@ -55,7 +56,7 @@ private:
 
     Tree& tree_;
     TreeOptions const& options_;
-    SurfaceFit const* surface_ = nullptr; // The drawn surface; null if none was drawn.
+    SurfaceFit const* surface_ = nullptr; // The drawn crown surface; null: not drawn.
 };
 
 } // namespace tractus::silhouette

@@ -12,8 +12,8 @@ static double angle_between_deg(Vec2 const& a, Vec2 const& b)
     return degrees(std::fabs(std::atan2(cross(a, b), a.dot(b))));
 }
 
-// Returns a branch's rank when a style has room for some of the branches only; the least is kept
-// first.
+// Returns a branch's rank for a style that has room for some of the branches only: branches of the
+// lowest rank are kept first.
 static int rank_of(Branch const& branch)
 {
     if (branch.is_user_drawn())
@@ -21,7 +21,7 @@ static int rank_of(Branch const& branch)
     switch (branch.origin) {
     case Branch::Origin::Bump:
     case Branch::Origin::Spaced:
-        return 1; // Their ends make the outline.
+        return 1; // The ends of these branches form the outline.
     case Branch::Origin::Copy:
         return 2;
     case Branch::Origin::Gap:
@@ -52,8 +52,8 @@ std::optional<BranchSet> StyledBranchSetMaker::next(Parent const& parent)
     BranchSet branch_set { .parent = parent.line, .branches = {} };
     auto const surface = set_maker_.surface_of(parent.system);
     auto const drawn = BranchSetMaker::drawn_places(branch_set.parent, surface, system);
-    // Branches of the trunk do not start below the crown. The crowns of branches are inferred, so
-    // on branches the style alone decides.
+    // Branches of the trunk do not start below the crown. The crowns of branches are only inferred,
+    // so on them the style alone decides where the first branch starts.
     double const crown_u = branch_set.parent.place_of(system.trunk[system.inside.first]);
     double const style_u = level_.style.unbranched;
     auto const drawn_by_hand
@@ -73,8 +73,8 @@ std::optional<BranchSet> StyledBranchSetMaker::next(Parent const& parent)
     Model const model { system, surface, drawn };
     auto const thetas = arrangement(model, branch_at, parent.number);
     double const extent = std::max(places.back() - places.front(), 1e-9);
-    // Branches that keep their ends come first; the angles of the other branches compensate for
-    // theirs.
+    // Branches that keep their ends are placed first; the angles of the other branches compensate
+    // for the angles of these.
     for (auto const has_end : { true, false })
         for (std::size_t k = 0; k < places.size(); ++k) {
             double const share = (places[k] - places.front()) / extent;
@@ -87,7 +87,8 @@ std::optional<BranchSet> StyledBranchSetMaker::next(Parent const& parent)
 }
 
 // Selects at most `most` visible branches and returns their indices in the order of their
-// positions. Those of the least rank are preferred; within a rank, those of the largest crowns.
+// positions. Branches of the lowest rank are preferred; within a rank, those with the largest
+// crowns.
 std::vector<std::size_t> StyledBranchSetMaker::kept_branches(BranchingSystem const& system,
                                                              std::vector<DrawnPlace> const& drawn,
                                                              std::size_t most)
@@ -135,9 +136,9 @@ StyledBranchSetMaker::arrangement(Model const& model,
         .places;
 }
 
-// True for a branch that was drawn, and for one that ends in a bump, unless going there from its
-// new base would change its length too much or turn it far from the style's angle. Other branches
-// do not end on the outline.
+// True if the branch at a position keeps its end: it was drawn, or it ends in a bump and can start
+// at its new base without being stretched too much or taking an angle far from the style's. Other
+// branches do not end on the outline.
 bool StyledBranchSetMaker::keeps_end(Parent const& parent, Model const& model,
                                      StyledPlace const& place) const
 {

@@ -11,14 +11,14 @@
 namespace tractus::silhouette {
 
 // Places the branches of all parents of one level so that together they match the level's style.
-// The constructor arguments must outlive it.
+// The constructor arguments must outlive this object.
 class StyledBranchSetMaker {
 public:
     StyledBranchSetMaker(BranchSetMaker const& branch_sets, Skeleton const& skeleton,
                          TreeOptions const& options, std::uint32_t level);
 
     struct Parent {
-        std::size_t system = 0; // The system whose trunk this parent is.
+        std::size_t system = 0; // Index of the system whose trunk is the parent.
         bool is_trunk = false;  // True if the parent is the tree's trunk.
         Line const& line;
         std::uint32_t number = 0; // Number of the parent, which selects its random numbers.
@@ -29,7 +29,7 @@ public:
 private:
     using Model = BranchSetMaker::Model;
 
-    // One of the positions given by a style.
+    // One of the positions that the style gives for branches on a parent.
     struct StyledPlace {
         // Index of the visible branch that takes this position; no value: a branch is added.
         std::optional<std::size_t> branch;

@@ -55,9 +55,9 @@ double unevenness_of(std::vector<double> const& shares)
     return std::sqrt(squares / gaps);
 }
 
-// The log-normal deviation that gives these few distances the coefficient of variation
-// `unevenness`, or the nearest attainable. The formula for an infinite sample would make few
-// distances too even.
+// The log-normal deviation at which the distances with these scores have the coefficient of
+// variation `unevenness`, or the nearest that they can have. The formula for an infinite sample
+// would make a small number of distances too even.
 double spread_for(std::vector<double> const& scores, double unevenness)
 {
     double low = 0;
@@ -92,8 +92,8 @@ bool StyledPlaces::next_has_children()
     return true;
 }
 
-// Number of children of the next parent: the mean for the first parent, then pairs of one above and
-// one equally far below the mean. So even a few parents have the right mean.
+// Number of children of the next parent: the mean for the first parent, then pairs of numbers
+// equally far above and below the mean. So even a small number of parents has the right mean.
 std::size_t StyledPlaces::next_count(std::size_t least)
 {
     auto const pair = (counted_ + 1) / 2;
@@ -135,8 +135,8 @@ double StyledPlaces::next_extent(std::size_t count, double room)
 }
 
 // Factor on the distances between the next parent's children. It represents the part of the
-// variance that is between parents. Like the counts, factors come in pairs around 1; large factors
-// go with high and low counts equally often.
+// variance that is between parents. Like the numbers of children, factors come in pairs around 1;
+// large factors go with many and with few children equally often.
 double StyledPlaces::extent_factor() const
 {
     auto const pair = counted_ / 2; // next_count() has already counted this parent.

@@ -11,7 +11,7 @@ namespace tractus::silhouette {
 
 // Generates the positions of children for the parents of a level, one after the other, so that all
 // together match the style. Where one parent deviates, because counts are whole numbers or its
-// crown leaves no room, the following ones compensate.
+// crown leaves no room, the following parents compensate.
 class StyledPlaces {
 public:
     // The random stream is specific to `level`.
@@ -27,20 +27,21 @@ public:
         std::size_t least = 0;    // Minimum number of children, regardless of the style.
         std::uint32_t number = 0; // Number of the parent, which selects its random numbers.
     };
-    // Positions on the next parent as shares of its length, ascending; those of one node are equal.
-    // At least one.
+    // Positions of the children on the next parent, as shares of its length: ascending, at least
+    // one. Children of one node have equal positions.
     //
-    // On a single parent (the trunk) distances vary as the style says. On one of many parents they
-    // vary more, by a fifth on average and three fifths at most. The standard deviation of all
-    // distances together is preserved, but a crown has less room for different parents than the
-    // measured plant had, so the distances on each parent compensate. In numbers: if all m gaps
-    // together have the coefficient of variation c, and the parents' mean gaps have v, then the
-    // gaps on one parent have sqrt((1 + c^2) / (1 + v^2) - 1).
+    // On a single parent (the trunk), distances between children vary as the style says. On each of
+    // many parents they vary more, by a fifth on average and three fifths at most. The standard
+    // deviation of all distances together is preserved, but in a crown there is less room for
+    // parents to differ than in the measured plant; larger variation on each parent compensates for
+    // that. In numbers: if all distances together have the coefficient of variation c, and the
+    // parents' mean distances have v, then those on one parent have sqrt((1 + c^2) / (1 + v^2) -
+    // 1).
     std::vector<double> next(Parent const& parent);
 
     // next_angle_deg(): branching angle of the next branch, at `share` of the distance from its
     // parent's first child to its last. take_angle(): records that the branch at this position
-    // keeps an angle of its own.
+    // keeps its own angle, so that later angles compensate for it.
     double next_angle_deg(double share);
     void take_angle(double share, double angle_deg);
 
@@ -61,7 +62,8 @@ private:
     double extent_phase_ = 0;
     std::size_t counted_ = 0;
     std::size_t angled_ = 0;
-    // Remainders of the sequences' rounding, carried over from earlier parents.
+    // Differences between what the style requires and what earlier parents have; later parents
+    // compensate for them.
     double bearing_ = 0;
     double count_left_ = 0;
     double first_left_ = 0;

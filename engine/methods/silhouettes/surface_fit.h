@@ -9,8 +9,8 @@
 
 namespace tractus::silhouette {
 
-// Fast test whether points in space are inside a drawn crown surface, by a table of the surface's
-// greatest distance from the trunk over height and azimuth.
+// Fast test of whether points in space are inside a drawn crown surface. It uses a table of the
+// surface's greatest distance from the trunk by height and azimuth.
 class SurfaceFit {
 public:
     // `from_sheet`: transform from the sheet (x, y, z towards the viewer) to the plant.

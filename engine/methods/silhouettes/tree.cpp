@@ -95,7 +95,8 @@ private:
     {
         std::optional<BranchSet> own;
         BranchSet const* branch_set = nullptr;
-        // Details drawn on a branch take precedence over a style.
+        // A level's style does not apply to a branch whose outline was drawn or that shares a style
+        // with siblings.
         if (parent.system != kNoSystem && level_options(parent.level).style.is_set()
             && !skeleton_.systems[parent.system].is_of_own_outline
             && !skeleton_.systems[parent.system].is_in_siblings_style)
@@ -190,8 +191,8 @@ private:
                .is_stroke = !model.stroke.empty() });
     }
 
-    // Positions of an axis's nodes, as shares of its length: evenly spaced ones, and those of its
-    // branches.
+    // Positions of an axis's nodes, as shares of its length: evenly spaced positions, and the
+    // positions of its branches.
     std::vector<double> node_places(Parent const& parent, BranchSet const* branch_set) const
     {
         constexpr std::array kSegments { 16, 8, 4, 3 };
@@ -280,7 +281,7 @@ private:
     std::vector<std::pair<std::vector<Vec2>, OrganShapeId>> leaf_shapes_;
     std::map<std::size_t, BranchSet> set_maker_;
     std::map<std::uint32_t, std::vector<PlacedBranch>> told_;
-    std::optional<SurfaceFit> fit_; // The drawn surface; no value if none was drawn.
+    std::optional<SurfaceFit> fit_; // The drawn crown surface; no value: not drawn.
     SprayMaker sprays_ { tree_, options_ };
     BranchSetMaker maker_;
     std::vector<StyledBranchSetMaker> styled_; // Makers of styled branches, one for each level.

@@ -19,7 +19,7 @@ struct LevelOptions {
     int proposals = 3000;
     ArrangementOptions::Nodes nodes = ArrangementOptions::Nodes::Whole;
     // Style that gives the number, positions and angles of the branches, if it is set; `added` is
-    // then ignored. Inferred branches move to the nearest positions; drawn ones stay.
+    // then ignored. Inferred branches move to the nearest positions of the style; drawn ones stay.
     BranchStyle style {};
 };
 
@@ -47,7 +47,8 @@ struct PlacedBranch {
 
 constexpr char const* kTrunkName = "trunk"; // Name of the tree's main axis.
 
-// Height of a drawing including the trunk's foot; corresponds to TreeOptions::height_mm.
+// Height of a drawing including the trunk's foot; the plant's height TreeOptions::height_mm
+// corresponds to it.
 double drawn_height(Skeleton const& skeleton);
 
 // A tree in space.
@@ -64,10 +65,10 @@ struct Tree {
     std::size_t element_count() const { return plant.axes.size() + sprays + leaves; }
 };
 
-// Turns a flat skeleton into a tree: branches are distributed around each parent, others that end
-// at the crown's surface (crown_surface.h) are added between them, and twigs with leaves are placed
-// on those of the last level. The drawing plane becomes y = 0, viewed from negative y; the trunk's
-// foot is the origin. The plant passes check_plant().
+// Turns a flat skeleton into a tree: branches are distributed around each parent, further branches
+// that end at the crown's surface (crown_surface.h) are added between them, and twigs with leaves
+// are placed on the branches of the last level. The drawing plane becomes y = 0, viewed from
+// negative y; the trunk's foot is the origin. The plant passes check_plant().
 Tree make_tree(Skeleton const& skeleton, TreeOptions const& options = {});
 
 } // namespace tractus::silhouette

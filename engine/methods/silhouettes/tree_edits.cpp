@@ -254,7 +254,7 @@ Result<scene::DocumentState> applied(scene::DocumentState state, FormTree const&
     tree.takes_style = edit.takes_style;
     if (!tree.is_refined() && tree.styles.empty() && tree.touches.empty())
         return with_tree(std::move(state), edit.plant, std::move(tree));
-    // Lines on branches must be assigned again.
+    // The new form changes the branches, so the lines drawn on them must be assigned again.
     auto const id = scene::item_id(state.last_edit, 0);
     return with_lines(std::move(state), edit.plant, before, std::move(tree), id);
 }

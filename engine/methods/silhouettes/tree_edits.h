@@ -25,25 +25,26 @@ struct DrawTree {
     Stroke stroke {};
     bool is_leaf = false; // True: the outline is declared a leaf (leaf_blade.h).
     bool of_bump = false; // True: the outline comes from a touch at a bump (bump_leaf.h).
-    // Style propagation from the branch that is drawn on (sibling_style.h).
+    // Which branches take the style of the branch that is drawn on (sibling_style.h).
     StyleScope style_to = StyleScope::None;
-    Search search = Search::OnTrunk; // The branches that the search for that branch considers.
-    // An existing tree; 0: a new plant, which becomes the active one. The fields down to `scale`
-    // apply only to a new plant.
+    // Branches considered in the search for the branch that is drawn on.
+    Search search = Search::OnTrunk;
+    // Id of an existing tree; 0: a new plant, which becomes the active one. The following fields,
+    // up to `scale`, apply only to a new plant.
     scene::ItemId plant = 0;
     Vec3 stands_at_mm = Vec3::Zero(); // Position of the trunk's foot, world frame.
-    // Position of the foot on the paper, for a new tree begun with its crown surface. Default:
-    // below the crown by a quarter of its height.
+    // Position of the trunk's foot on the paper, for a new tree begun with its crown surface.
+    // Default: below the crown by a quarter of the crown's height.
     std::optional<Vec2> ground_mm {};
     TreeForm form {};
-    // World millimetres per plant millimetre; the drawing shows a plant 1 / scale times its size.
+    // World millimetres per plant millimetre: the plant is 1 / scale times as large as the drawing.
     // Becomes the document's scale if none was set.
     double scale = 0.1;
     // Length by which the trunk is extended from its tip into the crown, for a trunk or an outline
     // (OutlinedTree::trunk_goes_on_mm).
     double trunk_goes_on_mm = 0;
     // True: a new tree takes the style of the nearest tree that has one (nearest_style.h); `form`
-    // already has it.
+    // already has that style.
     bool takes_style = false;
     // World millimetres per millimetre of the paper, for a new tree that was drawn smaller because
     // it is farther away (picture_ground.h). 0: shown as large as drawn.
@@ -52,8 +53,8 @@ struct DrawTree {
     scene::ItemId id = 0;
 };
 
-// Edit: removes a part of a tree. Refused if neither trunk nor outline would be left; use
-// RemovePlant for the whole.
+// Edit: removes a part of a tree. Refused if neither trunk nor outline would be left; RemovePlant
+// removes a whole tree.
 struct EraseTreePart {
     static scene::EditKind const kKind;
 
@@ -72,7 +73,7 @@ struct DeclareLeaf {
     bool is_leaf = true;
 };
 
-// Edit: gives branches of a tree the styles of others (chosen_style.h).
+// Edit: gives branches of a tree the styles of other branches (chosen_style.h).
 struct ChooseStyles {
     static scene::EditKind const kKind;
 
@@ -88,7 +89,7 @@ struct FormTree {
 
     scene::ItemId plant = 0;
     TreeForm form {};
-    // True: the tree keeps taking the style of the nearest tree; `form` already has it.
+    // True: the tree keeps taking the style of the nearest tree; `form` already has that style.
     bool takes_style = false;
 };
 
@@ -96,7 +97,7 @@ struct FormTree {
 // with_own_outline(), with_own_branch() and with_crown_line().
 Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, scene::ItemId id = 0);
 
-// Null if the plant was not drawn by its outline.
+// The tree from which a plant is built; null if the plant was not drawn by its outline.
 OutlinedTree const* outlined_tree(scene::PlantState const& plant);
 
 } // namespace tractus::silhouette

@@ -101,7 +101,7 @@ Result<void> check_form(TreeForm const& form)
     return check_styles(form);
 }
 
-// The branching angles of the trunk's branches.
+// The branching angles that a form gives the trunk's branches.
 static BranchingAngles angles_of(TreeForm const& form)
 {
     BranchingAngles const usual;

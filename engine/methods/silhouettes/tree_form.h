@@ -18,15 +18,15 @@ struct TreeForm {
     double density = 1; // Factor on the number of added branches, 0 to 10.
     // Styles by level; on a level with a style, `density` has no effect (measured_style.h).
     std::array<BranchStyle, 3> styles {};
-    int leaves = 24;         // Leaves per twig, 1 to 500.
+    int leaves = 24;         // Number of leaves per twig, 1 to 500.
     double leaf_width = 0.4; // Width of a leaf as a share of its length, 0.01 to 2.
     std::uint64_t seed = 1;  // Seed for everything that the drawing leaves open.
     // True: all branches of a node share one position (ArrangementOptions::Nodes::Whole). False for
     // trees from before this option existed.
     bool has_whole_nodes = false;
-    // Number of branches in the plane of the drawing, besides the trunk's end, where the outline
-    // has fewer bumps than that (InferenceOptions::branches), up to kMaxPlaneBranches. 0 for trees
-    // from before this option existed: these have branches in bumps, and others until the crown is
+    // Number of branches in the plane of the drawing, not counting the trunk's end, if the outline
+    // has fewer bumps (InferenceOptions::branches); up to kMaxPlaneBranches. 0 for trees from
+    // before this option existed: they have one branch per bump, then others until the crown is
     // covered.
     int plane_branches = 0;
     // Branching angles at the trunk's base and tip, degrees; 0: the default (BranchingAngles).
@@ -47,7 +47,7 @@ bool is_usual(TreeForm form);
 double styled_branches(TreeForm const& form);
 constexpr double kMaxStyled = 200'000;
 
-// Fails with a user error if a value is out of range.
+// Checks a form. Fails with a user error if a value is out of range.
 Result<void> check_form(TreeForm const& form);
 
 SkeletonOptions skeleton_options(TreeForm const& form);

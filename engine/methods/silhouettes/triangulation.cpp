@@ -182,13 +182,13 @@ private:
     }
 
     struct Pair {
-        std::uint32_t k = 0; // Index of the triangle (a, b, c).
-        std::uint32_t l = 0; // Index of the triangle (b, a, d).
+        std::uint32_t k = 0; // Index of the triangle (a, b, c) on one side of an edge from a to b.
+        std::uint32_t l = 0; // Index of the triangle (b, a, d) on the other side.
         std::size_t e = 0;   // Edge of triangle k that starts at a.
         std::size_t f = 0;   // Edge of triangle l that starts at b.
     };
 
-    // Replaces the edge from a to b by the edge from d to c.
+    // Replaces the edge from a to b, which two triangles share, by the edge from d to c.
     void flip(Pair const& pair)
     {
         auto& one = triangles_[pair.k];

@@ -14,8 +14,8 @@ constexpr std::uint32_t kNoTriangle = 0xffff'ffff;
 // A triangle of an outline: its corners are points of the outline, counter-clockwise.
 struct Triangle {
     std::array<std::uint32_t, 3> corner {};
-    // Neighbour across the edge from corner e to the next; kNoTriangle if that is an edge of the
-    // outline.
+    // beyond[e] is the neighbour across the edge from corner e to the next corner; kNoTriangle if
+    // that edge is part of the outline.
     std::array<std::uint32_t, 3> beyond {};
 };
 

@@ -37,11 +37,11 @@ std::optional<double> extension_into_crown(std::span<Vec2 const> trunk,
 {
     constexpr double kFarthest_mm = 6;
     constexpr double kOfLength = 0.15;
-    // The straight way to the crown may be this multiple of the tip's greatest distance, since it
-    // can meet the crown obliquely.
+    // Maximum length of the straight way from the tip to the crown, as a multiple of the tip's
+    // maximum distance from the crown: the way can meet the crown obliquely.
     constexpr double kOblique = 2;
-    // Minimum length of the straight line inside the crown, as a share of the crown's extent in its
-    // direction.
+    // Minimum length of the straight line inside the crown, as a share of the crown's extent in the
+    // line's direction.
     constexpr double kThrough = 0.5;
     // The extension ends at this share of the straight line inside the crown.
     constexpr double kOn = 0.85;

@@ -9,8 +9,8 @@
 namespace tractus::silhouette {
 
 // Length by which a trunk must be extended straight from its tip to belong to a crown that was
-// drawn just above it: to 85 % of the way through the crown. No value if it is not this crown's
-// trunk or already has a point inside.
+// drawn just above it: to 85 % of the way through the crown. No value if the line is not this
+// crown's trunk or already has a point inside the crown.
 //
 // Conditions: the tip is at most 6 mm outside the outline (more than a hand misses by) and at most
 // 15 % of the trunk's length, because near a small tree the next one is close, too. Along the
@@ -26,7 +26,7 @@ std::optional<double> extension_into_crown(std::span<Vec2 const> trunk,
 std::optional<double> extension_into_crown(std::span<Vec2 const> trunk,
                                            std::vector<std::vector<Vec2>> const& strokes);
 
-// Extends a trunk straight on from its tip by this length.
+// Extends a trunk straight on from its tip by the length `by`.
 void go_on(std::vector<Vec2>& trunk, double by);
 
 } // namespace tractus::silhouette

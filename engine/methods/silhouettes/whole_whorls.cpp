@@ -86,7 +86,8 @@ private:
         return result;
     }
 
-    // Adds equally spaced nodes; the nearest ones move to branches that keep their u.
+    // Adds equally spaced nodes. Where a drawn branch keeps its u, the nearest node moves to the
+    // branch.
     void add_nodes()
     {
         std::vector<Node> kept;
@@ -159,8 +160,8 @@ private:
         return best;
     }
 
-    // Moves drawn branches to nodes, in the one of the pattern's two possible phases that suits
-    // them better.
+    // Moves drawn branches to nodes, in that of the pattern's two possible phases that suits the
+    // branches better.
     void move_drawn_to_nodes()
     {
         auto const as_it_was = nodes_;
@@ -232,7 +233,7 @@ private:
     }
 
     // Cost of rotating a branch by an angle, as the square of the equivalent displacement in nodes.
-    // Small rotations are free.
+    // Rotations by up to kFree_deg are free.
     static double cost_of_slot(double off_deg)
     {
         constexpr double kFree_deg = 20;
@@ -326,8 +327,8 @@ private:
         return sum;
     }
 
-    // Rotates whole nodes by random search. Each proposal moves all branches of a node, so fewer
-    // proposals are made than in arrange().
+    // Rotates whole nodes by random search. Each proposal moves all branches of a node, so there
+    // are fewer proposals than in arrange().
     void search(Arrangement& result)
     {
         auto const proposals = options_.proposals / static_cast<int>(whorl_);

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kCountNames { "SEGMENTS", "N" };
 
-// A model's text with comments and meaningless whitespace removed, and a map back to the source.
+// A model's text without comments and without whitespace that has no meaning, and a map from its
+// characters back to the original text.
 class CleanText {
 public:
     explicit CleanText(std::string_view source)
@@ -31,8 +32,8 @@ public:
 
     std::string_view characters() const { return text_.characters; }
 
-    // Converts an offset in the cleaned text to an offset in the source; past the end, to the start
-    // of the source's last line.
+    // Converts an offset in the cleaned text to an offset in the original text. An offset past the
+    // end becomes the start of the original's last line.
     std::size_t in_source(std::size_t at) const
     {
         if (at >= text_.size())
@@ -223,8 +224,8 @@ private:
         result_.contract.lengths = *values;
     }
 
-    // Checks that some rule draws a segment with /(plane[i])+(bend[i])\(plane[i]) followed by
-    // F(length[i]).
+    // Checks that some rule turns by /(plane[i])+(bend[i])\(plane[i]) and then draws F(length[i]),
+    // and that a condition "i < SEGMENTS" ends the axis.
     void read_rules()
     {
         std::string rules;

@@ -7,7 +7,7 @@
 
 namespace tractus::sketch {
 
-// A turtle with the few commands of cpfg's turtle that an axis needs.
+// A turtle with those commands of cpfg's turtle that a drawn axis and its laterals need.
 class AxisTurtle {
 public:
     explicit AxisTurtle(Vec3 const& position_mm)
@@ -18,7 +18,7 @@ public:
     // The turn that points the turtle's heading along `way`.
     Turn turn_towards(Vec3 const& way) const
     {
-        // Below this bend the plane of the turn would be numerical noise.
+        // For a bend below this angle, the plane of the turn would be numerical noise.
         constexpr double kStraight_deg = 1e-6;
         double const left = left_.dot(way);
         double const down = down_.dot(way);

@@ -34,7 +34,8 @@ Result<GrowAlongStroke> sketch_in(scene::PlantState const& plant, scene::ItemId 
     return *sketch;
 }
 
-// Applies `change` to the edited sketch and returns the document with the changed sketch.
+// Applies `change` to the plant or grafted part that `edit` names, and returns the document with
+// the changed plant.
 template<typename Edit, typename Change>
 Result<scene::DocumentState> changed(scene::DocumentState state, Edit const& edit,
                                      Change const& change)

@@ -11,10 +11,11 @@
 
 namespace tractus::sketch {
 
-// Edits of a plant, or of a grafted part of a plant, that grew along a stroke. Strokes on its
-// branches stay at the same places on these branches. `part` is 0 for the plant itself.
+// The edits of this file change a plant, or a grafted part of a plant, that grew along a stroke.
+// Strokes on its branches stay at the same places on these branches. The field `part` is the id of
+// the grafted part; 0: the plant itself.
 
-// Edit: grows another rule, or another model, along the same stroke.
+// Edit: replaces the rule or model that grew along a stroke. The stroke stays the same.
 struct ChangeSketch {
     static scene::EditKind const kKind;
 
@@ -26,7 +27,8 @@ struct ChangeSketch {
     ModelRule model {};
 };
 
-// Edit: shortens the stroke at its end, together with what has grown along it.
+// Edit: cuts off the end of a stroke along which a plant or a grafted part grew, together with what
+// grew there.
 struct ShortenSketch {
     static scene::EditKind const kKind;
 
@@ -35,8 +37,8 @@ struct ShortenSketch {
     std::uint64_t tips = 0; // Number of tip samples to keep, from the beginning of the stroke.
 };
 
-// Edit: replaces the stroke. A plant moves to the beginning of the new stroke; a grafted part stays
-// on its branch.
+// Edit: replaces the stroke along which a plant or a grafted part grew. A plant moves to the
+// beginning of the new stroke; a grafted part stays on its branch.
 struct RedrawSketch {
     static scene::EditKind const kKind;
 
@@ -59,12 +61,12 @@ struct GrownPart {
 // All parts of a plant that grew along strokes, newest first; the plant itself comes last.
 std::vector<GrownPart> all_grown(scene::PlantState const& plant);
 
-// The newest part of a plant that grew along a stroke, or the plant itself; no value if neither
-// did.
+// The newest grafted part of a plant that grew along a stroke; if there is none, the plant itself.
+// No value if the plant did not grow along a stroke either.
 std::optional<GrownPart> newest_grown(scene::PlantState const& plant);
 
-// Number of the stroke's tip samples that are needed for `segments` segments; no value if the whole
-// stroke is too short for so many.
+// Number of tip samples, from the beginning of the stroke, that are needed for an axis of
+// `segments` segments; no value if the whole stroke is too short.
 Result<std::optional<std::size_t>> count_tips(GrowAlongStroke const& sketch, std::size_t segments);
 
 } // namespace tractus::sketch

@@ -83,8 +83,8 @@ struct Ring {
     bool gives_way = false; // True if the model's array `room` limits the laterals' lengths.
 };
 
-// The module letter of a lateral rule. Letters of turtle commands and of the model's other modules
-// are skipped.
+// The letter of the module for the apex of lateral rule `level`. Letters of turtle commands and of
+// the model's other modules are not used.
 static std::string letter_of(std::size_t level)
 {
     constexpr std::string_view kLetters = "ABCDEHIJ";
@@ -115,7 +115,8 @@ static Ring fork_of(Rule const& rule)
     return ring;
 }
 
-// The model text of a node's laterals. `twist` is an expression for the ring's azimuth.
+// The model text of a node's laterals. `twist` and `depth` are expressions for the ring's azimuth
+// and for how often its laterals may still fork.
 static std::string text_of(Ring const& ring, std::string_view twist, std::string_view depth)
 {
     std::string text;
@@ -170,8 +171,8 @@ static std::string lateral_definitions(Rule const& rule)
     return text;
 }
 
-// The array `room` of the model's text: the share of its length for which each lateral has room.
-// Empty if laterals do not give way.
+// The array `room` of the model's text: for each lateral, the share of its length for which it has
+// room. Returns an empty string if laterals do not give way.
 static std::string array_of_room(DrawnAxis const& axis)
 {
     std::string text;
@@ -234,8 +235,8 @@ static std::string rules_of(Rule const& rule, DrawnAxis const& axis)
                               "d - 1"));
 }
 
-// The homomorphism rules for leaves. All leaves of a plant have about the same length. Lateral
-// rules that refer to each other (laterals_by) end in finer twigs and get smaller leaves.
+// The homomorphism rules for leaves. All leaves of a plant have the same length. Lateral rules that
+// refer to each other (laterals_by) end in finer twigs, so the leaves are then smaller.
 static std::string leaves_of(Rule const& rule)
 {
     bool const is_fine = std::ranges::any_of(rule.lateral_rules, &LateralRule::laterals_by);

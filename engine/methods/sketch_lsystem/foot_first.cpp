@@ -8,11 +8,11 @@ namespace tractus::sketch {
 
 bool is_drawn_to_foot(std::span<Vec3 const> tips_mm, std::optional<double> ground_mm)
 {
-    // Minimum descent, as a share of the distance from the first tip to the last.
+    // Minimum descent of the stroke, as a share of the distance from its first point to its last.
     constexpr double kDown = 0.7;
-    // Greatest depth of other tips below the last one, as a share of the descent.
+    // Maximum depth of the stroke below its last point, as a share of its descent.
     constexpr double kAbove = 0.1;
-    // Greatest height of the last tip above the ground, as a share of the descent.
+    // Maximum height of the stroke's last point above the ground, as a share of its descent.
     constexpr double kGround = 0.3;
     if (tips_mm.size() < 2)
         return false;

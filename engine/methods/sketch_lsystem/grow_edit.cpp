@@ -28,7 +28,8 @@ bool same(GrowAlongStroke const& one, GrowAlongStroke const& other)
         && one.model == other.model && one.is_drawn_reversed == other.is_drawn_reversed;
 }
 
-// Returns the edit with the laterals of its rule varied at random; the drawn axis stays as it is.
+// Returns the edit with the laterals of its rule varied at random; for a model, only the seed
+// changes. The drawn axis stays as it is.
 GrowAlongStroke varied(GrowAlongStroke edit, scene::SourceVariation const& variation)
 {
     constexpr std::uint32_t kStream = 0x736B;
@@ -93,7 +94,7 @@ void list(scene::Fields& fields, GrowAlongStroke& edit)
     fields.numbers(edit.stroke);
 }
 
-// Scales a rule's lengths for a document whose scale differs from that of the model's text.
+// Converts a rule's lengths on the desk from a document's `scale` to that of the model's text.
 Rule at_scale(Rule rule, double scale)
 {
     rule.first_length_mm *= kModelScale / scale;
@@ -133,8 +134,9 @@ std::string described(GrowAlongStroke const& edit)
 
 } // namespace
 
-// Names of the fields of each lateral rule in sessions; a file without lateral rules has none of
-// them. The letters of rule files are r, q, k, a, s, v, T, l_min and by.
+// Names of the fields of each lateral rule in session files: the letter of its module in the
+// model's text, then the name of the field in rule files. A session without lateral rules has none
+// of these fields.
 using LateralNames = std::array<char const*, 9>;
 static constexpr std::array<LateralNames, kMaxLateralRules> kLateralNames { {
     { { "A_r", "A_q", "A_k", "A_a", "A_s", "A_v", "A_T", "A_l_min", "A_by" } },
@@ -147,8 +149,8 @@ static constexpr std::array<LateralNames, kMaxLateralRules> kLateralNames { {
     { { "J_r", "J_q", "J_k", "J_a", "J_s", "J_v", "J_T", "J_l_min", "J_by" } },
 } };
 
-// Works on a copy of the rules and writes it back only after a change, because edits are shared
-// between threads.
+// Lists the fields of all lateral rules. The function works on a copy of the rules and writes it
+// back only after a change, because edits are shared between threads.
 static void list_lateral_rules(scene::Fields& fields, std::vector<LateralRule>& rules)
 {
     constexpr LateralRule kNone { 0, 0, 0, 0, 0, 0, 0, 0, 0 };

@@ -14,8 +14,8 @@ namespace {
 constexpr double kMinRoom = 0.25;
 
 // The ends of the internodes of a lateral and of everything that it bears, for a first internode of
-// length 1. They are in the order of growth, so that the limit kMaxPoints leaves out the finest
-// ones.
+// length 1. They are in the order of growth, so that the limit on their number leaves out the
+// finest ones.
 class LateralCloud {
 public:
     explicit LateralCloud(Rule const& rule)
@@ -32,8 +32,8 @@ public:
 private:
     static constexpr std::size_t kMaxPoints = 4000;
 
-    // The apex of a lateral. `level` is the index of its lateral rule; the number of lateral rules
-    // means that it forks.
+    // The apex of a lateral. `level` is the index of its lateral rule; if it equals the number of
+    // lateral rules, the lateral forks.
     struct Apex {
         std::size_t level = 0;
         int node = 1; // Number of the next node that the apex makes.
@@ -41,7 +41,7 @@ private:
         AxisTurtle turtle;
     };
 
-    // Minimum length of an internode, as a share of the first internode of the longest lateral.
+    // Minimum length of an internode, as a share of the first internode of the lowest lateral.
     static double shortest_of(Rule const& rule)
     {
         constexpr double kFinest = 0.04;
@@ -78,7 +78,7 @@ private:
         apices.push_back(apex);
     }
 
-    // The values for laterals that fork, from the drawn axis's rule.
+    // The values of the drawn axis's rule as a LateralRule, for laterals that fork.
     LateralRule ring_of_forks() const
     {
         return { .laterals = rule_.laterals,
@@ -110,8 +110,9 @@ std::vector<Vec3> ways_to_other_parts(std::span<Vec3 const> nodes_mm, std::size_
     return ways_mm;
 }
 
-// The largest share of a lateral's size at which it stays on its own node's side of the planes
-// midway along `ways_mm`, at least half of `radius_mm` from them. 0 if it is below kMinRoom.
+// The largest share of its size at which a lateral leaves room for other nodes. `ways_mm` lead from
+// the lateral's node to these nodes. Of the plane midway along each way, the lateral stays on its
+// own side, at least half of `radius_mm` away. A share below kMinRoom becomes 0.
 double room_for(std::vector<Vec3> const& lateral_mm, std::vector<Vec3> const& ways_mm,
                 double radius_mm)
 {

@@ -9,8 +9,8 @@
 
 namespace tractus::sketch {
 
-// Share of its length for which each lateral of a drawn axis has room, if laterals give way
-// (Rule::occupancy_radius_mm): 1 for its full length, 0 for a lateral that does not grow. Ordered
+// For each lateral of a drawn axis, the share of its length for which it has room, if laterals give
+// way (Rule::occupancy_radius_mm): 1 for the full length, 0 if the lateral does not grow. Ordered
 // by the axis's nodes, from the second one on, and at each node by the laterals around it.
 //
 // The space around the axis is divided among its nodes. A lateral, with all that it bears, stays on

@@ -13,10 +13,11 @@ namespace {
 
 constexpr double kUnit_mm = 10; // Millimetres of the plant per turtle unit, which is a centimetre.
 
-// The lengths of all segments that the drawn axis may have, in the model's unit.
+// The lengths of all segments that a drawn axis can have at most, in the model's unit.
 std::vector<double> all_lengths(AxisContract const& contract)
 {
-    constexpr double kShortest = 0.02; // Shortest length allowed, as a share of the first length.
+    // Minimum length of an added segment, as a share of the first length.
+    constexpr double kShortest = 0.02;
     std::vector<double> lengths;
     for (double const length : contract.lengths)
         lengths.push_back(rounded_as_text(length));

@@ -16,11 +16,11 @@
 
 namespace tractus::sketch {
 
-// A model in cpfg's language that takes the place of a rule. It keeps the contract of
-// axis_contract.h; its text is stored with the values that it has without a stroke.
+// A model in cpfg's language that grows along a stroke in place of a rule. Its text keeps the
+// contract of axis_contract.h and is stored as it is before a stroke fills it in.
 struct ModelRule {
     lsystem::ModelSource source { .name = {}, .view_name = {} };
-    // Texts of the files that the model includes, by name.
+    // Texts of the files that the model includes, by file name.
     std::map<std::string, std::string> includes {};
     std::uint64_t seed = 1; // Seed of the model's random numbers, which affect only its laterals.
 
@@ -28,36 +28,37 @@ struct ModelRule {
     bool operator==(ModelRule const&) const = default;
 };
 
-// Largest number of segments of a model's axis.
+// Maximum number of segments of an axis that a model grows along a stroke.
 constexpr int kMaxModelSegments = 1000;
 
-// The lengths of a contract's segments on the desk, for a plant shown at `scale`: the numbers in
-// the text, then further ones by the ratio of the last two, rounded to six digits. No length is
-// below a fiftieth of the first.
+// The lengths of a model's segments on the desk, for a plant shown at `scale`. First come the
+// numbers in the model's text, then further ones by the ratio of the last two, rounded to six
+// digits. The further lengths end before one would be below a fiftieth of the first length.
 SegmentLengths lengths_on_desk(AxisContract const& contract, double scale);
 
-// Returns the model with the axis through these nodes written to its contract's spans; all other
-// bytes of its text stay the same. Fails with a user error if the model does not keep the contract.
+// Returns the model with the axis through these nodes filled into its text; all other bytes of the
+// text stay the same. Fails with a user error if the text breaks the contract of axis_contract.h.
 Result<lsystem::ModelSource> model_along(ModelRule const& model, std::span<Vec3 const> nodes_mm,
                                          double scale);
 
-// A model's axis after rounding, and the positions of its nodes on the desk.
+// The axis that a model grows along a stroke, after rounding, and the positions of its nodes on the
+// desk.
 struct ModelAxis {
     DrawnAxis axis {};
     std::vector<Vec3> nodes_mm {};
 };
 Result<ModelAxis> axis_along(ModelRule const& model, std::span<Vec3 const> nodes_mm, double scale);
 
-// Checks that a plant follows the drawn axis. Fails with a user error if the plant's first axis
-// does not pass through these nodes, given in the plant's frame, because the model turns it by
-// something other than the drawn turns. Each node may be off by a thousandth of its segment's
-// length.
+// Checks that the first axis of a plant passes through the drawn nodes, given in the plant's frame.
+// Each node may be off by a thousandth of the length of the segment that ends there. Fails with a
+// user error for a plant that does not, because its model `name` also turns the axis by something
+// other than the drawn turns.
 Result<void> check_follows(std::string const& name, Plant const& plant,
                            std::span<Vec3 const> nodes_mm);
 
 // Lists what a model lacks to grow along a stroke, one sentence for each fault; empty if the model
-// is suitable. A text that keeps the contract is also tested by growing it along a short stroke,
-// with two seeds.
+// is suitable. If its text keeps the contract of axis_contract.h, the model is also tested: it is
+// grown along a short stroke, with two seeds.
 std::vector<std::string> missing_for_stroke(ModelRule const& model,
                                             scene::LoadOptions const& options);
 

@@ -100,8 +100,8 @@ namespace {
 
 // Counts the internodes that a rule's model will make. Lengths are multiplied in the model's order,
 // so that rounding ends the count and the model at the same internode. Only one lateral of each
-// ring is followed, and its count is multiplied. If more internodes must be followed than the
-// plant's limit allows, the plant has too many in any case.
+// ring is followed, and its count is multiplied by the number of laterals. The count is infinite if
+// more internodes must be followed than the plant may have.
 class InternodeCounter {
 public:
     explicit InternodeCounter(Rule const& rule)

@@ -12,7 +12,7 @@ struct SegmentLengths {
     // Lengths of the first segments: at least one, each above 0.
     std::vector<double> first_mm { 30 };
     double ratio = 1;       // Ratio of each further length to the one before it, above 0.
-    double shortest_mm = 0; // The axis ends before a segment shorter than this.
+    double shortest_mm = 0; // The axis ends before the first segment shorter than this.
     int most = 64;          // Maximum number of segments.
 };
 

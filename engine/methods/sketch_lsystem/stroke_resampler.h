@@ -11,9 +11,9 @@ namespace tractus::sketch {
 
 // Divides a stroke into the segments of a drawn axis while it is being drawn (Ijiri et al. 2006,
 // section 3.2). A new node is placed where the stroke leaves the ball around the last node; the
-// ball's radius is the length of the next internode. Chords are measured rather than arc length,
-// and nodes lie exactly on the spheres, so they do not depend on how densely the curve is sampled.
-// The number of nodes never falls, even if the pen goes back into the ball.
+// ball's radius is the length of the next internode. Distances are measured along chords, and each
+// node lies exactly on the ball's surface, so nodes do not depend on how densely the stroke is
+// sampled. The number of nodes never falls, even if the pen goes back into the ball.
 //
 // push() takes constant time for each node that it makes, and allocates nothing.
 class StrokeResampler {
@@ -24,9 +24,9 @@ public:
     {
     }
 
-    // Adds a position of the pen's tip, in millimetres in any one frame; a position that is not
-    // finite is ignored. Returns the number of segments that it completes: the number of times to
-    // apply the rule.
+    // Adds a position of the pen's tip, in millimetres; all positions must be in the same frame. A
+    // position that is not finite is ignored. Returns the number of segments that the position
+    // completes: the rule is to be applied once for each.
     int push(Vec3 const& tip_mm);
 
     // The first tip position and the ends of all segments; empty before the first push().
@@ -47,7 +47,7 @@ private:
     Vec3 last_tip_mm_ = Vec3::Zero();
 };
 
-// Computes the nodes of the axis for a whole stroke.
+// Compute the nodes of the drawn axis for a whole stroke.
 std::vector<Vec3> resample_stroke(SegmentLengths const& lengths, std::span<Vec3 const> tips_mm);
 std::vector<Vec3> resample_stroke(Rule const& rule, std::span<Vec3 const> tips_mm);
 

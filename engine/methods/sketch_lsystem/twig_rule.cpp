@@ -19,12 +19,13 @@ namespace {
 // Assumed inaccuracy of hand drawing: standard deviations of positions on the axis (kPlace_mm) and
 // of logarithms of lengths (kLength).
 constexpr double kPlace_mm = 0.7;
-// Standard deviation of positions as a share of the axis's length, where that exceeds kPlace_mm.
+// Standard deviation of positions on the axis as a share of the axis's length; used where it
+// exceeds kPlace_mm.
 constexpr double kPlaceShare = 0.008;
 constexpr double kLength = 0.06;
 
-// Smooths tremor out of a line with a moving average over about 8 mm, or over a tenth of a short
-// line. The ends stay where they are.
+// Smooths tremor out of a line with a moving average over 8 mm, or over a tenth of the line if it
+// is shorter than 80 mm. The ends of the line stay where they are.
 std::vector<Vec3> steady(std::vector<Vec3> const& points)
 {
     constexpr std::size_t kPoints = 201;
@@ -76,8 +77,8 @@ struct Lateral {
     Vec3 way() const { return (line.back() - line.front()).normalized(); }
 };
 
-// Finds the parent of each lateral: the axis if it touches an end of the lateral; otherwise a
-// lateral near one of its ends; failing that, the axis.
+// Finds the parent of each lateral: the axis if an end of the lateral touches it; otherwise another
+// lateral that passes near one of the ends; failing that, the axis.
 std::vector<Lateral> attach(std::vector<Vec3> const& axis, DrawnTwig const& twig)
 {
     std::vector<Lateral> laterals;
@@ -142,8 +143,8 @@ double node_place(double ratio, int number)
     return sum;
 }
 
-// Fits the ring pattern's lengths to the laterals for its given ratio. Returns the sum of squared
-// residuals.
+// Fits `first_mm` and `length_share` of `ring` to the laterals, for the given ratio. Returns the
+// sum of squared residuals, each divided by its standard deviation.
 double squares(std::vector<Lateral const*> const& laterals, Ring& ring, double place_mm)
 {
     double top = 0;
@@ -246,8 +247,8 @@ struct Twist {
     double deviation_deg = 0;
 };
 
-// Finds the rotation between successive nodes, within 180/k degrees either way: a ring of k
-// laterals looks the same when turned by 360/k.
+// Finds the rotation between the rings of successive nodes, within 180/k degrees either way: a ring
+// of k laterals looks the same when turned by 360/k degrees.
 Twist find_twist(std::vector<Turned> const& turns, int laterals)
 {
     constexpr double kStep_deg = 0.25;
@@ -265,7 +266,8 @@ Twist find_twist(std::vector<Turned> const& turns, int laterals)
             best.deg = twist_deg;
         }
     }
-    // Standard deviation of a narrow circular normal distribution with this mean resultant length.
+    // Standard deviation of a narrow circular normal distribution whose mean resultant length is
+    // `most`.
     best.deviation_deg = degrees(std::sqrt(-2 * std::log(std::clamp(most, 1e-6, 1.0)))) / laterals;
     return best;
 }
@@ -295,8 +297,8 @@ double deviation_of(std::vector<double> const& values)
     return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-// Appends the branching angles and relative lengths of laterals that are attached to other
-// laterals.
+// Appends the branching angles and the logarithms of relative lengths of laterals that are attached
+// to other laterals.
 void add_deeper(std::vector<Lateral> const& laterals, std::vector<double>& angles_deg,
                 std::vector<double>& log_shares)
 {
@@ -339,8 +341,8 @@ static TwigRule fit(std::vector<Lateral> const& laterals, std::vector<Vec3> cons
         log_shares.push_back(std::log(of_axis[i]->length_mm / internode_mm));
         shortest_mm = std::min({ shortest_mm, internode_mm, of_axis[i]->length_mm });
     }
-    // Laterals of the axis determine the rule, because the parents of deeper laterals are less
-    // certain.
+    // Only laterals of the axis determine the rule, because it is less certain which lateral bears
+    // a deeper one.
     double const angle_deg = mean_of(angles_deg);
     double const log_share = mean_of(log_shares);
     add_deeper(laterals, angles_deg, log_shares);

@@ -9,7 +9,7 @@ namespace {
 std::vector<PlantPlace> places(std::size_t count, Shard shard, Stand stand = Stand::Scatter)
 {
     auto how = variation::kPlantsOfOneBed;
-    how.age = 0; // Nothing but the range of ages counts.
+    how.age = 0; // The plants' ages come from the range of ages alone.
     return place_plants({ .individuality = how,
                           .ages = { 0.25, 0.75 },
                           .seed = 7,
@@ -87,7 +87,7 @@ TEST(Collection, ItsSheetShowsPlantsFromTheFirstToTheLast)
 {
     EXPECT_EQ(sheet_plant(0, 1), 0u);
     for (std::size_t i = 0; i < kMaxSheetPlants; ++i)
-        EXPECT_EQ(sheet_plant(i, kMaxSheetPlants), i); // All plants are shown.
+        EXPECT_EQ(sheet_plant(i, kMaxSheetPlants), i); // The sheet shows every plant.
     EXPECT_EQ(sheet_plant(0, 1'000'000), 0u);
     EXPECT_EQ(sheet_plant(kMaxSheetPlants - 1, 1'000'000), 999'999u);
     for (std::size_t i = 1; i < kMaxSheetPlants; ++i) {

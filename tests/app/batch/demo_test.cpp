@@ -14,8 +14,8 @@
 namespace tractus::batch {
 namespace {
 
-// Fixture for the demos: for each plant, a script of what the hand does, and the recording made
-// from it.
+// Fixture for the demos, one for each plant: a script of the hand's gestures, and the recording
+// made from the script.
 class Demo : public ::testing::TestWithParam<char const*> {
 protected:
     scene::Scene scene() const { return our_plant(GetParam()); }
@@ -36,7 +36,7 @@ TEST_P(Demo, IsRecordedFromItsScriptByteForByte)
     auto const written
         = play::write_simulated_recording(out, script(), scene(), methods::all_methods().tools);
     ASSERT_TRUE(written) << written.error().message;
-    // EXPECT_TRUE, because EXPECT_EQ would print half a megabyte.
+    // EXPECT_TRUE, because a failing EXPECT_EQ would print both recordings, over half a megabyte.
     EXPECT_TRUE(out.str() == read_file(file("tractus-log")).value())
         << "record it again: tractus record --simulate app/demo/" << GetParam() << ".hand.toml";
 }
@@ -57,7 +57,7 @@ TEST_P(Demo, SelectsTheBranchesThatItsScriptTraces)
         auto const& path = scene.associations[association++].what.path;
         EXPECT_EQ(axis_of(*scene.base, path.front()), traced);
         EXPECT_EQ(axis_of(*scene.base, path.back()), traced);
-        // All segments except at its ends.
+        // The stroke follows the whole axis; it may miss one segment at either end.
         EXPECT_GE(path.size() + 2, scene.base->axes[traced].segment_count);
     }
     EXPECT_EQ(association, scene.associations.size());

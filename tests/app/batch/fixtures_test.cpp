@@ -16,9 +16,9 @@
 #include <unistd.h>
 #include <vector>
 
-// Recordings and sessions written by earlier versions of the program, and digests of their
-// contents. tests/fixtures/README.md says how they were made. They are never made again, because
-// later versions must give the same results.
+// Tests with recordings and sessions written by earlier versions of the program, and with digests
+// of their contents. tests/fixtures/README.md says how these files were made. They are never
+// replaced, because later versions must give the same results.
 namespace tractus::batch {
 namespace {
 
@@ -29,7 +29,7 @@ fs::path fixture(std::string const& name)
     return fs::path(TRACTUS_FIXTURES) / name;
 }
 
-// A weighted sum, so that changes of the order are detected.
+// A sum whose weights depend on the order, so that values in another order give another sum.
 class Sum {
 public:
     void add(double value) { value_ += value * (1 + static_cast<double>(count_++ % 97) / 97); }
@@ -40,7 +40,7 @@ private:
     double value_ = 0;
 };
 
-// Returns a digest of a plant: numbers of parts, and sums over positions and thicknesses.
+// Returns a digest of a plant: counts of its elements, and sums over positions and thicknesses.
 std::vector<double> digest(Plant const& plant)
 {
     Sum places;
@@ -65,7 +65,8 @@ std::vector<double> digest(Plant const& plant)
              organs.value() };
 }
 
-// Returns a digest of the drawing, and of its plant with two seeds and when young.
+// Returns a digest of a scene: counts of its strokes and selected paths, and the digests of its
+// plant as loaded, as shown, with the next seed, and then at age 0.5.
 std::vector<double> digest(scene::Scene scene)
 {
     std::vector<double> numbers { static_cast<double>(scene.associations.size()),
@@ -84,7 +85,8 @@ std::vector<double> digest(scene::Scene scene)
     return numbers;
 }
 
-// Reads the expected digests: a line for each fixture with its name and its digest.
+// Reads the expected digests from digests.txt: one line for each fixture, with its name and
+// numbers.
 std::map<std::string, std::vector<double>> expected_digests()
 {
     std::map<std::string, std::vector<double>> digests;
@@ -99,7 +101,8 @@ std::map<std::string, std::vector<double>> expected_digests()
     return digests;
 }
 
-// Compares with a tolerance, since compilers and C libraries may differ in the last digits.
+// Compares a scene's digest with the expected one. The comparison has a tolerance, since compilers
+// and C libraries may differ in the last digits.
 void expect_digest(std::string const& name, scene::Scene const& scene)
 {
     auto const found = digest(scene);
@@ -140,7 +143,7 @@ TEST_P(FixtureOfDemo, GivesItsPlant)
 INSTANTIATE_TEST_SUITE_P(Fixtures, FixtureOfDemo,
                          testing::Values("broadleaf", "shrub", "conifer", "daisy"));
 
-// Copies a session, because reading it may create files beside it.
+// Returns the path of a copy of a session. Reading the original could create files beside it.
 fs::path copy_of(std::string const& name)
 {
     auto const path

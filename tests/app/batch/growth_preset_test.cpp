@@ -1,4 +1,5 @@
-// Tests that presets do what their names say, measured by the directions of plants' tips.
+// Tests that growth presets do what their names say, measured by the directions of the tips of
+// plants.
 #include "engine/variation/growth_preset.h"
 
 #include "app/files/resources.h"
@@ -14,7 +15,7 @@
 namespace tractus::batch {
 namespace {
 
-// Posture of a plant. World frame.
+// Posture of a plant, in the world frame.
 struct Posture {
     Vec3 tips = Vec3::Zero(); // Mean direction of the last tenth of all axes.
     double height = 0;        // Height relative to that of the drawn plant.
@@ -41,7 +42,7 @@ Posture posture(Plant const& plant, Plant const& drawn)
     return posture;
 }
 
-// Fixture with one model that is grown with any preset.
+// Fixture with one of the program's models, which can be grown with any growth preset.
 class Presets : public testing::TestWithParam<std::string> {
 protected:
     static Plant base()
@@ -102,7 +103,7 @@ TEST_P(Presets, GoFromTheTamestToTheWildest)
     EXPECT_LT(usual.sway, radians(15));
     EXPECT_GT(winding.sway, 1.5 * usual.sway);
     EXPECT_GT(wild.sway, 1.5 * winding.sway);
-    // The presets calm, usual and winding have no preferred direction.
+    // The presets "calm", "usual" and "winding" have no preferred direction.
     for (auto const& plant : { calm, usual, winding }) {
         EXPECT_LT((plant.tips - drawn_.tips).norm(), 0.1);
         EXPECT_GT(plant.height, 0.9);

@@ -13,15 +13,15 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-// A dozen variations of each model with a drawn trunk and limb: individuals that keep the drawn
-// shape.
+// Tests of a dozen variations of each model whose trunk and one limb are drawn. The variations must
+// differ, but keep the drawn shape.
 
 namespace tractus::batch {
 namespace {
 
 constexpr std::uint32_t kDozen = 12;
 
-// Returns the longest branch on the trunk.
+// Returns the longest branch of order 1.
 AxisId longest_limb(Plant const& plant)
 {
     AxisId longest = 0;
@@ -34,8 +34,8 @@ AxisId longest_limb(Plant const& plant)
     return longest;
 }
 
-// A trunk and a limb are drawn; with `hanging`, a twig that hangs is drawn over the trunk for all
-// that it bears.
+// Returns a plant whose trunk and longest limb are drawn. If `hanging` is true, a stroke for a
+// hanging twig is also drawn over the trunk, for all branches on the trunk.
 scene::Scene drawn_plant(char const* name, bool hanging = false)
 {
     auto scene = our_plant(name);
@@ -65,8 +65,8 @@ scene::Scene drawn_plant(char const* name, bool hanging = false)
     return scene::apply_edit(scene, growth).value();
 }
 
-// Returns the correlation of two paths' deviations from their means, over all coordinates: 1 for
-// equal shapes.
+// Returns the correlation of the deviations of two paths from their mean points, over all
+// coordinates: 1 for equal shapes.
 double correlation(std::span<Vec3 const> one, std::span<Vec3 const> other)
 {
     auto const mean = [](std::span<Vec3 const> points) {
@@ -88,8 +88,8 @@ double correlation(std::span<Vec3 const> one, std::span<Vec3 const> other)
     return both / std::sqrt(first * second);
 }
 
-// The points turned about the vertical and then pitched so that their chord lies along +x: a stroke
-// is laid by the heading and the pitch of its branch.
+// Turns points about the vertical and then pitches them so that their chord lies along +x. Paths
+// are compared like this because strokes are laid by the heading and the pitch of each branch.
 std::vector<Vec3> laid_level(std::vector<Vec3> points)
 {
     Vec3 const chord = points.back() - points.front();
@@ -101,7 +101,8 @@ std::vector<Vec3> laid_level(std::vector<Vec3> points)
     return points;
 }
 
-// Points at equal distances along a polyline; of a young branch, the part that has grown.
+// Returns points at equal distances along a polyline. For a young branch, these are on the part
+// that has grown.
 std::vector<Vec3> evenly(std::span<Vec3 const> points)
 {
     constexpr std::size_t kPoints = 40;
@@ -245,7 +246,7 @@ INSTANTIATE_TEST_SUITE_P(Models, Individuals,
                          ::testing::Values("broadleaf", "conifer", "birch", "poplar", "shrub"),
                          [](auto const& model) { return std::string(model.param); });
 
-// Models as they come, without a drawing, the narrow ones among them.
+// Models without a drawing, including narrow plants.
 class UndrawnIndividuals : public ::testing::TestWithParam<char const*> { };
 
 TEST_P(UndrawnIndividuals, DifferByAFifthOfTheirHeight)

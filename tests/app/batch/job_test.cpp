@@ -26,8 +26,8 @@ double width_mm(mesh::Mesh const& mesh)
     return box.max_mm.x() - box.min_mm.x();
 }
 
-// Fixture with a stem of ten segments, 100 mm high, with a leaf of 300 mm to the left and one to
-// the right.
+// Fixture with a stem of ten segments, 100 mm high, that has a leaf of 300 mm on its left and one
+// on its right.
 class LeafyJob : public testing::Test {
 protected:
     void SetUp() override
@@ -62,7 +62,7 @@ protected:
         ASSERT_TRUE(write_file(folder_ / name, text));
     }
 
-    // Returns a job that varies the drawing on the leafy stem into the folder "out".
+    // Returns a job that makes variations of the leafy stem with its drawing in the folder "out".
     JobOptions job(std::size_t variations) const
     {
         return { .drawing
@@ -105,7 +105,7 @@ TEST_F(LeafyJob, ShowsTheDrawingInFourSeasons)
         EXPECT_NE(bytes.find(name), std::string::npos) << name;
 }
 
-// The recording itself loads the plant.
+// A recording that begins with an empty sheet contains the loading of its plant.
 TEST_F(LeafyJob, BeginsWithAnEmptySheet)
 {
     JobOptions options { .variations = 2, .folder = folder_ / "sheet" };
@@ -124,7 +124,7 @@ TEST_F(LeafyJob, BeginsWithAnEmptySheet)
 TEST_F(LeafyJob, SaysThatTheRigIsAnotherOne)
 {
     calib::Rig rig;
-    rig.full_scale_counts = 1023; // The log's converter has a full scale of 4095.
+    rig.full_scale_counts = 1023; // The converter of the log has a full scale of 4095 counts.
     ASSERT_TRUE(calib::save_rig(rig, folder_ / "other.rig.toml"));
     terminal::Progress progress;
     auto const report = run_job({ .drawing = { .log = folder_ / "leafy.tractus-log",
@@ -148,7 +148,7 @@ TEST_F(LeafyJob, VariesAnotherProgramsSkeletonByStrokesInSpace)
     write("tree.obj",
           "v 0 0 0\nv 0 0.5 0\nv 0 1 0\nv 0.4 0.8 0\nv -0.3 0.7 0\n"
           "l 1 2 3\nl 2 4\nl 2 5\n");
-    // Strokes for the trunk and a branch, and two more than there are branches.
+    // Four strokes: one for each of the three branches, including the trunk, and one too many.
     write("drawing.strokes",
           "0 0 0\n0 0 50\n40 0 90\n\n0 0 0\n10 0 0\n10 30 20\n\n"
           "0 0 0\n10 0 0\n\n0 0 0\n10 0 0\n");

@@ -7,13 +7,13 @@
 
 #include <gtest/gtest.h>
 
-// Properties kept by strokes laid by heading and pitch, for random strokes on the models that come
-// with the program.
+// Properties of the fit of strokes by heading and pitch, tested with random strokes on the models
+// that come with the program.
 
 namespace tractus::variation {
 namespace {
 
-constexpr int kStrokes = 20; // For each of five models, which makes a hundred.
+constexpr int kStrokes = 20; // Number of random strokes for each of the five models.
 
 class LaidStrokes : public ::testing::TestWithParam<char const*> {
 protected:
@@ -43,7 +43,7 @@ protected:
                        .fit = fit });
     }
 
-    // Returns the axes on the undrawn trunk whose own heading counts.
+    // Returns the trunk's laterals that are not upright, so that their heading counts.
     std::vector<AxisId> branches(StrokeFit fit) const
     {
         std::vector<AxisId> found;
@@ -79,7 +79,7 @@ private:
     RestShape rest_;
 };
 
-// Returns a smooth random path of 40 steps that bends to any side.
+// Returns a smooth random path of 40 steps that may bend in any direction.
 std::vector<Vec3> random_stroke(Random& random)
 {
     auto const number = [&] { return 2 * random.uniform() - 1; };
@@ -113,7 +113,7 @@ TEST_P(LaidStrokes, TurningTheDrawingChangesNothing)
             point = turn * point;
         for (auto const fit : { StrokeFit::Start, StrokeFit::Chord })
             EXPECT_LT(farthest(propagated(drawn, fit), propagated(turned, fit)), 1e-6) << i;
-        // With the fit World, each branch turns with the stroke.
+        // With StrokeFit::World, each branch turns with the stroke.
         auto const world = propagated(drawn, StrokeFit::World);
         auto const turned_world = propagated(turned, StrokeFit::World);
         for (AxisId const id : branches(StrokeFit::Start))
@@ -134,7 +134,7 @@ TEST_P(LaidStrokes, AMirroredDrawingMirrorsEachBranch)
             auto const other = propagated(mirrored, fit);
             for (AxisId const id : branches(fit)) {
                 auto const& axis = plant().axes[id];
-                // Normal of the branch's vertical plane.
+                // Normal of the vertical plane through the branch.
                 Vec3 const side = Vec3::UnitZ().cross(direction(id, fit)).normalized();
                 for (auto n = axis.first_node; n <= axis.first_node + axis.segment_count; ++n) {
                     Vec3 const way = one[n] - one[axis.first_node];
@@ -155,7 +155,8 @@ TEST_P(LaidStrokes, StartsAndChordsAreThoseOfTheBranches)
         auto const by_chord = propagated(drawn, StrokeFit::Chord);
         for (AxisId const id : branches(StrokeFit::Start)) {
             auto const& axis = plant().axes[id];
-            // The first segment shows the stroke's start if it is not a small part of the branch.
+            // The first segment has the direction of the stroke's start if it is not a small part
+            // of the branch.
             double const shown = rest().length_mm[axis.first_segment] / rest().axis_length_mm[id];
             Vec3 const first = by_start[axis.first_node + 1] - by_start[axis.first_node];
             if (shown >= 0.05 && shown <= 1.0 / 3)
@@ -186,8 +187,8 @@ TEST_P(LaidStrokes, ABranchsOwnCurveGivesItBack)
     }
 }
 
-// Hanging means below the line of its start all the way. Branches with a curve of their own are
-// compared with their straight continuation, since the law does not include that curve.
+// A hanging stroke is everywhere below the line of its start. Branches with a curve of their own
+// are compared with their straight continuation, since the law does not include that curve.
 TEST_P(LaidStrokes, WhatHangsRaisesNoTipAndWhatRisesLowersNone)
 {
     Random random({ .seed = 4 });
@@ -204,7 +205,8 @@ TEST_P(LaidStrokes, WhatHangsRaisesNoTipAndWhatRisesLowersNone)
             auto const drawn = propagated(points, StrokeFit::Start);
             for (AxisId const id : branches(StrokeFit::Start)) {
                 Vec3 const start = direction(id, StrokeFit::Start);
-                // Beyond the vertical, a branch that continues to bend rises on the other side.
+                // If a steep branch bends beyond the vertical, its tip rises again on the other
+                // side.
                 if (std::abs(start.z()) > 0.6)
                     continue;
                 double const straight = rest().axis_length_mm[id] * start.z();

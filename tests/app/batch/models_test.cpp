@@ -17,11 +17,11 @@ struct Expected {
     int steps; // Derivation length of the model.
     std::size_t min_segments;
     std::size_t min_organs;
-    // Least number of segments of the longest axis, so that a stroke can bend it.
+    // Minimum number of segments of the longest axis, so that a stroke can bend that axis.
     std::uint32_t min_axis_segments;
     double min_height_mm;
     double max_height_mm;
-    // Greatest distance from the origin at which axes may leave the ground.
+    // Maximum distance from the origin at which axes may leave the ground.
     double tuft_mm = 0;
     bool has_support = false; // True if the model includes a support, which does not grow.
 };
@@ -67,7 +67,7 @@ double height_mm(Plant const& plant)
     return bounds(plant).max_mm.z();
 }
 
-// Returns the area of the organs' outlines, laid flat.
+// Returns the sum of the areas of the organs' outlines when laid flat.
 double organ_area_mm2(Plant const& plant)
 {
     double sum = 0;
@@ -167,7 +167,7 @@ TEST_P(BaseModel, GivesAnotherPlantOfItsKindForAnotherSeed)
     }
 }
 
-// Ten plants are drawn at once on computers without a graphics card.
+// A computer without a graphics card must be able to draw ten plants at once.
 TEST_P(BaseModel, IsNotTooHeavyToDraw)
 {
     for (std::uint64_t const seed : { 1u, 2u, 3u, 4u, 5u })

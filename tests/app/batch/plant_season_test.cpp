@@ -56,7 +56,7 @@ TEST(PlantSeason, GrowsLeavesOfTheSeasonOnOnePage)
     auto const green = summer.base->materials[*leaf_materials(*summer.base).begin()].base_color;
     EXPECT_GT(green.y(), green.x());
     EXPECT_GT(leaves.x(), leaves.y()) << "yellow";
-    // Existing leaves must not be grown again.
+    // Only the season changes: the leaves exist already and must not be grown again.
     EXPECT_EQ(season_edits(autumn, scene::Season { .month = 10.2, .fallen = 0 }).value().size(),
               1u);
 }

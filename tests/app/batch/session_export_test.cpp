@@ -17,7 +17,7 @@
 namespace tractus::batch {
 namespace {
 
-// A session may come from anyone.
+// A session file may come from an untrusted author.
 TEST(SessionExport, WritesNothingOutsideOfItsFolder)
 {
     auto const folder = std::filesystem::temp_directory_path()
@@ -40,7 +40,8 @@ TEST(SessionExport, WritesNothingOutsideOfItsFolder)
     std::filesystem::remove_all(folder);
 }
 
-// The models of methods and of parts must derive to their plants.
+// The exported models of plants that methods made, and of their parts, must derive to the same
+// plants.
 TEST(SessionExport, GivesEachPlantAndPartItsFiles)
 {
     auto const folder = std::filesystem::temp_directory_path()

@@ -16,7 +16,7 @@
 namespace tractus::batch {
 namespace {
 
-// Returns the recording in which every method is used in one document.
+// Returns the demo recording "station", in which every method is used in one document.
 drivers::Log recording()
 {
     return drivers::read_log(files::find_resource("demo/station.tractus-log").value()).value();

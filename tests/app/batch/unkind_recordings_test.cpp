@@ -14,14 +14,14 @@
 #include <string>
 #include <vector>
 
-// The recordings that come with the program, drawn again by a hand, on a tablet and by a computer
-// that do their worst: the plants are of the same kind.
+// Tests that draw the recordings that come with the program again, with simulated faults of the
+// hand, the tablet and the computer. The resulting plants must be of the same kind.
 namespace tractus::batch {
 namespace {
 
 namespace fs = std::filesystem;
 
-// What a person would say at a glance; lengths are looked at beside it.
+// Properties of a plant that a person would notice at a glance. Sizes are compared separately.
 struct KindOfPlant {
     std::string name;
     std::size_t grafts = 0;
@@ -82,8 +82,8 @@ void expect_the_same_kind(drivers::Log const& log, scene::Scene const& before,
         auto const& found = *drawn.scene.plants[i];
         auto const& expected = *meant.scene.plants[i];
         EXPECT_EQ(kind_of(found), kind_of(expected));
-        // A hook or a tremor may choose the neighbour of a branch that lies close to it, which a
-        // person would see.
+        // With a hook or a tremor, a stroke may select the branch next to the intended one. A
+        // person would see that, so one such stroke is allowed.
         auto const count = std::min(found.associations.size(), expected.associations.size());
         std::size_t others = 0;
         for (std::size_t k = 0; k < count; ++k)
@@ -91,7 +91,8 @@ void expect_the_same_kind(drivers::Log const& log, scene::Scene const& before,
         EXPECT_LE(others, 1u);
         double const height_mm = size_mm(*expected.base).z();
         EXPECT_NEAR(size_mm(*found.base).z(), height_mm, 0.15 * height_mm);
-        // The branches of an outlined tree that nobody draws are random and differ by outline.
+        // An outlined tree has random branches that were not drawn, and their number depends on the
+        // outline.
         auto const segments = static_cast<double>(found.base->segment_count());
         auto const meant_segments = static_cast<double>(expected.base->segment_count());
         EXPECT_GE(segments, 0.5 * meant_segments);
@@ -122,12 +123,13 @@ INSTANTIATE_TEST_SUITE_P(All, UnkindDemo,
                          ::testing::Values("broadleaf", "conifer", "daisy", "shrub", "station"),
                          [](auto const& test) { return std::string(test.param); });
 
-// The strokes of a recording and their tools, to be drawn again.
+// Returns a script that draws the strokes of a recording again, with their tools.
 sim::GestureScript script_of(drivers::Log const& log, Replayed const& drawn)
 {
     sim::GestureScript script;
-    auto const& last = log.tools.back(); // One tool draws a first plant.
-    // As a person's tool does now, and those of the recordings did not yet.
+    // In these recordings, a single tool draws the whole plant.
+    auto const& last = log.tools.back();
+    // New drawings read construction lines with the option "together", which the recordings lack.
     auto const* const reading = last.tool == "construction_line" ? " together" : "";
     for (auto const& stroke : drawn.strokes) {
         sim::PolylineShape line;

@@ -26,7 +26,8 @@ protected:
         return commands::run(arguments);
     }
 
-    // Returns the text of a rig file's bend.
+    // Returns the bend of the track as text, as it is written in a rig file; empty if the file has
+    // none.
     std::string bend_in(std::string const& name) const
     {
         auto const rig = text(name);
@@ -79,7 +80,8 @@ TEST_F(CalibrateCommand, DoesAllProceduresOneAfterAnother)
     EXPECT_TRUE(fs::exists(path("my.rig.toml.bak")));
 }
 
-// The bend must be kept by all procedures and by the file, like the rest of the rig.
+// All calibration procedures must keep the bend of the track in the rig file, like the rest of the
+// rig.
 TEST_F(CalibrateCommand, KeepsATrackThatIsBent)
 {
     auto const outcome
@@ -126,7 +128,7 @@ TEST_F(CalibrateCommand, RefusesFewerCapturesThanParameters)
     EXPECT_FALSE(fs::exists(path("my.rig.toml")));
 }
 
-// Tilt needs no heights, but an existing rig.
+// "check" needs a rig with calibrated heights; "tilt" needs only an existing rig.
 TEST_F(CalibrateCommand, WantsTheHeightsFirst)
 {
     for (auto const& [what, why] : { std::pair { "check", "needs the heights in it" },
@@ -161,7 +163,8 @@ TEST_F(CalibrateCommand, RefusesHeightsThatTheSimulatedRigDoesNotHave)
         << outcome.err;
 }
 
-// The pen of a log that is played at its own pace rests on the tablet at each height.
+// A log played at its recorded speed serves as live devices. Its pen rests on the tablet at each
+// height.
 TEST_F(CalibrateCommand, CalibratesLiveDevicesByTheirPen)
 {
     ASSERT_EQ(calibrate({ "height", "--rig", path("a.rig.toml"), "--simulate", "--heights",

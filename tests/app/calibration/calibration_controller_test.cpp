@@ -99,7 +99,7 @@ TEST(CalibrationController, FindsTravelAndLatency)
     EXPECT_NEAR(1000 * to_seconds(latency.rig.tablet_latency - latency.rig.height_latency), 5, 0.5);
 }
 
-// The simulated pen's coil is 9 mm above its nib.
+// The simulated tablet senses the pen's coil, which is 9 mm above the nib.
 TEST(CalibrationController, FindsWhereTheTabletSeesThePen)
 {
     auto const text = simulated_text({ .procedure = CalibrationProcedure::Tilt });
@@ -141,7 +141,7 @@ TEST(CalibrationController, FindsATiltWithoutAHeightSensor)
 
 TEST(CalibrationController, RefusesATiltOfATabletThatTellsNone)
 {
-    auto upright = drivers::simple_pen(); // The usages 3d and 3e of the tilts are replaced.
+    auto upright = drivers::simple_pen(); // The usages 3d (X tilt) and 3e (Y tilt) are replaced.
     for (auto& byte : upright.report_descriptor)
         if (byte == std::byte { 0x3d } || byte == std::byte { 0x3e })
             byte = std::byte { 0x00 };
@@ -163,7 +163,7 @@ TEST(CalibrationController, QuotesHowExactARigIs)
     EXPECT_LE(outcome.rig.calibration.check->within_mm, 2);
 }
 
-// Returns a log in which the person states 0 at a height of 100 mm.
+// Returns a log in which the person says that the height is 0 while the surface is at 100 mm.
 std::string zeroed_too_low()
 {
     auto text = simulated_text({ .procedure = CalibrationProcedure::Zero, .heights_mm = { 100 } });
@@ -226,7 +226,7 @@ TEST(CalibrationController, NamesASlippedCaptureOfManyInItsReport)
         << outcome.report;
 }
 
-// Returns the log with one of its lines changed.
+// Returns the log's text with one of its lines changed.
 std::string with_line(std::string text, std::string_view from, std::string_view to)
 {
     auto const place = text.find(from);
@@ -261,7 +261,7 @@ TEST(CalibrationController, DropsACapture)
 
 TEST(CalibrationController, RefusesACaptureWhileTheSurfaceMoves)
 {
-    // The capture at 300 mm is commanded while the surface is still moving.
+    // Moves the capture command for 300 mm to a time at which the surface is still moving.
     auto const text = simulated_text({ .heights_mm = { 0, 300 } });
     auto const last = text.rfind("calibrate capture 300");
     auto const line = text.rfind('\n', last) + 1;
@@ -271,7 +271,7 @@ TEST(CalibrationController, RefusesACaptureWhileTheSurfaceMoves)
     auto const first = text.find("calibrate capture 0\n");
     auto const seconds = std::stod(text.substr(text.rfind("T: ", first) + 3));
     auto const time = seconds + 2.0;
-    // Restores the file's order: the command is put before the first report after its time.
+    // The log must stay in order of time: the command goes before the first report that is later.
     std::size_t at = early.find("\nE: ") + 1;
     while (std::stod(early.substr(early.find("E: ", at) + 3)) < time)
         at = early.find("\nE: ", at) + 1;
@@ -282,7 +282,7 @@ TEST(CalibrationController, RefusesACaptureWhileTheSurfaceMoves)
               std::string::npos)
         << refusal_of(early);
 
-    // A repeated capture is reported, too.
+    // If the capture is repeated later, the report still mentions the refused capture.
     auto const again = std::string(early).insert(line + too_early.size(), moved);
     auto const report = outcome_of(again, CalibrationProcedure::Height).value().report;
     EXPECT_NE(report.find("  not used: the capture at 300 mm: the surface moved during the "
@@ -375,7 +375,8 @@ TEST(LiveCalibration, CapturesWhenThePenRestsAndRecordsWhatGivesTheSameRig)
     ASSERT_TRUE(write_simulated_calibration(text, simulated));
     auto const played = drivers::parse_log(text.str(), "played").value();
 
-    // The log is played as live devices, at once; the clock is the time of the newest report.
+    // All reports of the log are played without waiting; the clock is the time of the newest
+    // report.
     auto controller = CalibrationController::create(played.devices, {}).value();
     Timestamp now {};
     std::size_t next = 0;
@@ -401,7 +402,7 @@ TEST(LiveCalibration, CapturesWhenThePenRestsAndRecordsWhatGivesTheSameRig)
         calib::print_rig(live.rig));
 }
 
-// Holds the pen on the tablet, or above it, with a report every 10 ms.
+// Pushes a report of the pen every 10 ms, in which it touches the tablet or hovers above it.
 void hold_pen(CalibrationController& controller, int from_ms, int to_ms, bool touching)
 {
     for (int time_ms = from_ms; time_ms < to_ms; time_ms += 10)
@@ -439,7 +440,7 @@ TEST(CalibrationController, TakesATouchThatPressesForNoRest)
     EXPECT_TRUE(controller.take_pen_rest());
 }
 
-// There is no report between the capture at 60 mm and the next one.
+// The sensor sends no report between the capture at 60 mm and the next one.
 TEST(CalibrationController, SaysThatTheSensorFellSilentDuringACapture)
 {
     std::istringstream lines(simulated_text({}));
@@ -456,16 +457,18 @@ TEST(CalibrationController, SaysThatTheSensorFellSilentDuringACapture)
         << refusal_of(text);
 }
 
-// The sensor is unplugged in the middle of a capture, and sends again before the next one.
+// The sensor is unplugged during the capture at 60 mm, and sends reports again before the next
+// capture.
 TEST(CalibrationController, SaysThatTheSensorWasUnpluggedDuringACapture)
 {
     std::istringstream lines(simulated_text({}));
     std::string with_unplugging;
     std::string with_silence;
-    int since_capture = -1;      // Number of reports since its begin; -1 before.
-    constexpr int kBefore = 200; // Of some 700 reports a second of both devices.
+    int since_capture = -1; // Number of reports since the capture began; -1: not begun.
+    // Reports before the unplugging; both devices send some 700 a second.
+    constexpr int kBefore = 200;
     constexpr int kAway = 700;
-    std::string device = "D: 0"; // Device of the reports.
+    std::string device = "D: 0"; // The log's current device line.
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("D: "))
             device = line;
@@ -492,8 +495,8 @@ TEST(CalibrationController, SaysThatTheSensorWasUnpluggedDuringACapture)
     }
 }
 
-// Five captures of a vertical string, whose readings once gave a string that ended at the lowest of
-// them.
+// The log has five captures with a vertical string. An earlier version fitted a string to these
+// readings that ended at the lowest capture.
 TEST(PlumbStringLog, GivesARigThatIsReadAndHasAllHeights)
 {
     REQUIRE_CORPUS();

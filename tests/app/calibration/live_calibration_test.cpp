@@ -14,7 +14,7 @@
 namespace tractus::calibration {
 namespace {
 
-// A connected sensor with a loose cable, which sends nothing.
+// A sensor that is connected by a loose cable and sends nothing.
 class SilentSensor final : public drivers::ReportSource {
 public:
     drivers::DeviceInfo const& info() const override { return info_; }
@@ -28,10 +28,10 @@ private:
     drivers::DeviceInfo info_ = drivers::simple_height_sensor();
 };
 
-// A person at a simulated terminal, with a clock that advances when the program sleeps.
+// A simulated person at a terminal, with a clock that advances when the program sleeps.
 class Talk {
 public:
-    // Presses these keys, and `last` once a text was printed.
+    // The person presses `keys`, and then `last` once the program has printed the text `awaited`.
     Talk(std::string keys, std::string awaited, char last)
         : keys_(std::move(keys))
         , awaited_(std::move(awaited))
@@ -80,7 +80,7 @@ private:
     Timestamp now_ {};
 };
 
-// Returns false if the person quit.
+// Calibrates with a SilentSensor. Returns false if the person quit.
 bool calibrate_silent_sensor(Talk& talk)
 {
     std::vector<std::unique_ptr<drivers::ReportSource>> sources;
@@ -132,7 +132,7 @@ TEST(LiveCalibration, OffersToMeasureAgainWhatDisagrees)
     std::filesystem::remove(file);
     auto controller = CalibrationController::create(devices.infos(), {}).value();
     auto heights_mm = proposed_heights_mm(CalibrationProcedure::Height);
-    heights_mm[2] += 20; // A wrongly stated height.
+    heights_mm[2] += 20; // The person states this height wrongly.
     std::atomic<bool> const stop = false;
     EXPECT_TRUE(
         calibrate_live(controller, devices, talk.person(), talk.options(heights_mm), stop).value());

@@ -15,8 +15,8 @@ nlohmann::json json_of(std::string const& glb)
     return nlohmann::json::parse(glb.substr(20, json_bytes));
 }
 
-// Returns the greatest height of a .glb file's vertices, in metres, from the bounds of its
-// accessors.
+// Returns the maximum height of the vertices in a .glb file, in metres, as stated by the bounds of
+// its accessors.
 double height_m(std::string const& glb)
 {
     double height = 0;
@@ -111,7 +111,7 @@ TEST_F(Animation, OfASessionIsOfWhatItShows)
     };
     auto const own = grow("");
     EXPECT_EQ(grow("--growth weeping"), own);
-    EXPECT_NE(grow("--growth usual"), own); // The growth differs from the session's own.
+    EXPECT_NE(grow("--growth usual"), own); // This preset differs from the session's.
     EXPECT_NE(grow("--seed 7"), own);
 }
 

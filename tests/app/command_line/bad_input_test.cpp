@@ -9,7 +9,7 @@ namespace {
 
 class BadInput : public Workshop {
 protected:
-    // Writes a copy of the recorded log with each line changed.
+    // Writes a copy of the recorded log, with each line passed through `change`.
     template<typename Change>
     void write_changed_log(std::string const& name, Change const& change) const
     {
@@ -20,7 +20,7 @@ protected:
         write(name, text);
     }
 
-    // Writes the rig of the recorded log to a file, with one line changed.
+    // Writes the rig of the recorded log to a file, with the line of `key` replaced.
     void write_rig(std::string const& name, std::string const& key, std::string const& line) const
     {
         std::istringstream log(read("hand.tractus-log"));

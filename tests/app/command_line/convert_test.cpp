@@ -57,8 +57,8 @@ TEST_F(ConvertCommand, ReadsWhatLibinputRecordWrites)
     EXPECT_EQ(read("pen.hid"), "R: 1 c0\nN: pen\nP: \nI: 3 0001 0002\nE: 000000.000000 1 01\n");
 }
 
-// Returns two strokes of a pen as input events, each printed by `event`: time in us, type, code,
-// value.
+// Returns the input events of two pen strokes as text. `event` formats one event from its time in
+// microseconds, type, code and value.
 template<typename Event> std::string two_strokes(Event event)
 {
     std::string text;

@@ -30,7 +30,7 @@ TEST_F(DiagnosisCommands, DoctorExaminesALog)
 
 TEST_F(DiagnosisCommands, DoctorFailsWhereItFindsAProblem)
 {
-    // An Intuos in mouse mode.
+    // Log of an Intuos tablet in mouse mode.
     std::string log
         = "R: 50 05 01 09 02 a1 01 85 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 "
           "75 01 81 02 95 05 81 03 05 01 09 30 09 31 15 81 25 7f 75 08 95 02 81 06 c0 c0 "
@@ -53,7 +53,8 @@ TEST_F(DiagnosisCommands, DoctorPrintsJson)
     EXPECT_EQ(run("tractus doctor --json pen.hid").out, "[]\n");
 }
 
-// A tablet that reports the counts of its surface, but no millimetres.
+// Log of a tablet whose descriptor states the range of its coordinates in counts, but no size in
+// millimetres.
 constexpr char const* kUnmeasuredTablet
     = "R: 67 05 0d 09 02 a1 01 85 07 09 20 a1 00 09 42 09 44 09 45 09 3c 09 32 15 00 25 01 75 01 "
       "95 "
@@ -114,12 +115,13 @@ TEST_F(DiagnosisCommands, WatchPrintsALogsDevices)
     EXPECT_NE(outcome.out.find("height sensor, 0 to 4095"), std::string::npos);
 }
 
-// Runs in a pseudo-terminal made by "script", which also passes on keys.
+// The program runs in a pseudo-terminal made by the program "script", which also passes keys on.
 TEST_F(DiagnosisCommands, WatchFillsATerminalAndRecordsWithAKey)
 {
     if (run("command -v script").exit_code != 0)
         GTEST_SKIP() << "there is no script (Debian's bsdutils) to make a terminal";
-    // A key is pressed when the text that it needs is visible, or when the program has ended.
+    // Each key is pressed once the screen shows the text that it belongs to, or the program has
+    // ended.
     auto const outcome = run(
         "touch screen; wait_for() { until \"$@\" || [ -e ended ]; do sleep 0.02; done; }\n"
         "{ wait_for grep -q 'q quit' screen; wait_for grep -q touching screen; printf r;"

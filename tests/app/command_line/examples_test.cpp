@@ -33,7 +33,7 @@ TEST_F(Examples, BelongToCommandsThatThereAreAndEndTheirHelp)
         }
 }
 
-// Options in examples that no test runs must nevertheless exist.
+// Some examples are not run by any test. At least the options in them must exist.
 TEST_F(Examples, NameOptionsThatThereAre)
 {
     for (auto const& example : options::examples()) {

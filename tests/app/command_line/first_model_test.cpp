@@ -11,7 +11,8 @@ namespace {
 
 using FirstModel = Workshop;
 
-// Returns the blocks of the page that are not commands, in order.
+// Returns the code blocks of the manual's page first-model.md that are not shell commands, in
+// order.
 std::vector<std::string> blocks_of_page()
 {
     std::ifstream page(TRACTUS_MANUAL "/first-model.md");
@@ -33,7 +34,7 @@ std::vector<std::string> blocks_of_page()
 
 TEST_F(FirstModel, GrowsAtEachStepOfThePage)
 {
-    // The plant that the page states for each step.
+    // Sizes of the plant at each step, as the page states them.
     std::vector<std::string> const drawn { "8 segments, 0 organs",     "36 segments, 0 organs",
                                            "152 segments, 0 organs",   "152 segments, 152 organs",
                                            "187 segments, 187 organs", "270 segments, 762 organs" };

@@ -7,7 +7,7 @@
 namespace tractus {
 namespace {
 
-// Tests of what the system may refuse to the program, and of ways to end it.
+// Tests in which the system refuses something to the program, or ends it.
 using HostilePlace = Workshop;
 
 TEST_F(HostilePlace, AFullDiskLeavesTheOldFile)
@@ -22,8 +22,7 @@ TEST_F(HostilePlace, AFullDiskLeavesTheOldFile)
 TEST_F(HostilePlace, AFullDiskLeavesWholeFilesOfAJob)
 {
     record();
-    // The limit, in blocks of 512 bytes, leaves room for at most the first picture, not for the
-    // whole job.
+    // The limit is in blocks of 512 bytes. It leaves room for at most the first picture of the job.
     expect_error(run("ulimit -f 64; tractus replay hand.tractus-log --plant small.l -o out"), 1,
                  "File too large");
     EXPECT_EQ(run("ls out | grep -c part").out, "0\n");
@@ -80,7 +79,7 @@ TEST_F(HostilePlace, AFolderThatCannotBe)
 TEST_F(HostilePlace, AFolderThatMayNotBeWritten)
 {
     run("mkdir locked; chmod 0555 locked; chmod 0755 .");
-    // Root, who may write everywhere, becomes user nobody.
+    // Root may write everywhere, so root runs the program as user nobody.
     std::string const as_user = ::geteuid() == 0
         ? "HOME=/ setpriv --reuid=65534 --regid=65534 --clear-groups '" TRACTUS_PROGRAM "'"
         : "tractus";
@@ -141,7 +140,7 @@ TEST_F(HostilePlace, NumbersDoNotDependOnTheLocale)
     }
 }
 
-// Command lines of all commands that write, with {} in place of the file or folder.
+// Command lines of all commands that write files. {} stands for the folder.
 constexpr std::array kWriting {
     "grow small.l -o {}/a.glb",
     "grow small.l --sequence 2 -o {}/a.obj",
@@ -174,8 +173,8 @@ TEST_F(HostilePlace, FoldersThatAreNotThereAreMade)
     }
 }
 
-// A place that cannot be written must be detected before anything is read; here the inputs do not
-// exist.
+// A command must detect that its output cannot be written before it reads anything: here its inputs
+// do not exist.
 TEST_F(HostilePlace, APlaceThatCannotBeWrittenIsFoundOutBeforeTheWork)
 {
     run("mv small.l place; rm hand.toml");
@@ -195,8 +194,8 @@ TEST_F(HostilePlace, AWindowWithoutADisplaySaysWhatElseThereIs)
                  1, TRACTUS_HAS_WINDOW ? "display" : "this build of tractus has no window");
 }
 
-// Ended at any moment, a file must be either complete or absent. After a signal that can be caught,
-// there must be no temporary file, either.
+// Whenever the program is ended, its output file must be either complete or absent. After a signal
+// that can be caught, there must be no temporary file either.
 TEST_F(HostilePlace, EndedInTheMiddleItLeavesNothingHalfWritten)
 {
     run("tractus grow broadleaf -o whole.glb");

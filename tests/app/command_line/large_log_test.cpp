@@ -14,11 +14,12 @@ namespace {
 
 constexpr long kMaxPeak_kB = 100'000;
 
-// The memory needed for a recording must not depend on its size, or on sizes that it claims.
+// The memory needed to read a recording must depend neither on its size nor on the sizes stated in
+// it.
 class LargeLog : public Workshop {
 protected:
-    // Returns the peak memory of the command's programs. It runs in a process of its own, since a
-    // process accumulates the peak of all its children.
+    // Returns the peak memory of the programs that a command starts. The command runs in a child
+    // process, since a process only knows the maximum over all its children so far.
     long peak_kB(std::string const& command, int exit_code = 0)
     {
         int ends[2] {};
@@ -40,7 +41,7 @@ protected:
         return peak;
     }
 
-    // Writes a given number of copies of the pen reports in hand.tractus-log.
+    // Writes a log with the given number of copies of the reports in hand.tractus-log.
     void write_large(std::string const& name, int copies) const
     {
         std::string head;
@@ -67,8 +68,8 @@ TEST_F(LargeLog, TakesNoMoreMemoryThanASmallOne)
     write_large("large.tractus-log", static_cast<int>(60'000'000 / size + 1));
     for (std::string const command :
          { "decode {}", "decode {} --csv -o out.csv", "convert {} -o out.hid", "doctor {}" }) {
-        // The first run is discarded: the program's own pages are mapped in groups if they are in
-        // the disk cache, so the first run after a build maps fewer.
+        // The first run is discarded. The kernel maps pages of the program that are already in the
+        // disk cache in groups, so the first run after a build maps fewer pages.
         peak_kB("tractus " + fmt::format(fmt::runtime(command), "small.tractus-log"));
         auto const of_small
             = peak_kB("tractus " + fmt::format(fmt::runtime(command), "small.tractus-log"));

@@ -12,13 +12,14 @@
 namespace tractus {
 namespace {
 
-// A tree of 4 m in each of the formats: a trunk of three pieces, with a branch of two on the first.
+// The same tree, 4 m high, in each format: a trunk of three pieces, and a branch of two pieces on
+// the trunk's first piece. Here as cylinders with named columns.
 constexpr char const* kNamedCylinders
     = "ID, parentID, startX, startY, startZ, endX, endY, endZ, radius\n"
       "0, -1, 7, 3, 100, 7, 3, 101, 0.2\n1, 0, 7, 3, 101, 7, 3, 102.5, 0.15\n"
       "2, 1, 7, 3, 102.5, 7, 3, 104, 0.1\n3, 0, 7, 3, 101, 8, 3, 101.5, 0.05\n"
       "4, 3, 8, 3, 101.5, 9, 3, 102, 0.04\n";
-// The tree in the format of TreeQSM 2.3.
+// The tree as cylinders in the format of TreeQSM 2.3.
 constexpr char const* kCylinders = "0.2\t1\t7\t3\t100\t0\t0\t1\t0\t2\t0\t0.2\t1\t0\t1\n"
                                    "0.15\t1.5\t7\t3\t101\t0\t0\t1\t1\t3\t0\t0.15\t1\t0\t2\n"
                                    "0.1\t1.5\t7\t3\t102.5\t0\t0\t1\t2\t0\t0\t0.1\t1\t0\t3\n"
@@ -41,7 +42,7 @@ void append(std::string& bytes, auto value)
     bytes.append(raw.data(), raw.size());
 }
 
-// Returns a little-endian file, as on all supported machines.
+// Returns the tree as a PLY skeleton in little-endian byte order, as on all supported machines.
 std::string skeleton()
 {
     std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 6\n"
@@ -86,7 +87,8 @@ protected:
         return outcome.out;
     }
 
-    // Returns the positions of a graph's entities in millimetres, in the order of the file.
+    // Returns the positions of the entities in a multiscale tree graph, in millimetres and in the
+    // order of the file.
     std::vector<std::array<double, 3>> positions(std::string const& graph) const
     {
         std::vector<std::array<double, 3>> result;
@@ -118,8 +120,8 @@ protected:
         });
     }
 
-    // Checks the trunk after the hand of arc.toml has bent it into a quarter of a circle: its tip
-    // is then at length times 2 / pi to the side and up.
+    // Checks that the hand of arc.toml has bent the trunk into a quarter of a circle. The tip of a
+    // quarter circle is 2 / pi times its length to the side and as far up.
     void expect_bent(std::string const& graph) const
     {
         double const wanted_mm = 4000 * 2 / 3.14159;
@@ -286,7 +288,7 @@ TEST_F(Measured, OptionsOfModelsAreRefused)
     EXPECT_FALSE(exists("x.glb"));
 }
 
-// The page's own tree and commands are used as a reader would copy them.
+// Writes the tree of the manual's page, and runs the page's commands as a reader would copy them.
 TEST_F(Measured, TheManualsCommandsWork)
 {
     std::string const page = file_bytes(TRACTUS_MANUAL "/models.md");
@@ -300,7 +302,7 @@ TEST_F(Measured, TheManualsCommandsWork)
     std::istringstream commands(block("\n```sh\n", section));
     std::size_t count = 0;
     for (std::string command; std::getline(commands, command); ++count)
-        if (!command.starts_with("tractus window")) // The window needs a display.
+        if (!command.starts_with("tractus window")) // The command "window" needs a display.
             out(command);
     EXPECT_GE(count, 3u);
     EXPECT_EQ(read("ash.png").substr(1, 3), "PNG");

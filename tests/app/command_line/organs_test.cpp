@@ -8,7 +8,7 @@ namespace {
 
 class Organs : public Workshop {
 protected:
-    // Returns a file's JSON without byte counts.
+    // Returns the JSON chunk of a .glb file.
     nlohmann::json json_of(std::string const& name) const
     {
         auto const glb = read(name);
@@ -93,7 +93,7 @@ TEST_F(Organs, OldSpellingMeansTheSame)
 
 TEST_F(Organs, AFileThatManyProgramsOpenSlowlySaysSoBeforeItIsWritten)
 {
-    // Limits the size of files, to show that the note is printed before writing fails.
+    // The size of files is limited so that writing fails. The note must have been printed before.
     auto const outcome
         = run("ulimit -f 64; tractus vary daisy --count 3500 --sides 64 -o large.glb");
     EXPECT_EQ(outcome.exit_code, 1);

@@ -6,7 +6,7 @@
 namespace tractus {
 namespace {
 
-// Fixture with recordings of other people's tablets by hid-recorder.
+// Fixture with recordings made by others with hid-recorder and their tablets.
 class RealRecording : public Workshop {
 protected:
     static std::string recording(char const* name)
@@ -16,7 +16,7 @@ protected:
         return quoted += "'";
     }
 
-    // Returns a number in the report.
+    // Returns the number after `name` in the report of a command; -1 if there is none.
     static int figure(std::string const& report, std::string const& name)
     {
         std::smatch match;

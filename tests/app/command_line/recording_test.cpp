@@ -10,9 +10,9 @@ class RecordCommand : public Workshop { };
 
 constexpr char const* kProgram = "'" TRACTUS_PROGRAM "'";
 
-// Returns a shell command that waits until the file contains a number of reports, however long a
-// busy machine takes, or until the program that writes them has ended. A missing file contains
-// none.
+// Returns a shell command that waits until the file contains `count` reports, or until the program
+// that writes the file has ended. It has no time limit, since the machine may be busy. A missing
+// file counts as one without reports.
 std::string wait_for_reports(std::string const& file, int count)
 {
     return "until [ \"$(grep -cs '^E' " + file + ")\" -ge " + std::to_string(count)
@@ -30,7 +30,7 @@ TEST_F(RecordCommand, LosesNothingThatHasComeWhenItIsKilled)
     EXPECT_GE(log->records.size(), 200u);
     EXPECT_EQ(log->devices.size(), 2u);
     EXPECT_FALSE(log->rig_text.empty());
-    EXPECT_LE(log->warning_count, 1u); // A line may have been truncated.
+    EXPECT_LE(log->warning_count, 1u); // The last line may have been truncated.
     EXPECT_EQ(run("tractus decode live.tractus-log").exit_code, 0);
 }
 

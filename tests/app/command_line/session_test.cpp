@@ -3,7 +3,7 @@
 namespace tractus {
 namespace {
 
-// Fixture with a session, "hand.tractus", which is drawn once for all tests of a process.
+// Fixture with the session "hand.tractus", which is drawn only once for all tests of a process.
 class SessionCommand : public Workshop {
 protected:
     void SetUp() override
@@ -30,7 +30,7 @@ protected:
     }
 };
 
-// Files that are passed on must not reveal their author's folders.
+// Files that are given to others must not reveal the author's folders.
 TEST_F(SessionCommand, NothingThatIsGivenToOthersHasFolders)
 {
     auto const folder = path("anna").string();
@@ -45,11 +45,11 @@ TEST_F(SessionCommand, NothingThatIsGivenToOthersHasFolders)
             + " && tractus grow $PWD/made/anna.tractus -o made/session." + ending);
     out("tractus vary $PWD/made/anna.tractus --count 1 -o made/many");
     EXPECT_EQ(out("tractus session log made/anna.tractus").find(folder), std::string::npos);
-    out("rm made/report.txt; mv anna.tractus-log made"); // The report is only for its author.
+    out("rm made/report.txt; mv anna.tractus-log made"); // The report is for its author only.
     EXPECT_EQ(run("grep -r -l -F '" + folder + "' made").out, "");
 }
 
-// A name is arbitrary text, parts of which a terminal could interpret as commands.
+// The name of a plant is arbitrary text; parts of it could be escape sequences for a terminal.
 TEST_F(SessionCommand, WhatItsFileSaysDoesNotCommandATerminal)
 {
     out("cp small.l \"$(printf 'a\\033]0;x\\a.l')\"");
@@ -83,7 +83,7 @@ TEST_F(SessionCommand, LogSaysWhatWasDoneEditByEdit)
         EXPECT_NE(log.find(what), std::string::npos) << what << log;
 }
 
-// The model is included, so another machine needs no other file.
+// A session contains its model, so it can be opened on another machine without any other file.
 TEST_F(SessionCommand, NeedsNoOtherFile)
 {
     auto const before = out("tractus session info hand.tractus; tractus session log hand.tractus");
@@ -101,7 +101,7 @@ TEST_F(SessionCommand, GivesTheSamePlantsAsItsDrawing)
     out("tractus vary hand.tractus --count 2 -o kept");
     EXPECT_EQ(count_files("kept"), 3u);
     EXPECT_NE(read("kept/hand-1.glb").size(), 0u);
-    // The files are equal except for the names of the plants.
+    // The files of both folders are equal except for the names of the plants.
     EXPECT_EQ(out("tractus render drawn/small-2.glb -o drawn.png --size 200x200;"
                   "tractus render kept/hand-2.glb -o kept.png --size 200x200"),
               "");
@@ -198,7 +198,8 @@ TEST_F(SessionCommand, IsNeverWrittenOver)
 
 TEST_F(SessionCommand, AFullDiskIsSaidAndWhatWasKeptStays)
 {
-    // The limit, in blocks of 512 bytes, lets the session begin, but not save its first stroke.
+    // The limit is in blocks of 512 bytes. It lets the session begin, but not save its first
+    // stroke.
     expect_error(run("ulimit -f 40; tractus replay hand.tractus-log --plant small.l -o full "
                      "--session full.tractus"),
                  1, "full.tractus");

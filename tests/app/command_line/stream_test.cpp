@@ -9,13 +9,14 @@ namespace {
 
 class StreamCommand : public Workshop {
 protected:
-    // Returns the path of a file with two strokes: see tests/fixtures/stream_small.
+    // Returns the path of a fixture with two strokes, in the format of the given ending: see
+    // tests/fixtures/stream_small.
     static std::string small(char const* ending)
     {
         return std::string(TRACTUS_FIXTURES "/small.") + ending;
     }
 
-    // Returns only the devices and the rig of that log.
+    // Returns only the devices and the rig of the log small.tractus-log.
     static std::string small_without_reports()
     {
         std::ifstream in(small("tractus-log"));
@@ -45,8 +46,8 @@ TEST_F(StreamCommand, PlaysALogAsIfItsDevicesWereThere)
 
 TEST_F(StreamCommand, WaitsAtASocketForItsReaderAndTakesTheSocketAway)
 {
-    // The program is stopped while it waits for a connection. It is started by its file name, so
-    // that $! is its process number.
+    // The program is terminated while it waits for a connection. The command uses the program's
+    // path, so that $! is the process number of the program itself.
     auto const outcome = run("'" TRACTUS_PROGRAM "' stream " + small("tractus-log")
                              + " --socket there & until [ -S there ]; do sleep 0.05; done; "
                                "kill -TERM $!; wait $!; echo $?");
@@ -90,7 +91,7 @@ TEST_F(StreamCommand, WritesCurvesThatOtherProgramsReadAndWeReadBack)
     EXPECT_EQ(run("tractus convert strokes.txt -o strokes.glb").exit_code, 0);
     EXPECT_EQ(read("strokes.glb").substr(0, 4), "glTF");
     auto const grown = run("tractus render strokes.glb -o lines.png --size 64x64");
-    EXPECT_EQ(grown.exit_code, 0) << grown.err; // The file is a skeleton of lines.
+    EXPECT_EQ(grown.exit_code, 0) << grown.err; // A file of lines can be read as a skeleton.
 
     EXPECT_EQ(run("tractus convert strokes.txt -o top.svg --view top").exit_code, 0);
     EXPECT_NE(read("top.svg").find("points=\"50.000,-40.000 "), std::string::npos);

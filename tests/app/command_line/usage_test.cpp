@@ -9,7 +9,7 @@ namespace {
 
 using Usage = Workshop;
 
-// An empty name means the program itself.
+// Names of the commands; an empty name stands for the program itself.
 std::vector<std::string> const kCommands {
     "",        "convert",      "decode",        "demo",           "derive", "devices",
     "doctor",  "grow",         "lsystem check", "record",         "render", "replay",
@@ -124,7 +124,8 @@ TEST_F(Usage, AReplayHasAFolderOfItsOwnAndWritesOverNobodysFiles)
     auto const replay = std::string("tractus replay hand.tractus-log --plant small.l --count 1 ");
     EXPECT_EQ(run(replay).exit_code, 0);
     EXPECT_TRUE(exists("hand-plants/collection.glb"));
-    EXPECT_EQ(run(replay).exit_code, 0); // A replay may overwrite its own files.
+    // A replay may overwrite files that an earlier replay wrote.
+    EXPECT_EQ(run(replay).exit_code, 0);
     EXPECT_FALSE(exists("report.txt"));
     run("mkdir mine && echo mine >mine/base.png");
     expect_error(run(replay + "-o mine"), 1, "mine/base.png is there");

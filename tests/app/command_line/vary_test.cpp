@@ -15,7 +15,7 @@ protected:
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     }
 
-    // Returns the plants in a manifest.
+    // Returns the entries of the plants in a manifest.
     nlohmann::json plants(std::string const& name) const
     {
         return nlohmann::json::parse(read(name), nullptr, false)["plants"];
@@ -122,7 +122,8 @@ TEST_F(Vary, PlantsAreAsOldAsTheManifestSays)
     EXPECT_LT(read("young/small-1.glb").size(), read("old/small-1.glb").size());
 }
 
-// Returns the size of a PNG, which is in its first chunk (ISO/IEC 15948, section 11.2.2).
+// Returns the width and height of a PNG image, in pixels, from its first chunk (ISO/IEC 15948,
+// section 11.2.2).
 std::pair<int, int> picture_size(std::string const& png)
 {
     auto const number = [&](std::size_t at) {
@@ -139,7 +140,8 @@ TEST_F(Vary, ASheetShowsAtMostFortyEightPlants)
     vary("small.l --count 60 --ages 0.3..1 -o out --sheet pictures/sheet.png");
     auto const sheet = read("pictures/sheet.png");
     EXPECT_EQ(sheet.substr(1, 3), "PNG");
-    // Eight columns and six rows of 240 pixels each, with gaps of 12, and captions.
+    // The sheet has eight columns and six rows of pictures of 240 pixels, with gaps of 12 and
+    // captions.
     auto const [width, height] = picture_size(sheet);
     EXPECT_EQ(width, 8 * 252 + 12);
     EXPECT_GT(height, 6 * 252 + 12);
@@ -161,12 +163,12 @@ TEST_F(Vary, PlantsHaveCoarserLevelsBesideThem)
         EXPECT_EQ(plant["extensions"]["MSFT_lod"]["ids"].size(), 3u);
         EXPECT_EQ(plant["extras"]["MSFT_screencoverage"].size(), 4u);
     }
-    // One picture for each billboard; and colour, relief and occlusion of the bark.
+    // Images: one for each plant's billboard, and three for the bark: colour, relief and occlusion.
     EXPECT_EQ(json["images"].size(), 3u + 3);
 
     vary("small.l --count 3 --lods 3 -o again.glb", "taskset -c 0");
     EXPECT_EQ(read("again.glb"), far);
-    vary("small.l --count 3 --lods 1 -o folder"); // A single thread draws the plants.
+    vary("small.l --count 3 --lods 1 -o folder"); // Here, a single thread draws all plants.
     EXPECT_EQ(count_files("folder"), 4u);
     EXPECT_EQ(run("tractus vary small.l --lods 7 -o x").exit_code, 2);
 }
@@ -211,7 +213,7 @@ TEST_F(Vary, AFullDiskLeavesWhatWasWrittenBefore)
 {
     vary("small.l --count 3 -o out");
     auto const first = read("out/small-1.glb");
-    // Longer branches need more pieces, which exceed the limit.
+    // The preset "wild" gives longer branches with more mesh pieces, so the files exceed the limit.
     auto const outcome = run(
         "ulimit -f 2; tractus vary small.l --growth wild --seed 2 --sides 64 --count 3 -o out");
     EXPECT_EQ(outcome.exit_code, 1);
@@ -224,9 +226,9 @@ TEST_F(Vary, ADiskThatFillsUpInTheMiddleLeavesWholeFiles)
 {
     std::string const what = "small.l --count 24 --ages 0.05..1 --sides 64 -o ";
     vary(what + "whole");
-    // Finds the first plant that is larger, by a block, than all plants before it, so that only it
-    // exceeds the limit.
-    constexpr std::size_t kBlock = 512; // Unit of ulimit in dash.
+    // Finds the first plant whose file is larger, in blocks, than those of all plants before it. A
+    // limit at that size then stops the run at this plant.
+    constexpr std::size_t kBlock = 512; // Unit of the shell command ulimit in dash, in bytes.
     auto const files = plants("whole/manifest.json");
     std::size_t too_large = 0;
     std::size_t blocks = 0;
@@ -253,8 +255,8 @@ TEST_F(Vary, ADiskThatFillsUpInTheMiddleLeavesWholeFiles)
 
 TEST_F(Vary, CtrlCLeavesWholeFiles)
 {
-    // There are too many plants to finish; a background process of the shell would ignore the
-    // signal.
+    // The number of plants is too large to finish. env restores the reaction to SIGINT, which a
+    // shell's background process would ignore.
     auto const outcome = run(
         "env --default-signal=INT '" TRACTUS_PROGRAM "' vary small.l --count 400000 -o out &\n"
         "while [ ! -e out/small-000004.glb ]; do sleep 0.01; kill -0 $! || exit 3; done\n"
@@ -263,12 +265,12 @@ TEST_F(Vary, CtrlCLeavesWholeFiles)
     auto const files = count_files("out");
     EXPECT_GE(files, 4u);
     EXPECT_LT(files, 400000u);
-    for (std::size_t i = 1; i <= files; ++i) { // All files are plants, numbered without a gap.
+    for (std::size_t i = 1; i <= files; ++i) { // Every file is a plant; the numbers have no gap.
         auto const number = std::to_string(i);
         auto const plant
             = read("out/small-" + std::string(6 - number.size(), '0') + number + ".glb");
         ASSERT_GE(plant.size(), 12u) << i;
-        std::uint32_t length = 0; // Length of the whole file (glTF 2.0, section 4.4.2).
+        std::uint32_t length = 0; // Length of the whole file in bytes (glTF 2.0, section 4.4.2).
         std::memcpy(&length, &plant[8], 4);
         EXPECT_EQ(length, plant.size()) << i;
     }

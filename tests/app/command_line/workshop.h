@@ -14,22 +14,23 @@
 
 namespace tractus {
 
-// Outcome of a shell command. The exit code is the shell's: 128 plus the number of a signal that
-// ended the command.
+// Outcome of a shell command. The exit code is the shell's: if a signal ended the command, it is
+// 128 plus the number of the signal.
 struct CommandOutcome {
     int exit_code = 0;
     std::string out {};
     std::string err {};
 };
 
-// Fixture with an empty folder in which shell commands run, with the program as `tractus`:
-//   small.l    a model with a trunk and two branches
-//   hand.toml  a hand that shapes the trunk and leans the plant
+// Fixture with an almost empty folder in which shell commands run, with the program as `tractus`.
+// The folder contains:
+// small.l    a model with a trunk and two branches
+// hand.toml  a script of a hand that shapes the trunk and leans the plant
 class Workshop : public testing::Test {
 protected:
     void SetUp() override
     {
-        // Removes what a killed process with the same number may have left.
+        // Removes files that a killed process with the same process number may have left.
         std::filesystem::remove_all(folder_);
         std::filesystem::create_directories(folder_);
         write("small.l",
@@ -61,7 +62,7 @@ protected:
         return outcome;
     }
 
-    // Writes a recording of the hand, "hand.tractus-log", which is made once for all tests of a
+    // Writes a recording of the hand, "hand.tractus-log". It is made only once for all tests of a
     // process.
     void record() const
     {
@@ -95,7 +96,8 @@ protected:
     }
 
 private:
-    // Returns a path beside the folder, so that the output of commands is not among their files.
+    // Returns a path outside the folder, so that files there are not counted among the commands'
+    // output.
     std::string outside(char const* name) const { return folder_.string() + "." + name; }
 
     std::filesystem::path folder_ = std::filesystem::temp_directory_path()

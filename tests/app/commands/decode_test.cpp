@@ -23,7 +23,8 @@ protected:
     void SetUp() override { fs::create_directories(folder_); }
     void TearDown() override { fs::remove_all(folder_); }
 
-    // Writes a file with the given reports of each device.
+    // Writes a log with reports, each given as the index of its device and its bytes in
+    // hexadecimal.
     std::string write_log(std::vector<drivers::DeviceInfo> const& devices,
                           std::vector<std::pair<std::size_t, std::string>> const& reports)
     {
@@ -44,10 +45,11 @@ protected:
 TEST_F(DecodeCommand, PrintsOneRowPerSample)
 {
     auto const log = write_log({ drivers::simple_pen(), drivers::simple_height_sensor() },
-                               // The pen touches, with button 1.
+                               // The pen touches, with its first button pressed.
                                { { 0, "02 23 10 27 c4 09 ff 03 1e e2" },
                                  { 1, "01 34 02" },
-                                 { 0, "02 00 00 00 00 00 00 00 00 00" } }); // The pen leaves.
+                                 // The pen leaves the range.
+                                 { 0, "02 00 00 00 00 00 00 00 00 00" } });
     auto const outcome = run({ "decode", log, "--csv", "--raw" });
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
@@ -68,7 +70,7 @@ TEST_F(DecodeCommand, TellsTheEraserFromTheTip)
 
 TEST_F(DecodeCommand, LeavesEmptyWhatTheDeviceDoesNotSay)
 {
-    // A pen with only tip, X and Y.
+    // A pen tablet that reports only the tip switch, X and Y.
     drivers::DeviceInfo const plain {
         .report_descriptor = drivers::bytes(
             "05 0d 09 02 a1 01 09 20 a1 00 09 42 15 00 25 01 75 01 95 01 81 02 95 07 81 03"

@@ -71,16 +71,16 @@ TEST_F(DeriveCommand, ReadsIncludesFromTheModelsFolderOnly)
     EXPECT_NE(outcome.err.find("outside the model's folder"), std::string::npos) << outcome.err;
 }
 
-// Colour files are arguments of cpfg's command line.
+// cpfg has colour files as arguments of its command line; here they are found beside the model.
 TEST_F(DeriveCommand, FindsColorsBesideTheModel)
 {
     auto const path = write("m.l", kRules);
     write("m.v", "material: 1 wood kind=bark color=0.4,0.3,0.2\n");
-    write("m.map", std::string(9, 'x')); // Three colours, one of which is already a material.
+    write("m.map", std::string(9, 'x')); // Three colours; the view already defines one of them.
     auto const outcome = run({ "lsystem", "check", path });
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("3 materials"), std::string::npos) << outcome.out;
-    write("other.mat", std::string("\x07") + std::string(14, 'x')); // The only file of its kind.
+    write("other.mat", std::string("\x07") + std::string(14, 'x')); // The folder's only .mat file.
     EXPECT_NE(run({ "lsystem", "check", path }).out.find("4 materials"), std::string::npos);
     write("m.mat", "");
     EXPECT_NE(run({ "lsystem", "check", path }).err.find("expected materials"), std::string::npos);
@@ -216,7 +216,8 @@ TEST_F(DeriveCommand, AsksAnEnvironment)
     auto const model = write("m.l", "Lsystem: 1\nAxiom: ?E(0,1)?E(0,1)\nendlsystem\n");
     EXPECT_EQ(run({ "derive", model, "--string" }).out, "?E(0,1)?E(0,1)\n");
     EXPECT_EQ(run({ "derive", model, "--string", "--environment", "space" }).out,
-              // Both queries are at one place, so they count as one organ that asks again.
+              // Both queries are at the same place, so the second counts as the same organ asking
+              // again.
               "?E(1,1)?E(1,1)\n");
     EXPECT_EQ(run({ "derive", model, "--string", "--environment", "light:shade=0.25" }).out,
               "?E(0.75,1)?E(0.75,1)\n");
@@ -226,7 +227,8 @@ TEST_F(DeriveCommand, AsksAnEnvironment)
               "error: there is no environment 'sun'; there are light, space, terrain and water\n");
 }
 
-// A panel's file is not a model, so the folder belongs to only one model.
+// A control panel's file is not a model. With only one model in the folder, all colour files belong
+// to it.
 TEST_F(DeriveCommand, WarnsOfColoursThatItDoesNotUse)
 {
     auto const model = write("m.l", kRules);
@@ -243,7 +245,8 @@ TEST_F(DeriveCommand, WarnsOfColoursThatItDoesNotUse)
     EXPECT_EQ(run({ "derive", model, "--string", "--colors", model }).exit_code, 1);
 }
 
-// Views and colours of other models belong to those.
+// Views and colours with the name of another model belong to that model, so there is no warning for
+// them.
 TEST_F(DeriveCommand, WarnsOfWhatLiesBesideWhatItUses)
 {
     auto const model = write("m.l", kRules);
@@ -277,7 +280,8 @@ TEST_F(DeriveCommand, TakesTheViewThatItIsGiven)
     EXPECT_EQ(run({ "derive", model, "--string", "--view", view }).out, "?E(0)\n");
 }
 
-// What matters more comes first, and a folder full of views is not listed.
+// Warnings about the model come before those about unused files, and only three unused files are
+// named.
 TEST_F(DeriveCommand, TellsOfThreeUnusedFilesAfterTheModelsWarnings)
 {
     auto const model = write("m.l", "Lsystem: 1\nAxiom: F'\nendlsystem\n");
@@ -300,7 +304,7 @@ TEST_F(DeriveCommand, TellsOfThreeUnusedFilesAfterTheModelsWarnings)
 
 TEST_F(DeriveCommand, ReadsTheBooksNotation)
 {
-    // The Algorithmic Beauty of Plants, figure 1.25, as printed: 3 ** 7 apices are left.
+    // Figure 1.25 of The Algorithmic Beauty of Plants, as printed: 3 ** 7 apices are left.
     auto const bush = write("bush.l",
                             "n=7, \u03b4=22.5\u00b0\n\u03c9: A\n"
                             "p1 : A \u2192 [&FL!A]/////'[&FL!A]///////'[&FL!A]\n"

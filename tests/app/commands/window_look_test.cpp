@@ -25,7 +25,8 @@ protected:
 
 TEST_F(WindowLookTest, IsKeptFromOneTimeToTheNext)
 {
-    EXPECT_EQ(load_look(path_).value(), window::WindowLook()); // Nothing was chosen yet.
+    // The user has not chosen anything yet.
+    EXPECT_EQ(load_look(path_).value(), window::WindowLook());
     for (bool const is_light : { true, false })
         for (bool const is_left_handed : { true, false }) {
             window::WindowLook const look { is_light, is_left_handed };
@@ -64,7 +65,8 @@ TEST_F(WindowLookTest, SaysWhereAFileIsWrong)
     EXPECT_NE(error_of("colors = \"light\"\nhand = \"both\"\n").find("window.toml:2: hand"),
               std::string::npos);
     EXPECT_NE(error_of("hands = \"left\"\n").find("hands"), std::string::npos);
-    ASSERT_TRUE(write_file(path_, "hand = \"left\"\n")); // Missing settings have their defaults.
+    // Settings that are missing in the file have their default values.
+    ASSERT_TRUE(write_file(path_, "hand = \"left\"\n"));
     EXPECT_EQ(load_look(path_).value(), (window::WindowLook { .is_left_handed = true }));
 }
 

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Fixture that plays the actions of a simulated person who calibrates the simulated rig, including
-// the pen.
+// those of the pen.
 class CalibratesInTheWindow : public testing::Test {
 protected:
     void SetUp() override

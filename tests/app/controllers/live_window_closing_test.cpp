@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Fixture of a window that keeps its drawing in a new session, with devices that stop sending
-// during a stroke, with the pen down.
+// Fixture with a window that saves its drawing in a new session. Its devices stop sending during a
+// stroke, while the pen is down.
 class LiveWindowClosing : public testing::Test {
 protected:
     LiveWindowClosing() { fs::remove(path_); }

@@ -13,7 +13,8 @@
 
 namespace tractus::controllers {
 
-// Sends reports only when the test tells it to, so no timing is involved.
+// A source that sends its reports only when the test asks for them, so that no test depends on
+// timing.
 class ScriptedSource : public drivers::ReportSource {
 public:
     ScriptedSource(drivers::DeviceInfo info, std::vector<drivers::RawReport> reports)
@@ -44,8 +45,8 @@ inline drivers::RawReport arrived(std::int64_t milliseconds, std::vector<std::by
     return report;
 }
 
-// Returns devices that draw a stroke across the tablet; if `goes_away`, the tablet is then
-// unplugged during the stroke.
+// Returns devices that draw a stroke across the tablet. At the end, the pen is lifted, or the
+// tablet is unplugged during the stroke if `goes_away` is true.
 inline devices::LiveDevices drawing_devices(bool goes_away)
 {
     std::vector<drivers::RawReport> reports;
@@ -65,8 +66,8 @@ inline LiveWindowOptions live_options()
             } };
 }
 
-// Advances until the window has seen the end of the script, which is read on another thread that a
-// loaded machine may delay.
+// Advances the window until it has seen the end of the devices' script. Another thread reads the
+// script, and a loaded machine may delay it.
 inline void advance_to_end(LiveWindow& window)
 {
     while (window.state().status.find("is over") == std::string::npos) {

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Fixture of a window that writes its files into a temporary folder.
+// Fixture with a window that writes its files into a temporary folder.
 class LiveWindowWithFolder : public testing::Test {
 protected:
     LiveWindowWithFolder() { fs::create_directory(folder_); }
@@ -35,7 +35,7 @@ protected:
         return LiveWindow::create(drawing_devices(goes_away), std::move(options)).value();
     }
 
-    // Returns the files with the given extension.
+    // Returns the files in the folder with the given extension.
     std::vector<fs::path> files(std::string const& ending) const
     {
         std::vector<fs::path> found;
@@ -64,7 +64,8 @@ TEST_F(LiveWindowWithFolder, RecordsWhenItIsAskedTo)
     window.perform(view::SetRecording { false });
     EXPECT_FALSE(window.state().recording.is_on);
     EXPECT_EQ(window.state().status.substr(0, 15), "Recorded small-");
-    window.perform(view::SetRecording { false }); // The second request has no effect.
+    // The second request to stop recording has no effect.
+    window.perform(view::SetRecording { false });
 
     auto const logs = files(".tractus-log");
     ASSERT_EQ(logs.size(), 1u);

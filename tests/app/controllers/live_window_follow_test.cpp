@@ -55,7 +55,8 @@ TEST_F(LiveWindowFollow, ShowsWhatAHandleWouldDoAndDoesItWhenItIsLetGo)
     EXPECT_EQ(laterals(), 2) << "nothing is done yet";
     EXPECT_EQ(window_->state().hand, tools::Tool(drawn_));
 
-    window_->perform(view::AdjustTool { drawn_, Slider::Moving }); // Back to its initial value.
+    // The slider is back at its initial value.
+    window_->perform(view::AdjustTool { drawn_, Slider::Moving });
     settle();
     EXPECT_EQ(triangles(), before);
     EXPECT_EQ(window_->state().skeleton.size(), skeleton);
@@ -68,7 +69,7 @@ TEST_F(LiveWindowFollow, ShowsWhatAHandleWouldDoAndDoesItWhenItIsLetGo)
     EXPECT_EQ(window_->state().status, "What was drawn so follows");
 }
 
-// The next drag must change the plant again.
+// Undo must also restore the tool's settings, so that the next drag changes the plant again.
 TEST_F(LiveWindowFollow, UndoGivesTheHandItsRuleBack)
 {
     sketch::SketchTool more = drawn_;

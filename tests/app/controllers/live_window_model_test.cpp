@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Fixture of a window on a model file that is edited while it is open.
+// Fixture with a window that shows a model file, which is edited while the window is open.
 class FollowedModelWindow : public testing::Test {
 protected:
     FollowedModelWindow()
@@ -42,12 +42,13 @@ protected:
         options.model = folder_ / "mine.l";
         options.now = [this] { return now_; };
         auto window = LiveWindow::create(drawing_devices(false), std::move(options)).value();
-        advance_to_end(window); // A stroke shapes the trunk.
+        advance_to_end(window); // Ends when one stroke has shaped the trunk.
         window.settle();
         return window;
     }
 
-    // Passes enough time to detect that the file has changed, and that it no longer changes.
+    // Lets enough time pass for the window to detect that the file has changed and is now
+    // unchanged.
     void pass_time(LiveWindow& window)
     {
         for (int i = 0; i < 3; ++i) {

@@ -19,13 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Fixture of a window on a plant of construction lines whose rules are edited while it is open.
+// Fixture with a window that shows a plant of construction lines, whose rules are edited in a file
+// while the window is open.
 class WrittenRules : public testing::Test {
 protected:
     WrittenRules() { fs::create_directories(folder_); }
     ~WrittenRules() override { fs::remove_all(folder_); }
 
-    // Returns a scene with a stem and a boundary on its left.
+    // Returns a scene with a stem and the boundary on its left.
     static scene::Scene drawn_plant()
     {
         auto const stem = stroke_through({ { 0, -60, 50 }, { 0, 60, 50 } });
@@ -44,7 +45,8 @@ protected:
         return LiveWindow::create(drawing_devices(false), std::move(options)).value();
     }
 
-    // Passes enough time to detect that the file has changed, and that it no longer changes.
+    // Lets enough time pass for the window to detect that the file has changed and is now
+    // unchanged.
     void pass_time(LiveWindow& window)
     {
         for (int i = 0; i < 3; ++i) {
@@ -54,7 +56,7 @@ protected:
         window.settle();
     }
 
-    // Returns the file of rules that the window has written.
+    // Returns the path of the file of rules that the window has written.
     fs::path rules_file() const
     {
         for (auto const& entry : fs::recursive_directory_iterator(folder_))

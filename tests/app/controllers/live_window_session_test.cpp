@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns options for a session, which is continued if it exists.
+// Returns options for a window whose session is continued if the file exists.
 LiveWindowOptions options_with_session(fs::path const& path)
 {
     auto options = live_options();
@@ -37,7 +37,7 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
         advance_to_end(window);
         window.settle();
         EXPECT_EQ(session::read_session(path, methods::all_methods().edits).value().step,
-                  1u); // The file is read while the window is open.
+                  1u); // The session can be read while the window is open.
         window.perform(view::Undo {});
         window.settle();
         EXPECT_TRUE(window.state().strokes.empty());
@@ -62,11 +62,11 @@ TEST(LiveWindow, KeepsEveryStrokeInASessionThatCanBeUndone)
     EXPECT_EQ(again.scene().associations.size(), 2u);
     EXPECT_EQ(session::read_session(path, methods::all_methods().edits).value().step, 2u);
     EXPECT_EQ(session::read_session(path, methods::all_methods().edits).value().last_step(),
-              2u); // Undone steps are removed.
+              2u); // The second stroke replaces the step that was undone.
     fs::remove(path);
 }
 
-// Fixture of a window that keeps a session in a temporary file.
+// Fixture with a window that keeps a session in a temporary file.
 class LiveWindowWithSession : public testing::Test {
 protected:
     LiveWindowWithSession() { fs::remove(path_); }
@@ -76,8 +76,8 @@ protected:
         = fs::temp_directory_path() / fmt::format("tractus_growth_{}.tractus", ::getpid());
 };
 
-// The copy has the stroke and the name, and is among the drawings; drawing continues in the
-// original.
+// The copy must contain the stroke and the name, and be listed among the drawings. Drawing
+// continues in the original file.
 TEST_F(LiveWindowWithSession, NamesTheDrawingAndSavesCopies)
 {
     auto const home = fs::temp_directory_path() / fmt::format("tractus_named_home_{}", ::getpid());
@@ -110,7 +110,7 @@ TEST_F(LiveWindowWithSession, NamesTheDrawingAndSavesCopies)
     fs::remove_all(home);
 }
 
-// Without a file there is nothing to name, and the window does not offer it.
+// A drawing without a file cannot be named, so the window must not offer a name.
 TEST(LiveWindow, HasNoNameWithoutAFile)
 {
     auto window = LiveWindow::create(drawing_devices(false), live_options()).value();
@@ -219,7 +219,8 @@ TEST_F(LiveWindowWithSession, RefusesGrowthThatThereIsNot)
     window.perform(view::ChangeGrowth { { "", 1, -1 } });
     window.settle();
     EXPECT_NE(window.state().status.find("full-grown"), std::string::npos);
-    EXPECT_EQ(window.state().growth.age, 1); // The value in effect is shown.
+    // The window shows the age in effect, not the one asked for.
+    EXPECT_EQ(window.state().growth.age, 1);
     EXPECT_EQ(session::read_session(path_, methods::all_methods().edits).value().last_step(), 0u);
 }
 

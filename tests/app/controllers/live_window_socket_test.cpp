@@ -27,7 +27,7 @@ std::vector<nlohmann::json> lines_of(std::string const& text)
     return lines;
 }
 
-// Another program must receive what the document receives.
+// A program that reads from the socket must receive everything that the document receives.
 TEST_F(LiveWindowSocket, TellsWhatIsDrawn)
 {
     auto drawing = window();
@@ -47,7 +47,7 @@ TEST_F(LiveWindowSocket, TellsWhatIsDrawn)
     EXPECT_EQ(count("stroke"), 1);
 }
 
-// Data sent before a request to close must not be sent again.
+// Repeated requests to close must not send data again that was sent before.
 TEST_F(LiveWindowSocket, TellsItOnceHoweverOftenItIsAskedToClose)
 {
     auto drawing = window();

@@ -44,7 +44,8 @@ TEST(LiveWindow, KeepsTheStrokeOfATabletThatIsUnplugged)
     window.settle();
     EXPECT_EQ(window.station().counts().strokes, 1u);
     EXPECT_TRUE(window.state().live_ink.empty());
-    EXPECT_FALSE(window.state().pen.in_range); // The mouse is used again.
+    // The pen is out of range, so the mouse is used again.
+    EXPECT_FALSE(window.state().pen.in_range);
 }
 
 TEST(LiveWindow, RecordsWhatReplaysToTheSame)
@@ -75,7 +76,7 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
     fs::remove(path);
 }
 
-// Without this, a live drawing would differ in some bits from the replay of its recording.
+// With finer times, a live drawing would differ in the last bits from the replay of its recording.
 TEST(LiveDevices, CutTimesToMicrosecondsAsLogsHaveThem)
 {
     auto report = arrived(0, pen_report(50, 50, true));
@@ -93,7 +94,8 @@ TEST(LiveDevices, CutTimesToMicrosecondsAsLogsHaveThem)
     EXPECT_EQ(reports[0].report.received, Timestamp(std::chrono::microseconds(1'234)));
 }
 
-// Undo, growth, and everything else that is not a stroke.
+// The recording must also contain undo, changes of growth, and all other steps that are not
+// strokes.
 TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
 {
     auto const path
@@ -101,7 +103,8 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     fs::remove(path);
     auto options = live_options();
     options.recording = path;
-    options.now = [] { return at_ms(0); }; // The clock stands at 0, so all reports are later.
+    // The clock stands still at 0, so all reports are later than it.
+    options.now = [] { return at_ms(0); };
     scene::Scene drawn;
     {
         auto window = LiveWindow::create(drawing_devices(true), std::move(options)).value();
@@ -119,7 +122,7 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     EXPECT_EQ(drawn.growth.seed, 42u);
     ASSERT_EQ(drawn.associations.size(), 1u);
     auto const log = drivers::read_log(path).value();
-    ASSERT_EQ(log.tools.size(), 9u); // Two lines record the initial settings.
+    ASSERT_EQ(log.tools.size(), 9u); // The first two lines record the initial settings.
     EXPECT_EQ(log.tools[2].tool, "step");
     EXPECT_EQ(log.tools[5].tool, "undo");
     EXPECT_EQ(log.tools[5].arguments, "1");
@@ -135,7 +138,7 @@ TEST(LiveWindow, RecordsWhatIsDoneBesideDrawing)
     fs::remove(path);
 }
 
-// Returns devices of a pen that slips by 3 mm twice, and then draws.
+// Returns the devices of a pen that twice slips by 3 mm and then draws a stroke of 60 mm.
 devices::LiveDevices slipping_devices()
 {
     std::vector<drivers::RawReport> reports;
@@ -158,7 +161,8 @@ TEST(LiveWindow, ASlipOfTheHandDoesNothingAndIsToldOnce)
     fs::remove(path);
     auto options = live_options();
     options.recording = path;
-    options.now = [] { return at_ms(0); }; // The clock stands at 0, so all reports are later.
+    // The clock stands still at 0, so all reports are later than it.
+    options.now = [] { return at_ms(0); };
     std::size_t drawn = 0;
     std::size_t told = 0;
     {
@@ -183,7 +187,7 @@ TEST(LiveWindow, ASlipOfTheHandDoesNothingAndIsToldOnce)
     replay_options.height = calib::parse_height_scenario("0").value();
     EXPECT_EQ(replayed(log, replay_options).counts.strokes, 1u);
     EXPECT_EQ(replayed(log, replay_options).scene.associations.size(), 1u);
-    log.tools.erase(log.tools.begin()); // Imitates the log of an older program.
+    log.tools.erase(log.tools.begin()); // Older programs did not record the minimum extents.
     EXPECT_EQ(replayed(log, replay_options).counts.strokes, 3u);
     fs::remove(path);
 }
@@ -211,8 +215,8 @@ TEST(LiveWindow, BeginsAgainWithTheSameTool)
     EXPECT_EQ(window.state().tool, "Motion indicator");
 }
 
-// Returns the problem shown by the window after the height sensor has sent `counts` for 100 ms, at
-// `now_ms`.
+// Returns the problem that the window shows at `now_ms`, after the height sensor has sent the value
+// `counts` for 100 ms.
 std::string trouble_after(int counts, std::int64_t now_ms)
 {
     std::vector<drivers::RawReport> heights;
@@ -246,7 +250,7 @@ TEST(LiveWindow, SaysWhatIsWrongWithTheHeightSensor)
     EXPECT_EQ(trouble_after(2000, 3100), "height sensor silent for 3 s: is it plugged in?");
 }
 
-// Claims after each report that another one was too long.
+// A source that always claims to have lost one report because it was too long.
 class Chatterbox final : public ScriptedSource {
 public:
     using ScriptedSource::ScriptedSource;
@@ -271,7 +275,7 @@ TEST(LiveWindow, SaysThatATabletsSizeIsAGuess)
 {
     auto tablet = drivers::simple_pen();
     auto& descriptor = tablet.report_descriptor;
-    // Removes the physical size: the maxima of both axes and the unit.
+    // Removes the physical size from the descriptor: the maxima of both axes and the unit.
     std::vector<std::byte> plain;
     for (std::size_t i = 0; i < descriptor.size(); ++i)
         if (descriptor[i] == std::byte { 0x46 })

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Fixture with a hand that has drawn for hours, and a session that keeps it.
+// Fixture with a session of many strokes, as if a hand had drawn for hours.
 class LongDrawing : public testing::Test {
 protected:
     LongDrawing()
@@ -28,8 +28,8 @@ protected:
     }
     ~LongDrawing() override { fs::remove(path_); }
 
-    // Draws strokes, each for the next branch; all of them are shown, and most end within a frame
-    // of the beginning of the next.
+    // Draws strokes, each for the next branch, until all of them are shown. Most strokes end within
+    // a frame of the beginning of the next one.
     void draw(std::size_t strokes)
     {
         for (std::size_t i = 0; i < strokes; ++i, now_ms_ += 1000) {
@@ -89,7 +89,8 @@ TEST_F(LongDrawing, ReadsStrokesBackThatCountAgain)
 {
     draw(1);
     Stroke const first { scene().associations[0].what.stroke.tips.vector() };
-    draw(6); // There are three branches, so strokes 3 and 6 belong to the trunk, too.
+    // The plant has three branches, so strokes 3 and 6 shape the trunk again, as stroke 0 did.
+    draw(6);
     EXPECT_FALSE(scene().associations[0].what.stroke.tips.is_in_memory());
     controller_.document().make(
         document::step_of({ scene::DeleteStroke { scene::numbered({ 3, 6 }) } }));
@@ -113,7 +114,8 @@ TEST_F(LongDrawing, ReadsAStrokeBackThatWasErasedInPart)
     make(scene::EraseTips { scene::numbered({ 0 }), { { 0, 0 } } });
     Stroke const rest { scene().associations[0].what.stroke.tips.vector() };
     EXPECT_EQ(rest.tips.size(), count - 4);
-    draw(6); // There are three branches, so strokes 3 and 6 belong to the trunk, too.
+    // The plant has three branches, so strokes 3 and 6 shape the trunk again, as stroke 0 did.
+    draw(6);
     EXPECT_FALSE(scene().associations[0].what.stroke.tips.is_in_memory());
     make(scene::DeleteStroke { scene::numbered({ 3, 6 }) });
     ASSERT_EQ(controller_.view().state().strokes.size(), 3u);
@@ -171,7 +173,7 @@ TEST_F(LongDrawing, ShowsAndGrowsWhatStillCounts)
 
 TEST_F(LongDrawing, TakesBackEveryStepAndDoesItAgain)
 {
-    constexpr std::size_t kStrokes = 210; // More steps than scenes are kept.
+    constexpr std::size_t kStrokes = 210; // More steps than the number of scenes that are kept.
     draw(kStrokes);
     for (std::size_t left = kStrokes; left-- > 0;) {
         controller_.perform(view::Undo {}, station_);

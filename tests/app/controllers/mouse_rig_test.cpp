@@ -115,7 +115,8 @@ Timestamp clock_now()
     return Timestamp(std::chrono::steady_clock::now().time_since_epoch());
 }
 
-// Advances until `done`, however long a loaded machine takes.
+// Advances the window until `done` returns true, without a time limit, since the machine may be
+// loaded.
 template<typename Done> void advance_until(LiveWindow& window, Done const& done)
 {
     while (!done()) {
@@ -142,7 +143,8 @@ TEST(LiveWindow, LetsAMouseDrawWhereThereIsNothingElse)
     advance_until(window, [&] { return at_surface(150); });
     EXPECT_TRUE(at_surface(150)) << "seen before a pen is there";
     auto const heights = [&] { return window.station().counts().height_samples; };
-    auto const still = heights() + 40; // Five milliseconds each, so the last glide has ended.
+    // Heights come every 5 ms, so 40 of them outlast the last glide.
+    auto const still = heights() + 40;
     advance_until(window, [&] { return heights() >= still; });
 
     window.perform(view::ChooseTool { indicators::IndicateTool {} });

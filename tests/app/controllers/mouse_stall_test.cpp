@@ -1,5 +1,5 @@
-// A mouse that draws while the program stalls: one press must be one stroke, and the surface moved
-// by its wheel must never be reported as a broken sensor.
+// Tests of a mouse that draws while the program stalls: one press must give one stroke, and moving
+// the surface by the mouse wheel must never be reported as a broken sensor.
 
 #include "app/controllers/live_window.h"
 #include "app/methods/all_methods.h"
@@ -24,7 +24,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A window in which the mouse draws, frame by frame, with a clock controlled by the test.
+// A window in which the mouse draws frame by frame, with a clock that the test controls.
 class Evening {
 public:
     explicit Evening(std::filesystem::path recording = {})
@@ -43,8 +43,8 @@ public:
             frame({});
     }
 
-    // Runs a frame with the mouse's movement since the previous one. The program stalls before it
-    // takes the devices' reports, or between that and the handling of the mouse.
+    // Runs one frame, with the mouse's movement since the previous frame. The program may stall
+    // before it takes the devices' reports, or after that and before it handles the mouse.
     void frame(std::vector<view::MousePen> path, Duration stall_before = {},
                Duration stall_within = {})
     {
@@ -61,8 +61,8 @@ public:
         return { .place_mm = { x_mm, 20 }, .in_range = true, .touching = touching };
     }
 
-    // Presses, drags, rests, drags and releases: 39 mm in 60 frames, with a stall in one of them. A
-    // resting mouse reports in each frame that it is pressed.
+    // Draws a stroke of 39 mm in 60 frames: presses, drags, rests, drags and releases the mouse.
+    // The program stalls in one frame. While pressed, a resting mouse also reports in each frame.
     void draw(int stalled, Duration before, Duration within)
     {
         for (int i = 0; i <= 60; ++i)
@@ -71,7 +71,7 @@ public:
         rest();
     }
 
-    // Runs frames until everything drawn has settled and is shown.
+    // Runs frames until everything drawn is processed and shown.
     void rest()
     {
         for (int i = 0; i < 30; ++i)
@@ -149,7 +149,8 @@ TEST(MouseStall, ItsRecordingHasTimesInOrderAndReplaysToTheSame)
     std::filesystem::remove(path);
 }
 
-// No wheel may move the surface faster than a hand, and no stall may make its sensor silent.
+// However the wheel is turned, the surface must not move faster than a hand could move it, and a
+// stall must not make its sensor seem silent.
 TEST(MouseStall, NoWheelIsFasterThanAHand)
 {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {

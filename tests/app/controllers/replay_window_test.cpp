@@ -25,7 +25,7 @@ protected:
         return window;
     }
 
-    // Plays at normal speed until the recording has ended. `seen` is called for each frame.
+    // Plays the recording to its end at normal speed, and calls `seen` for each frame.
     template<typename Seen> static void play(ReplayWindow& window, Seen const& seen)
     {
         for (int frame = 0; frame < 10'000 && window.state().playing; ++frame) {
@@ -70,7 +70,7 @@ TEST_F(ReplayedWindow, ShowsInkThenStrokesAndChangesThePlantAfterEach)
         plants = state.plant_revision;
     });
     EXPECT_TRUE(has_shown_ink);
-    EXPECT_EQ(window.state().strokes.size(), 1u); // Strokes that select are not shown.
+    EXPECT_EQ(window.state().strokes.size(), 1u); // Strokes that select a branch are not shown.
     EXPECT_EQ(window.state().plant_revision, before + 3);
     EXPECT_EQ(window.state().layers.size(), 1u);
     EXPECT_EQ(window.state().progress, 1);
@@ -122,7 +122,7 @@ TEST_F(ReplayedWindow, PlaysAgainFromTheBeginning)
     EXPECT_EQ(window.state().status, "The hand begins again");
     play(window);
     EXPECT_EQ(window.state().strokes.size(), 1u);
-    // At the end of the replay, playing starts again from the beginning.
+    // At the end of the recording, playing starts again from the beginning.
     window.perform(view::SetPlaying { true });
     window.settle();
     EXPECT_TRUE(window.state().strokes.empty());
@@ -152,7 +152,7 @@ TEST_F(ReplayedWindow, KeepsWhatIsDrawnInASession)
               .value();
     play(window);
     EXPECT_EQ(session::read_session(path, methods::all_methods().edits)->last_step(),
-              3u); // The number includes the selecting step.
+              3u); // The step that selects a branch is counted, too.
     EXPECT_EQ(window.state().layers.size(), 1u);
     window.perform(view::Undo {});
     window.settle();

@@ -53,8 +53,8 @@ protected:
                  .now = [] { return sys_seconds(std::chrono::days(20'000)); } };
     }
 
-    // Opens the window with a log of the simple pen, which draws a line away from the user after
-    // one second.
+    // Opens the window with a log as its device, the simple pen, which draws a line away from the
+    // user after one second.
     LiveWindow window(bool at_page = true)
     {
         auto const file = folder_ / "pen.tractus-log";
@@ -88,7 +88,7 @@ protected:
         window.settle();
     }
 
-    // Presses the card with a title.
+    // Presses the card with the given title.
     static void press(LiveWindow& window, std::string const& title)
     {
         auto* const page = window.start_page();
@@ -165,7 +165,7 @@ TEST_F(StartPage, BeginsAnEmptySheetWhoseFirstStrokeIsAPlantThatIsKept)
     ASSERT_EQ(kept.edits.size(), 2u);
     EXPECT_TRUE(kept.edits[0].edit.get<session::BeginEmpty>());
     EXPECT_TRUE(kept.edits[1].edit.get<sketch::GrowAlongStroke>());
-    // A session whose beginning is unknown must also start with an empty sheet.
+    // A session must start with an empty sheet even if the kind of its first edit is unknown.
     auto const others = methods::all_methods().edits;
     std::vector<scene::EditKind const*> fewer(others.begin(), others.end());
     std::erase(fewer, &session::BeginEmpty::kKind);
@@ -279,8 +279,8 @@ TEST_F(StartPage, ShowsPicturesAndKeepsThoseThatItHasMade)
     for (auto const& entry : fs::directory_iterator(folder_ / "pictures"))
         kept.push_back(entry.path());
     ASSERT_EQ(kept.size(), 1u);
-    // Stored pictures are shown the next time, and a picture beside a model is shown from the
-    // start.
+    // A picture stored in the folder is shown the next time. A picture beside a model is shown from
+    // the start.
     auto const write = [](fs::path const& file, render::Image const& picture) {
         ASSERT_TRUE(
             write_file(file, [&](std::ostream& out) { return render::write_png(out, picture); }));
@@ -317,13 +317,13 @@ TEST(RecentDrawings, AreTheNewestFirstAndNamedInWords)
     fs::remove_all(folder);
 }
 
-// Expected values are from "date -u -d @1774620180" and similar commands.
+// The seconds come from the command "date -u -d @1774620180" and similar ones.
 TEST(RecentDrawings, SayTheirTimeInWords)
 {
     ::setenv("TZ", "UTC", 1);
     ::tzset();
     auto const at = [](std::int64_t seconds) { return sys_seconds(std::chrono::seconds(seconds)); };
-    auto const now = at(1774620180); // Time 2026-03-27 14:03:00.
+    auto const now = at(1774620180); // 2026-03-27 14:03:00 UTC.
     EXPECT_EQ(time_in_words(now, now), "Today, 14:03");
     EXPECT_EQ(time_in_words(at(1774569600), now), "Today, 0:00");
     EXPECT_EQ(time_in_words(at(1774569599), now), "Yesterday, 23:59");

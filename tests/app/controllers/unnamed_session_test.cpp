@@ -37,7 +37,7 @@ TEST_F(UnnamedSession, IsNamedAfterThePlantAndTheTime)
 {
     EXPECT_EQ(path().parent_path(), folder_ / "tractus");
     EXPECT_TRUE(fs::is_directory(folder_ / "tractus"));
-    // The time zone may change the day.
+    // The file name has local time, so the time zone may change the day.
     EXPECT_EQ(path().filename().string().substr(0, 14), "shrub-2026-01-");
     EXPECT_EQ(path().extension(), ".tractus");
 }
@@ -81,7 +81,7 @@ TEST_F(UnnamedSession, GoesAgainOnlyIfNothingWasDrawn)
     remove_if_nothing_was_drawn(empty);
     remove_if_nothing_was_drawn(drawn);
     EXPECT_FALSE(fs::exists(empty));
-    EXPECT_TRUE(fs::exists(drawn)); // The stroke can be redone.
+    EXPECT_TRUE(fs::exists(drawn)); // The stroke was undone, but it can be redone.
 }
 
 TEST_F(UnnamedSession, SaysWhereNoneCanBe)

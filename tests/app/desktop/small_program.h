@@ -8,7 +8,7 @@
 
 namespace tractus::desktop {
 
-// A program with two commands, one of which has subcommands, and a hidden command.
+// A command-line program with two commands, one of which has subcommands, and a hidden command.
 struct SmallProgram {
     SmallProgram()
     {

@@ -11,7 +11,7 @@
 namespace tractus::devices {
 namespace {
 
-// Returns a report of a pen that touches (21) or hovers (20).
+// Returns a report of the simple pen with the given flags: 21 for touching, 20 for hovering.
 drivers::RawReport flagged_report(Timestamp time, char const* flags)
 {
     drivers::RawReport report { .received = time };
@@ -20,7 +20,7 @@ drivers::RawReport flagged_report(Timestamp time, char const* flags)
     return report;
 }
 
-// A stream that counts its flushes.
+// A stream buffer that counts how often it is flushed.
 class CountingBuffer final : public std::stringbuf {
 public:
     int flushes = 0;
@@ -79,7 +79,7 @@ TEST(LiveRecorder, NeverWritesOverAFile)
     EXPECT_EQ(recorder.error().fault, Fault::User);
 }
 
-// A clock that advances only by waiting.
+// A clock that advances only when the program waits.
 struct TestClock {
     Timestamp time = at_ms(5000);
 
@@ -127,7 +127,7 @@ TEST(PacedLog, SaysThatItIsOver)
     EXPECT_EQ(end.error().message, "pen.hid:device 0 is over");
 }
 
-// Plays both devices of a log, a million times as fast as recorded.
+// Plays both devices of a log, a million times as fast as they were recorded.
 LiveDevices played(std::string const& text)
 {
     auto const log

@@ -78,7 +78,8 @@ TEST(DeviceMonitor, WatchesTheHeightSensor)
         monitor.push(report_at_ms(2 * i, "01 ff 0f"));
     auto const reading = monitor.reading();
     EXPECT_EQ(field(reading, "height"), "4095 of 4095 counts");
-    EXPECT_EQ(reading.height_faults.size(), 1u); // The sensor is on a rail.
+    // The fault is that the value stays at the end of the sensor's range.
+    EXPECT_EQ(reading.height_faults.size(), 1u);
 }
 
 } // namespace

@@ -20,7 +20,7 @@ DeviceFacts facts_of(drivers::DeviceInfo info, std::string location = "/dev/hidr
     return { .info = info, .description = drivers::describe_device(info), .poll_hz = {} };
 }
 
-// Returns a Wacom tablet with vendor-defined reports that are longer than an Intuos's.
+// Returns a Wacom tablet whose vendor-defined reports are longer than those of an Intuos.
 drivers::DeviceInfo secretive_tablet()
 {
     return { .name = "New Tablet",
@@ -69,7 +69,7 @@ TEST(DiagnoseSystem, PrintsTheRuleThatPermitsADevice)
 
 TEST(DiagnoseSystem, AdvisesFirstTheRuleThatWorksWhereOurRulesDoNotNameTheDevice)
 {
-    // A mouse with tip pressure, of an unknown maker.
+    // A mouse by an unknown manufacturer that reports tip pressure.
     auto device = facts_of(drivers::simple_pen());
     device.open_error = EACCES;
     device.info.vendor_id = 0x2179;
@@ -94,7 +94,7 @@ TEST(DiagnoseSystem, SaysWhatToDoAboutTheKernelsDriverOfAConverter)
     ASSERT_EQ(kinds(findings), Names { "driver-in-the-way" });
     EXPECT_EQ(findings[0].subject, "MCP2221A 0003:04D8:00DD.0001");
     EXPECT_TRUE(mentions(findings[0], "blacklist hid_mcp2221"));
-    // The diagnosis must not complain about other devices with a kernel driver.
+    // No problem must be found for other devices, which have a kernel driver.
     chip.product_id = 0x00de;
     EXPECT_EQ(kinds(diagnose_system(facts())), Names {});
 }
@@ -204,7 +204,7 @@ TEST(DiagnoseDevice, NamesBrokenReports)
 
 TEST(DiagnoseDevice, AsksForThePenOfATabletWhoseKeysAreAllThatSpoke)
 {
-    // An HS610 in its full mode, whose dial is used.
+    // An HS610 in its full mode. The user turns its dial.
     drivers::DeviceInfo const hs610 { .name = "Huion HS610",
                                       .interface_number = 0,
                                       .vendor_id = 0x256c,
@@ -238,16 +238,16 @@ TEST(DiagnoseDevice, NamesTimesThatGoBackwards)
     EXPECT_EQ(kinds(diagnose_device(monitor.reading(), {})), Names { "clock-jump" });
 }
 
-// Returns a report of simple_pen() that touches or hovers, at x in counts with y fixed, and with a
-// pressure of up to 2047.
+// Returns a report of simple_pen() that touches or hovers. `x` is in counts and `pressure` at most
+// 2047; y is fixed.
 std::string pen_report(bool touches, int x, int pressure)
 {
     return fmt::format("02 {} {:02x} {:02x} 88 13 {:02x} {:02x} 00 00", touches ? "21" : "20",
                        x & 0xff, x >> 8, pressure & 0xff, pressure >> 8);
 }
 
-// Returns a reading of strokes of 40 reports with pauses of ten, in which the pen hovers or presses
-// with `resting`.
+// Returns the reading of a pen that draws strokes of 40 reports, with pauses of ten reports. In the
+// pauses the pen is lifted if `lifts` is true; otherwise it touches with the pressure `resting`.
 DeviceReading reading_of_strokes(bool lifts, int resting, int pressing)
 {
     DeviceMonitor monitor(drivers::simple_pen());
@@ -272,7 +272,7 @@ TEST(DiagnoseDevice, NamesAPenThatNeverLifts)
         << "one long stroke";
 }
 
-// Returns simple_pen() with an additional mouse report, report 1.
+// Returns simple_pen() with an additional mouse, whose reports have the ID 1.
 drivers::DeviceInfo pen_with_mouse()
 {
     auto info = drivers::simple_pen();
@@ -309,8 +309,8 @@ TEST(DiagnoseDevice, NamesAModeThatIsLostInMidRecording)
 
 TEST(DiagnoseDevice, NamesTheDriverThatSwitchesATabletOfGenius)
 {
-    // The state before hid_kye has switched the tablet: a mouse with absolute positions and a
-    // pressure.
+    // The tablet before the kernel driver hid_kye has switched it: it is a mouse with absolute
+    // positions and pressure.
     drivers::DeviceInfo info { .name = "EasyPen", .vendor_id = 0x0458, .product_id = 0x5013 };
     info.report_descriptor
         = drivers::bytes("05 01 09 02 a1 01 85 11 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 "
@@ -321,11 +321,11 @@ TEST(DiagnoseDevice, NamesTheDriverThatSwitchesATabletOfGenius)
     auto const findings = diagnose_device(reading, {});
     ASSERT_EQ(kinds(findings), Names { "mouse-mode" });
     EXPECT_TRUE(mentions(findings[0], "modprobe hid_kye"));
-    info.vendor_id = 0x256c; // Tablets of other makers work in this state.
+    info.vendor_id = 0x256c; // The same descriptor is fine for tablets of other manufacturers.
     EXPECT_EQ(kinds(diagnose_device(reading_after(info, "11 01 10 10 10 10 00 02", 50), {})),
               Names {});
     info.vendor_id = 0x0458;
-    info.product_id = 0x0185; // A mouse by the same maker.
+    info.product_id = 0x0185; // Another product of this manufacturer, a mouse.
     info.report_descriptor.resize(info.report_descriptor.size() - 12);
     info.report_descriptor.insert(info.report_descriptor.end(), 2, std::byte { 0xc0 });
     EXPECT_EQ(kinds(diagnose_device(reading_after(info, "11 01 10 10 10 10", 50), {})), Names {});
@@ -346,8 +346,8 @@ TEST(DiagnoseDevice, SaysHowADeskFindsItsPlaceAgainInMidRecording)
     EXPECT_FALSE(mentions(findings[0], "shorter cable"));
 }
 
-// Returns the readings of two nodes; the second one sends the reports of the first, `later_ms`
-// later and displaced by some counts.
+// Returns the readings of two device nodes. The second sends the same reports as the first,
+// `later_ms` later and with positions displaced by `moved` counts.
 std::vector<DeviceReading> readings_of_two_nodes(drivers::DeviceInfo second, int later_ms,
                                                  int moved)
 {
@@ -380,7 +380,7 @@ TEST(DiagnoseTogether, NamesATabletThatSendsEachReportTwice)
 
 TEST(DiagnoseTogether, NamesAModeThatIsLostWhereAnotherNodeTakesOver)
 {
-    // A Huion in its full mode: vendor-defined reports on interface 0, a mouse on interface 1.
+    // A Huion in its full mode: interface 0 sends vendor-defined reports, interface 1 is a mouse.
     drivers::DeviceInfo const full { .name = "Huion HS610",
                                      .physical_path = "usb-1/input0",
                                      .interface_number = 0,

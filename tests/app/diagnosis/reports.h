@@ -17,7 +17,7 @@ inline drivers::RawReport report_at_ms(std::int64_t milliseconds, std::string co
     return report;
 }
 
-// A report of simple_pen(), touching at 100 mm from the left and 50 mm from the far edge.
+// A report of simple_pen() that touches at 100 mm from the left edge and 50 mm from the far edge.
 constexpr char const* kTouching = "02 21 10 27 88 13 00 04 00 00";
 
 } // namespace tractus::diagnosis

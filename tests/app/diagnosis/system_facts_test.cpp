@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Fixture with the files of a machine: a Wacom on USB port 1-2 with its hidraw node, and a second
-// interface without a driver.
+// Fixture with the system files of a machine: a Wacom tablet on USB port 1-2 with its hidraw node,
+// and the tablet's second interface, which has no driver.
 class SystemFactsTest : public testing::Test {
 protected:
     void SetUp() override

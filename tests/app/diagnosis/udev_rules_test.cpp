@@ -46,19 +46,21 @@ TEST(UdevRules, PermitPensByUsageAndTabletsByMaker)
                                  .report_descriptor = drivers::bytes(descriptor) });
     };
     constexpr auto kPen = "05 0d 09 02 a1 01 09 20 a1 00 c0 c0", kMouse = "05 01 09 02 a1 01 c0";
-    EXPECT_TRUE(permits(0x18, 0x2d1f, 0x0001, kPen)); // Pens of makers that no rule names.
+    EXPECT_TRUE(permits(0x18, 0x2d1f, 0x0001, kPen)); // A pen whose manufacturer is in no rule.
     EXPECT_TRUE(permits(0x03, 0x2179, 0x0053, kPen));
-    // A pen described on Wacom's own page.
+    // A device that reports a pen on a vendor-defined usage page of Wacom.
     EXPECT_TRUE(permits(0x18, 0x2d1f, 0x0001, "06 0d ff 09 01 a1 01 c0"));
     EXPECT_FALSE(permits(0x03, 0x045e, 0x0001, kMouse));
     EXPECT_FALSE(permits(0x03, 0x2179, 0x0053, "05 0d 09 04 a1 01 c0")); // A touch screen.
     EXPECT_TRUE(permits(0x03, 0x256c, 0x006d, "06 00 ff 09 01 a1 01 c0"));
     EXPECT_TRUE(permits(0x05, 0x256c, 0x006d, "06 00 ff 09 01 a1 01 c0"));
-    EXPECT_TRUE(permits(0x03, 0x0483, 0xa640, kMouse)); // A tablet with the id of a chip maker.
+    // A tablet with the USB ID of a chip manufacturer.
+    EXPECT_TRUE(permits(0x03, 0x0483, 0xa640, kMouse));
     EXPECT_FALSE(permits(0x03, 0x0483, 0x5740, kMouse));
     constexpr auto kKeyboard = "05 01 09 06 a1 01 c0";
     EXPECT_TRUE(permits(0x03, 0x0458, 0x501a, "06 00 ff 09 01 a1 01 c0"));
-    EXPECT_FALSE(permits(0x03, 0x0458, 0x0708, kKeyboard)); // A keyboard by a maker of tablets.
+    // A keyboard by a manufacturer of tablets.
+    EXPECT_FALSE(permits(0x03, 0x0458, 0x0708, kKeyboard));
 }
 
 } // namespace

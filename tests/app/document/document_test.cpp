@@ -13,7 +13,7 @@ namespace {
 constexpr auto kOnItsThread = Document::Working::OnItsThread;
 constexpr auto kAtOnce = Document::Working::AtOnce;
 
-// Returns a stroke for the selected trunk, towards a position that depends on the number.
+// Returns a stroke for the selected trunk, with an end that depends on `number`.
 tools::ToolStroke stroke_number(int number)
 {
     return { stroke_through({ { 0, 0, 0 }, { 10.0 * number, 5, 100 } }),
@@ -24,7 +24,8 @@ StepRequest seeded(std::uint64_t seed)
 {
     auto const change = [=](scene::Scene const& scene) -> Result<StepRequest::Change> {
         auto growth = scene.growth;
-        growth.seed = 10 * growth.seed + seed; // The seed shows the order of the steps.
+        // Each step changes the seed, so that the final seed shows the order of the steps.
+        growth.seed = 10 * growth.seed + seed;
         return StepRequest::Change { { growth }, "seeded" };
     };
     return { change, StepRequest::Of::Growth };
@@ -63,7 +64,8 @@ TEST_F(DocumentTest, DrawsShowsAndKeepsInOrder)
     EXPECT_EQ(session::read_session(path(), scene::core_edit_kinds()).value().last_step(), 5u);
 }
 
-// Each stroke is for the next branch: two quick ones must not be given the same branch.
+// Each stroke shapes the next branch. Two strokes in quick succession must not be given the same
+// branch.
 TEST_F(DocumentTest, GivesAStrokeItsMeaningAfterAllEarlierOnes)
 {
     auto document = new_document();
@@ -114,7 +116,7 @@ TEST_F(DocumentTest, DoesWhatIsWantedInItsOrder)
     document.make(seeded(3));
     document.undo();
     document.make(seeded(4));
-    document.redo(); // Redo must have no effect, since there is nothing to redo.
+    document.redo(); // There is nothing to redo, so this call has no effect.
     document.settle();
     EXPECT_EQ(document.newest()->scene.growth.seed, 124u);
     EXPECT_EQ(document.newest()->scene.associations.size(), 1u);
@@ -175,7 +177,7 @@ TEST_F(DocumentTest, DrawsOnWhileTheDiskIsFullAndKeepsAllAfterwards)
     }
     auto const seen = document.newest();
     document.pass_time(
-        timestamp_ns(1000'000'000)); // Saving is tried again one second after the failure.
+        timestamp_ns(1000'000'000)); // After a failure, saving is tried again one second later.
     document.pass_time(timestamp_ns(1900'000'000));
     document.settle();
     EXPECT_EQ(document.newest()->unkept, 3u);
@@ -231,7 +233,7 @@ TEST_F(DocumentTest, WithoutAFileStepsCanBeTakenBack)
     EXPECT_EQ(document.newest()->scene.associations.size(), 5u) << "a step like another";
 }
 
-// Any operations in any order must give the same document and file, with a thread or without.
+// Random operations must give the same document and file whether the document uses a thread or not.
 RC_GTEST_FIXTURE_PROP(DocumentTest, WithAThreadIsTheSameAsWithout, ())
 {
     std::filesystem::remove(path("a.tractus"));

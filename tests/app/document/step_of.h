@@ -8,7 +8,7 @@
 
 namespace tractus::document {
 
-// Returns a step with these edits, independent of the scene.
+// Returns a request for a step with the given edits, whatever the scene is.
 inline StepRequest step_of(std::vector<scene::Edit> edits, std::string status = "")
 {
     return { [change = StepRequest::Change { std::move(edits), std::move(status) }](

@@ -9,10 +9,10 @@
 namespace tractus::play {
 namespace {
 
-// Reports that devices were sent in a test, in order: "DEVICE:FIRST BYTE".
+// The reports that a test has sent to devices, in order, as "DEVICE:FIRST BYTE".
 using Sent = std::vector<std::string>;
 
-// A device that records what it would send to the kernel.
+// A device that records the reports instead of sending them to the kernel.
 class FakeDevice final : public sim::KernelDevice {
 public:
     FakeDevice(std::string name, Sent& sent)
@@ -51,7 +51,7 @@ private:
     Sent& sent_;
 };
 
-// Returns a report that begins with `byte`, at a time in milliseconds.
+// Returns a report whose first byte is `byte`, received at `time_ms`.
 drivers::RawReport report(int time_ms, int byte)
 {
     drivers::RawReport result { .received = Timestamp(std::chrono::milliseconds(time_ms)),
@@ -112,7 +112,7 @@ TEST_F(DeviceParts, BeginAnewUntilTheyAreAskedToStop)
     pen.on_send = [&] { stop = sent.size() >= 5; };
     play.then = PlaybackSet::Then::Repeat;
     EXPECT_TRUE(play_parts(play, stop));
-    sent.resize(5); // Another report may have been due at the same time.
+    sent.resize(5); // Another report may have been sent at the same time.
     EXPECT_EQ(sent, (Sent { "pen:10", "pen:12", "pen:10", "pen:12", "pen:10" }));
 }
 

@@ -25,7 +25,7 @@ protected:
     SimulatedHand hand_ { log_, [this] { return now_; } };
     std::vector<std::unique_ptr<drivers::ReportSource>> sources_ = hand_.open_sources();
 
-    // Returns the reports that the device sends within a time, read every 16 ms.
+    // Returns the reports that a device sends within `time`, if they are read every 16 ms.
     std::vector<drivers::RawReport> read(std::size_t device, Duration time)
     {
         std::vector<drivers::RawReport> reports;
@@ -77,14 +77,14 @@ TEST_F(HandOnAClock, HasAHeightSensorThatLivesBeforeAndAfter)
     EXPECT_TRUE(is_well_for(30s));
     hand_.begin();
     EXPECT_TRUE(is_well_for(log_->end() - log_->begin() + 120s));
-    now_ += 300ms; // The program stalls.
+    now_ += 300ms; // The program stalls for 300 ms.
     EXPECT_TRUE(is_well_for(1s));
     for (auto const kind : { calib::HeightFaultKind::Silence, calib::HeightFaultKind::Jump,
                              calib::HeightFaultKind::Stuck })
         EXPECT_EQ(monitor.total(kind).count, 0u) << static_cast<int>(kind);
 }
 
-// Tests the simulated hand of "tractus draw --device simulated".
+// Tests the simulated hand that `tractus draw --device simulated` uses.
 TEST(SimulatedHand, DrawsOnTheStationsWindow)
 {
     auto const now = std::make_shared<Timestamp>(1000s);

@@ -31,7 +31,7 @@ TEST(Camera, SeesItsTargetInTheMiddle)
 
 TEST(Camera, HasRightOnTheRightAndUpAtTheTop)
 {
-    Camera const camera; // A camera at the user's side.
+    Camera const camera; // The default camera is on the user's side.
     EXPECT_GT(on_screen(camera, 1, Vec3(50, 0, 0)).x(), 0.05f);
     EXPECT_GT(on_screen(camera, 1, Vec3(0, 0, 50)).y(), 0.05f);
 }
@@ -68,7 +68,8 @@ TEST(FramingCamera, SeesAPlantFromEverySideWithAir)
     }
 }
 
-// Returns poles of 2 m that lean from the middle towards the eight corners around it.
+// Returns poles that lean from the origin towards the eight corners of a box. If `only` is less
+// than 8, returns only the pole with that number.
 mesh::Mesh leaning_poles(std::size_t only)
 {
     mesh::Mesh mesh;
@@ -99,7 +100,8 @@ TEST(Framing, CutsNothingThatLeansIntoACornerOfItsBox)
                     EXPECT_LT(std::abs(place.z()), 1) << "cut by the near or far plane";
                 }
                 EXPECT_LT(most, 0.95f) << "azimuth " << azimuth;
-                if (pole == 8) { // A single pole may point at the eye.
+                // All poles together fill the picture. A single one may point at the eye.
+                if (pole == 8) {
                     EXPECT_GT(most, 0.90f) << "azimuth " << azimuth;
                 }
             }

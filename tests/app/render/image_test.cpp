@@ -13,7 +13,7 @@ namespace {
 constexpr Color kBrick { 200, 10, 20, 255 };
 constexpr Color kSlate { 10, 20, 200, 255 };
 
-// Returns a picture with different pixels, as far as possible with bytes.
+// Returns a picture whose pixels all differ, as far as their bytes allow.
 Image gradient(int width, int height, std::uint8_t alpha)
 {
     Image picture(width, height);
@@ -33,7 +33,7 @@ std::string png(Image const& picture)
     return out.str();
 }
 
-// Returns the number of pixels in a rectangle that differ from `paper`.
+// Returns the number of pixels in a rectangle whose colour is not `paper`.
 int inked(Image const& picture, int left, int top, int width, int height, Color const& paper)
 {
     int count = 0;
@@ -76,7 +76,7 @@ TEST(ReadPicture, RefusesWhatIsNone)
 TEST(ReadPicture, BelievesNoSizeThatAFileClaims)
 {
     auto bytes = png(gradient(37, 21, 128));
-    // The header then claims a size of 983,040 squared.
+    // The header is changed to claim a size of 983,040 squared pixels.
     bytes.replace(16, 8, std::string("\0\x0f\0\0\0\x0f\0\0", 8));
     auto const picture = read_picture(bytes);
     ASSERT_FALSE(picture);

@@ -12,7 +12,7 @@
 namespace tractus::render {
 namespace {
 
-// Returns a blue JPEG whose first row begins with red and ends with green.
+// Returns a blue JPEG image whose first row begins with red and ends with green.
 std::string jpeg(int width, int height)
 {
     std::vector<std::uint8_t> pixels;
@@ -34,8 +34,8 @@ std::string jpeg(int width, int height)
     return bytes;
 }
 
-// Adds an Exif segment with the orientation (Exif 2.32, section 4.5.4: an APP1 marker, a TIFF
-// header, one entry of type SHORT).
+// Inserts an Exif segment with the given orientation (Exif 2.32, section 4.5.4). The segment is an
+// APP1 marker, a TIFF header and one entry of type SHORT.
 std::string with_orientation(std::string const& jpeg, int orientation)
 {
     std::string tiff("MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\0\0\0\0\0\0\0", 26);
@@ -55,8 +55,9 @@ bool is_green(Color const& color)
     return color.green > 200 && color.red < 60;
 }
 
-// Visible positions of the first row's beginning and end, from the standard's words: for
-// orientation 6, for example, the 0th row is at the right-hand side and the 0th column at the top.
+// Visible positions of the beginning and end of a picture's first row, by its Exif orientation. In
+// the standard's words for orientation 6: the 0th row is the visual right-hand side, and the 0th
+// column is the visual top.
 struct Seen {
     int orientation = 1;
     bool begins_right = false;

@@ -8,7 +8,7 @@
 
 namespace tractus::render {
 
-// Decodes a PNG file; if that fails, the test fails and the picture is empty.
+// Decodes a PNG file. If that fails, the test fails and the returned picture is empty.
 inline Image read_png(std::string const& bytes)
 {
     png_image header {};

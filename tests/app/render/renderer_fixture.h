@@ -12,7 +12,7 @@ namespace tractus::render {
 constexpr int kWidth = 400;
 constexpr int kHeight = 300;
 
-// Returns a camera on the user's side, slightly above; the sun is on the left.
+// Returns a camera on the user's side, slightly above the plant. The sun is on its left.
 inline Camera camera()
 {
     Camera camera;
@@ -24,7 +24,7 @@ inline Camera camera()
     return camera;
 }
 
-// Returns the pixel that shows a position in the world.
+// Returns the colour of the pixel that shows a position in the world.
 inline Color at(Image const& picture, Vec3 const& world_mm)
 {
     double const aspect = static_cast<double>(kWidth) / kHeight;

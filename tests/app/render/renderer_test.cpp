@@ -19,7 +19,8 @@ bool bark_coloured(Color const& color)
     return color.red > color.blue + 8 && color.red >= color.green && brightness(color) < 450;
 }
 
-// Returns a leaf's picture, red on the left and blue on the right, whose upper half is transparent.
+// Returns the picture of a leaf whose left half is red and right half blue; its upper half is
+// transparent.
 TextureSlot half_a_picture()
 {
     Image image(64, 64);
@@ -99,8 +100,8 @@ TEST_F(RendererTest, ColoursAreTheSameInAnyLight)
 TEST_F(RendererTest, CastsTheShadowAwayFromTheSun)
 {
     auto const picture = post_picture();
-    // The left leaf's middle projected along the sun's rays to the ground, and the mirrored
-    // position.
+    // The shaded point is the middle of the left leaf, projected along the sun's rays to the
+    // ground. The other point is its mirror image.
     auto const shaded = brightness(at(picture, Vec3(-200 + 250, 100, 0)));
     auto const lit = brightness(at(picture, Vec3(-200 - 250, 100, 0)));
     EXPECT_LT(shaded + 60, lit);
@@ -116,7 +117,8 @@ TEST_F(RendererTest, FadesTheGroundIntoTheBackdrop)
     EXPECT_NE(empty.at(kWidth / 2, kHeight / 2), bare.at(kWidth / 2, kHeight / 2));
 }
 
-// Metal does not scatter light: the sunlit side of a rough block gets darker, in its own colour.
+// Metal does not scatter light: with it, the sunlit side of a rough block gets darker but keeps its
+// hue.
 TEST_F(RendererTest, MetalMirrorsInsteadOfScattering)
 {
     auto mesh = post_with_leaves();
@@ -126,7 +128,7 @@ TEST_F(RendererTest, MetalMirrorsInsteadOfScattering)
              .base_color = { 0.9f, 0.6f, 0.2f },
              .roughness = 0.9f };
     Stage stage;
-    stage.sun.direction = Vec3f(0, -1, 0.6f); // The sun shines on the visible side.
+    stage.sun.direction = Vec3f(0, -1, 0.6f); // The sun shines on the side that the camera sees.
     auto const front = [&](float metalness) {
         post.metalness = metalness;
         GpuMesh const pot(mesh);
@@ -139,7 +141,8 @@ TEST_F(RendererTest, MetalMirrorsInsteadOfScattering)
     EXPECT_GT(metal.red, metal.blue + 30);
 }
 
-// A post that goes 100 mm down is a root, and one of 10 mm is only a base in the ground.
+// A post that reaches 100 mm below the ground counts as a root. A post that reaches 10 mm down is
+// only a base in the ground.
 TEST_F(RendererTest, LeavesTheGroundOutWhereItWouldHideRoots)
 {
     GpuMesh const mesh(post_with_leaves());
@@ -164,7 +167,7 @@ TEST_F(RendererTest, ShowsLightThroughLeaves)
     auto mesh = post_with_leaves();
     mesh.surfaces.clear();
     Stage stage;
-    stage.sun.direction = Vec3f(0, 1, 0.3f); // The sun shines from behind.
+    stage.sun.direction = Vec3f(0, 1, 0.3f); // The sun shines from behind the plant.
     auto const green = [&](float translucency) {
         mesh.materials[kLeafMaterial].translucency = translucency;
         GpuMesh const leaves(mesh);
@@ -208,7 +211,7 @@ TEST_F(RendererTest, DrawsCurvesInTheirColourAndWidth)
     EXPECT_NE(at(drawn, Vec3(230, 0, 150)), kRed);
 }
 
-// Edges and the ground's rim must be blended with the background, and be opaque.
+// The edges of shapes and the rim of the ground must be blended with the background and be opaque.
 TEST_F(RendererTest, DrawsNothingThatOneSeesThrough)
 {
     GpuMesh const mesh(post_with_leaves());
@@ -256,7 +259,8 @@ TEST_F(RendererTest, FadesCurvesWithTheDepth)
     stage.curves.push_back(&curves);
     stage.fade = { .color = { 0, 0, 1 }, .share = 1, .from_mm = 150, .range_mm = 300 };
     auto const drawn = picture(stage);
-    // Between the ends, the colour is a mixture of both.
+    // Below 150 mm, the curve's colour is mixed with the fade colour; near the ground, half and
+    // half.
     EXPECT_NEAR(at(drawn, Vec3(0, 0, 290)).blue, 0, 12) << "above nothing fades";
     EXPECT_NEAR(at(drawn, Vec3(0, 0, 10)).blue, 255 / 2, 12);
     EXPECT_NEAR(at(drawn, Vec3(0, 0, 10)).red, 255 / 2, 12);
@@ -286,8 +290,8 @@ TEST_F(RendererTest, PutsAWideHeadOnArrows)
 
 TEST_F(RendererTest, DrawsAsMuchLeafFromAfarAsFromNear)
 {
-    // A wall of 40 x 40 leaves of 10 mm that face the user: less than a pixel each in the small
-    // picture.
+    // A wall of 40 x 40 leaves of 10 mm, which face the user. In the small picture, a leaf is
+    // smaller than a pixel.
     mesh::Mesh wall;
     wall.materials.push_back(
         { .name = "leaf", .kind = Material::Kind::Leaf, .base_color = { 0.25f, 0.55f, 0.15f } });

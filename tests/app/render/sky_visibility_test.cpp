@@ -8,7 +8,7 @@ namespace tractus::render {
 
 namespace {
 
-// Returns a roof of leaves, 1 m on a side, 500 mm above the ground.
+// Returns a square roof of leaves, 1 m wide and 500 mm above the ground.
 mesh::Mesh roof()
 {
     mesh::Mesh mesh;

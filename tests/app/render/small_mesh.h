@@ -23,8 +23,9 @@ inline void add_quad(mesh::TriangleMesh& mesh, std::array<Vec3f, 4> const& corne
         mesh.indices.push_back(first + corner);
 }
 
-// Returns a square post of bark, 40 mm wide and 300 mm high, and a leaf on each side of it, at x =
-// -200 and x = 200 mm, 250 mm up: an upright square of 100 mm that faces the user (-y).
+// Returns a square post of bark, 40 mm wide and 300 mm high, and a leaf on each side of it at x =
+// -200 and x = 200 mm. The leaves are upright squares of 100 mm that face the user (-y), at a
+// height of 250 mm.
 inline mesh::Mesh post_with_leaves()
 {
     mesh::Mesh mesh;

@@ -11,7 +11,7 @@ namespace tractus::render {
 
 namespace {
 
-// Returns a picture of one colour, with another colour in its right half (u > 0.5).
+// Returns a picture whose left half has one colour and whose right half (u > 0.5) has another.
 TextureSlot plain_picture(Color const& left, Color const& right)
 {
     Image image(16, 16);
@@ -34,7 +34,7 @@ std::uint8_t byte_of(double value)
     return static_cast<std::uint8_t>(std::lround(127.5 * (value + 1)));
 }
 
-// Returns a normal map with one normal everywhere.
+// Returns a normal map with the same normal everywhere.
 TextureSlot normals_towards(Vec3 const& normal)
 {
     return plain_picture({ byte_of(normal.x()), byte_of(normal.y()), byte_of(normal.z()), 255 });
@@ -42,8 +42,8 @@ TextureSlot normals_towards(Vec3 const& normal)
 
 Vec3 const kMiddle(0, 0, 150);
 
-// Returns a vertical plate of 200 mm in the middle of the picture, facing the user, with u to the
-// right, v upwards and a given normal.
+// Returns a vertical plate of 200 mm with the given normal, in the middle of the picture and facing
+// the user. Its texture coordinate u points to the right and v upwards.
 mesh::Mesh plate(Material::Kind kind, Vec3f const& normal = -Vec3f::UnitY())
 {
     mesh::Mesh mesh;
@@ -77,14 +77,15 @@ protected:
 
 TEST_F(SurfacePictureTest, NormalsLeanAsThePictureSays)
 {
-    // By glTF 2.0, section 3.9.3, red points along u, and green against v if rows are counted along
-    // v.
+    // In a normal map, red points along u. Green points against v if the rows are counted along v
+    // (glTF 2.0, section 3.9.3).
     for (auto const kind : { Material::Kind::Solid, Material::Kind::Petal, Material::Kind::Bark })
         for (Vec3 const& leaning :
              { Vec3(0.5, 0, 0.866), Vec3(-0.5, 0, 0.866), Vec3(0, 0.6, 0.8), Vec3(0, -0.6, 0.8) }) {
             auto with_picture = plate(kind);
             with_picture.materials[0].textures.normal = normals_towards(leaning);
-            // Without the bark's own relief, so that only the picture is compared.
+            // The plate has no relief of bark in its own pictures, so only the normal map is
+            // compared.
             auto turned = plate(kind, Vec3(leaning.x(), -leaning.z(), -leaning.y()).cast<float>());
             turned.materials[0].textures.normal = normals_towards(Vec3::UnitZ());
             auto flat = plate(kind);
@@ -115,8 +116,8 @@ TEST_F(SurfacePictureTest, RoughnessAndTranslucencyAreTheMaterialsTimesThePictur
     pictures.materials[0].translucency = 0.6f;
     pictures.materials[0].textures.roughness = plain_picture({ 0, 128, 255, 255 });
     pictures.materials[0].textures.translucency = plain_picture({ 0, 0, 0, 128 });
-    // The sun stands where it is reflected into the eye, and then behind the plate, where its light
-    // is transmitted.
+    // In the first position, the sun's light is reflected into the eye. In the second, the sun is
+    // behind the plate and its light is transmitted.
     for (auto const& sun : { Vec3f(0, -1, -0.3f), Vec3f(0, 1, 0.2f) }) {
         EXPECT_NEAR(brightness_of(pictures, sun), brightness_of(numbers, sun), 3);
         auto unlike = numbers;

@@ -1,11 +1,11 @@
-// A library to preload (LD_PRELOAD) into a program that shall be killed at a chosen moment. What is
-// on the disk changes only by system calls, so these are the moments that there are: the program is
-// killed at its call number TRACTUS_DIE_AT_CALL that changes a file, before the call or, if it
-// writes, in the middle of it. At its end, a program that lives that long writes how many such
-// calls it made to the file that TRACTUS_CALLS names.
+// A library to preload (LD_PRELOAD) into a program that is to be killed at a chosen moment. The
+// disk changes only by system calls, so only these moments matter. The program is killed at the
+// call with the number TRACTUS_DIE_AT_CALL among its calls that change a file: before the call or,
+// for a call that writes, in the middle of it. If the program reaches its end, the library writes
+// the number of these calls to the file named by TRACTUS_CALLS.
 //
-// Only calls are counted that come from other libraries, not those within the C library, and none
-// to standard output and error.
+// The library counts calls from other libraries, but neither calls within the C library nor writing
+// to standard output and standard error.
 
 #include <atomic>
 #include <csignal>
@@ -64,7 +64,7 @@ struct AtEnd {
 
 } // namespace
 
-// Defines a call that is counted, by what it returns, its name, its parameters and arguments.
+// Defines a counted call from its return type, name, parameters and arguments.
 #define COUNTED(Value, name, parameters, arguments)                                                \
     extern "C" Value name parameters                                                               \
     {                                                                                              \

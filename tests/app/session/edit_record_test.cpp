@@ -38,7 +38,8 @@ RC_GTEST_PROP(EditRecord, TakesAnyBytesWithoutHarm, ())
         RC_ASSERT(!read.error().message.empty());
 }
 
-// The text is legible in the file, and must stay the same so that today's files remain readable.
+// A record's text is legible in the file. It must stay the same, so that existing files remain
+// readable.
 TEST(EditRecord, IsReadableByEyeAndStaysAsItIs)
 {
     auto const select = record_of(scene::Select { { { 0, 1 }, { 7 } } });
@@ -127,7 +128,7 @@ TEST(EditRecord, RefusesWhatHasAnotherForm)
     EXPECT_EQ(refusal({ "select", "{}", "x" }), "it has numbers, and should have none");
 }
 
-// A session or a recording that is passed on must not reveal its author's folders.
+// A session or a recording that is given to others must not reveal the author's folders.
 TEST(EditRecord, HasNoFolders)
 {
     auto model = small_model();

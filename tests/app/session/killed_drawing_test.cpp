@@ -27,12 +27,12 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// Reports a number to the parent process; the last one counts.
+// Reports a number to the parent process, which uses only the last one.
 using Say = std::function<void(int)>;
 
-// Runs `work` in a child process, which is killed after `life`; returns the last number that it has
-// reported, -1 for none. The parent derives no plants and so has no threads, which would be missing
-// in the child.
+// Runs `work` in a child process and kills it after `life`. Returns the last number that the child
+// has reported, or -1 if there is none. The parent must not have threads, since they would be
+// missing in the child; so it derives no plants.
 int last_said(std::function<void(Say const&)> const& work, std::chrono::microseconds life)
 {
     int ends[2];
@@ -59,8 +59,8 @@ int last_said(std::function<void(Say const&)> const& work, std::chrono::microsec
 
 constexpr int kStrokes = 12;
 
-// Returns a script that selects the trunk, shapes it with strokes, and leans the plant with
-// directions.
+// Returns a script of kStrokes gestures: the first selects the trunk, the others shape it with
+// strokes or lean the plant.
 std::string many_strokes()
 {
     std::string script = "version = 1\nseed = 3\n"
@@ -73,13 +73,13 @@ std::string many_strokes()
     return script;
 }
 
-// Fixture in which a hand draws a recording with the station's controller, which keeps it in a
-// session, and the program is killed repeatedly.
+// Fixture for killing the program repeatedly while a hand draws. The drawing comes from a recording
+// and is kept in a session by the station's controller.
 class KilledDrawing : public testing::Test {
 protected:
     static constexpr std::chrono::hours kForever {
         24
-    }; // A hanging test is ended by the test runner.
+    }; // If a test hangs, the test runner ends it.
 
     void SetUp() override
     {
@@ -96,8 +96,8 @@ protected:
 
     void TearDown() override { fs::remove_all(folder_); }
 
-    // Draws frame by frame as the program does, but as fast as possible. Reports the number of
-    // strokes shown as finished whenever it increases.
+    // Draws frame by frame like the program, but as fast as possible. Reports the number of
+    // finished strokes whenever it has increased and all of them are saved.
     void draw_into(fs::path const& path, Say const& say) const
     {
         constexpr Duration kFrame = std::chrono::milliseconds(16);
@@ -123,13 +123,13 @@ protected:
             if (!controller.document().is_settled()) // The wait is shorter than a real frame.
                 std::this_thread::sleep_for(std::chrono::microseconds(100));
         }
-        // The process is killed during this call.
+        // The parent may also kill the process during this call.
         static_cast<void>(controller.finish(station, now));
         say_done();
     }
 
-    // Opens the session to continue drawing, and reports the number of strokes in it: the selecting
-    // stroke, and the strokes that shape the trunk or lean the plant.
+    // Opens the session to continue the drawing, and reports the number of its strokes: one that
+    // selects, and those that shape the trunk or lean the plant.
     static void open_and_count(fs::path const& path, Say const& say)
     {
         auto session = Session::open(path, session_by_the_clock(methods::all_methods().edits, [] {
@@ -145,7 +145,7 @@ protected:
             say(static_cast<int>(steps));
     }
 
-    // True if the contents consist of the first complete steps, unchanged.
+    // True if the contents are the first steps of the whole drawing, complete and unchanged.
     static bool is_beginning_of(std::vector<SessionEdit> const& whole,
                                 SessionContents const& contents)
     {
@@ -191,10 +191,10 @@ TEST_F(KilledDrawing, LosesNoFinishedStrokeAndOpensAgain)
             draw, std::chrono::microseconds(random() % static_cast<std::uint64_t>(whole_us)));
         SCOPED_TRACE(fmt::format("{} strokes were done when it was killed", done));
         if (done < 0 && !fs::exists(session()))
-            continue; // The drawing had not begun, and left no incomplete file under that name.
+            continue; // The drawing had not begun, so there must be no incomplete session file.
         auto const contents = read_session(session(), methods::all_methods().edits);
         ASSERT_TRUE(contents) << contents.error().message;
-        // More steps may have been saved than were shown.
+        // The session may contain more steps than were reported before the process was killed.
         auto const steps = static_cast<int>(contents->step);
         EXPECT_GE(steps, done);
         EXPECT_EQ(contents->last_step(), contents->step);

@@ -12,7 +12,7 @@
 
 namespace tractus::session {
 
-// Returns any double, including infinities and NaN.
+// Returns a random double, which may be infinite or NaN.
 inline double random_double()
 {
     if (*rc::gen::arbitrary<bool>())
@@ -33,7 +33,8 @@ inline std::string random_bytes()
     return *rc::gen::arbitrary<std::string>();
 }
 
-// Returns a random file name without folders, because a session keeps only the last part of a path.
+// Returns a random file name. It has no folders, because a session keeps only the last part of a
+// path.
 inline std::string random_file_name()
 {
     auto name = random_bytes();
@@ -99,7 +100,7 @@ inline scene::ItemId random_id()
     return *rc::gen::arbitrary<scene::ItemId>();
 }
 
-// Gives the edit's plant a position and an id, if the edit adds one.
+// If the edit adds a plant, gives the plant a random position and id.
 template<typename T> void give_place(T& edit)
 {
     if (edit.drawn != scene::Drawn::Beside)
@@ -142,7 +143,7 @@ inline scene::LoadMeasured random_measured()
     return edit;
 }
 
-// Returns items named by ids, or by numbers as in sessions before format 4.
+// Returns items named by ids, or by numbers as in sessions of formats before 4.
 inline scene::Items random_items()
 {
     auto const numbers = *rc::gen::arbitrary<std::vector<std::uint64_t>>();
@@ -158,7 +159,7 @@ inline std::vector<PathAddress> random_paths()
     return paths;
 }
 
-// Returns an edit of a document's plants or their parts.
+// Returns a random edit of the plants of a document or of their parts.
 inline scene::Edit random_plant_edit()
 {
     switch (*rc::gen::inRange(0, 13)) {
@@ -204,7 +205,7 @@ inline scene::Edit random_plant_edit()
     }
 }
 
-// Returns an edit of any kind with any values, whether or not a scene accepts it.
+// Returns an edit of random kind with random values. A scene need not accept it.
 inline scene::Edit random_edit()
 {
     auto const numbers = [] { return *rc::gen::arbitrary<std::vector<std::size_t>>(); };

@@ -13,7 +13,8 @@
 
 namespace tractus::session {
 
-// True if two edits are equal in every bit, including NaN values.
+// The functions same() compare edits, and the values in them, bit by bit. So a NaN is equal to
+// itself.
 
 inline bool same(double one, double other)
 {

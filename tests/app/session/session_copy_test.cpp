@@ -31,7 +31,7 @@ TEST_F(SessionCopy, ASessionInMemoryHasNoPlaceForAName)
     EXPECT_NE(session.set_name("Ash").error().message.find("memory alone"), std::string::npos);
 }
 
-// Returns the result of SQLite's PRAGMA integrity_check.
+// Returns the result of SQLite's PRAGMA integrity_check on a session file.
 std::string integrity(std::filesystem::path const& path)
 {
     auto const database = Database::open(path, Database::Access::Read).value();

@@ -8,10 +8,11 @@
 namespace tractus::session {
 namespace {
 
-// Remedy for a damaged file, without the file's name.
+// Remedy that an error message offers for a damaged session. The file's name is left out.
 std::string const kRemedy = "\"tractus session repair  -o NEW.tractus\" brings back what is whole";
 
-// Fixture with damaged session files: each must be refused with a message, or be valid after all.
+// Fixture for tests of damaged session files. Each file must either be refused with a message or be
+// valid.
 class SessionDamage : public SessionFolder {
 protected:
     void SetUp() override
@@ -22,7 +23,7 @@ protected:
             ASSERT_TRUE(session.append(drawing_step(i)));
     }
 
-    // Changes a copy of the session with SQL.
+    // Makes a copy of the session with the given name, and changes it by an SQL statement.
     void change(std::string const& name, std::string const& sql) const
     {
         std::filesystem::copy_file(path(), path(name));
@@ -30,7 +31,8 @@ protected:
         ASSERT_TRUE(database.execute(sql)) << sql;
     }
 
-    // Returns the error for a copy of the session changed by `sql`, without the file's name.
+    // Returns the error message for a copy of the session that was changed by `sql`. The name of
+    // the file is removed from the message.
     std::string refusal_after(std::string const& sql) const
     {
         change("changed", sql);
@@ -79,7 +81,8 @@ TEST_F(SessionDamage, WhatDoesNotFitTogether)
     EXPECT_NE(refusal_after("PRAGMA user_version = 0").find("is damaged"), std::string::npos);
 }
 
-// Malicious content in a file must be neither executed nor read.
+// A malicious file may have more in its schema than a session. It must be neither executed nor
+// read.
 TEST_F(SessionDamage, WhatHasMoreInItsSchemaThanASession)
 {
     std::string const endless
@@ -118,7 +121,7 @@ TEST_F(SessionDamage, WhatHasValuesOfOtherTypes)
         EXPECT_NE(refusal_after(sql).find("is damaged"), std::string::npos) << sql;
 }
 
-// Only the name is read from a file for its card.
+// Reading the name of a session must end, even if the table with the name is an endless view.
 TEST_F(SessionDamage, AnEndlessNameIsNone)
 {
     change("endless",
@@ -156,14 +159,15 @@ TEST_F(SessionDamage, AnEditThatIsNotAsItWasWritten)
         EXPECT_EQ(refusal_after(sql), " is damaged (edit 4 is not as it was written): " + kRemedy);
 }
 
-// A file that is accepted must have all of its edits, unchanged.
+// If a damaged file is accepted, it must have all of its edits, unchanged.
 TEST_F(SessionDamage, RandomBytesNeverHarm)
 {
     auto const whole = read_bytes();
     auto const edits = read_session(path(), scene::core_edit_kinds()).value().edits;
     std::mt19937 random(1);
     int refused = 0;
-    for (int i = 0; i < 800; ++i) { // Half of the changes hit copies, which are not read.
+    // About half of the flipped bits are in redundant copies, which are not read.
+    for (int i = 0; i < 800; ++i) {
         auto bytes = whole;
         for (int flips = 1 + i % 3; flips > 0; --flips)
             bytes[random() % bytes.size()] ^= static_cast<char>(1u << (random() % 8));

@@ -8,7 +8,7 @@
 namespace tractus::session {
 namespace {
 
-// Steps in memory, counted as in a file.
+// Steps of a session, kept in memory and numbered as in a session file.
 class Steps {
 public:
     explicit Steps(std::vector<std::vector<scene::Edit>> steps)
@@ -16,7 +16,7 @@ public:
     {
     }
 
-    // Adds a step, and removes earlier ones from `step` on.
+    // Removes the steps from number `step` on, and adds a new one.
     void push(std::size_t step, std::vector<scene::Edit> edits)
     {
         steps_.resize(step);
@@ -47,7 +47,7 @@ private:
     std::vector<std::vector<scene::Edit>> steps_;
 };
 
-// A history with its scene, built by one builder.
+// A history together with the builder that builds its scene.
 class Built {
 public:
     explicit Built(SessionHistory history)
@@ -73,7 +73,8 @@ private:
     scene::SceneBuilder builder_;
 };
 
-// Returns a step that erases tips of a stroke, or draws one if there is none with enough tips.
+// Returns a step that erases tips of the first stroke. If no stroke has enough tips, the step draws
+// one.
 std::vector<scene::Edit> erasing_step(scene::Scene const& scene)
 {
     if (scene.associations.empty())
@@ -87,7 +88,7 @@ std::vector<scene::Edit> erasing_step(scene::Scene const& scene)
     return { scene::EraseTips { scene::numbered({ number }), { { first, first + erased - 1 } } } };
 }
 
-// Returns a step that a scene of the small model accepts.
+// Returns a random step that a scene with the small model accepts.
 std::vector<scene::Edit> random_step(scene::Scene const& scene)
 {
     switch (*rc::gen::inRange(0, 8)) {
@@ -110,7 +111,7 @@ std::vector<scene::Edit> random_step(scene::Scene const& scene)
     }
 }
 
-// A simple model of a history: the steps, and the number in effect.
+// A simple model of a history: all steps, and the number of steps in effect.
 struct ModelOfHistory {
     std::vector<std::vector<scene::Edit>> steps;
     std::size_t count = 0;
@@ -161,7 +162,7 @@ RC_GTEST_PROP(SessionHistory, IsTheFoldOfTheStepsThatCount, ())
 
 TEST(SessionHistory, FindsEveryStepOfALongSession)
 {
-    constexpr int kSteps = 400; // More steps than are kept.
+    constexpr int kSteps = 400; // More steps than the history keeps in memory.
     Steps steps({ beginning() });
     Built built(steps.history().value());
     for (int i = 0; i < kSteps; ++i) {
@@ -188,7 +189,8 @@ TEST(SessionHistory, SaysWhichPlantCannotBeLoaded)
     EXPECT_EQ(scene.error().message.find("edit 2: bad.l:2:"), 0u) << scene.error().message;
 }
 
-// Damage of the file may have removed what an edit needs.
+// If the file is damaged, something that an edit needs may be missing. The step with this edit is
+// then left out.
 TEST(SessionHistory, GoesOnWithoutAStepThatCannotBeMade)
 {
     scene::SetGrowth const seven { {}, 7 };

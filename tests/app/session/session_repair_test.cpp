@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kPageBytes = 4096;
 
-// Fixture with a session whose table has interior pages, as one file without a journal, and the
-// position of each edit, found by searching the bytes for the edit's own data.
+// Fixture with a session in a single file, without a journal, whose table has interior pages. The
+// positions of the edits in the file are found by searching for the bytes of their data.
 class SessionRepair : public SessionFolder {
 protected:
     void SetUp() override
@@ -28,7 +28,7 @@ protected:
             auto const database = Database::open(path(), Database::Access::Write).value();
             ASSERT_TRUE(database.execute("PRAGMA wal_checkpoint(TRUNCATE)"));
             ASSERT_TRUE(database.execute("PRAGMA journal_mode = DELETE"));
-            // Removes old copies, so that each edit has one position.
+            // Removes old copies of rows, so that each edit has a single position in the file.
             ASSERT_TRUE(database.execute("VACUUM"));
         }
         whole_ = read_bytes();
@@ -36,7 +36,7 @@ protected:
         ASSERT_EQ(edits_.size(), 242u);
     }
 
-    // Returns a hand's stroke that is long enough to span pages.
+    // Returns a step with a stroke that is long enough to need several pages of the file.
     static std::vector<scene::Edit> long_step(int number)
     {
         std::vector<TipSample> tips;
@@ -48,7 +48,8 @@ protected:
         return { scene::Select { { { 0, 1, 2 } } }, scene::Associate { { tips } } };
     }
 
-    // Returns the number of edits read that are as they were written, each in its own position.
+    // Returns the number of edits that are read back from damaged bytes. Each must be equal to the
+    // edit written under the same number.
     std::size_t count_back(std::string const& bytes)
     {
         write_bytes("damaged.tractus", bytes);
@@ -69,8 +70,8 @@ protected:
         return count;
     }
 
-    // Returns how many edits are lost at most if a range of bytes is damaged: those whose rows, by
-    // the undamaged file's own tables, are in the range's pages.
+    // Returns the number of edits that have data in a range of damaged bytes. Only these edits may
+    // be lost.
     std::size_t edits_lost_at(std::size_t begin, std::size_t size) const
     {
         std::set<std::int64_t> lost;
@@ -80,16 +81,17 @@ protected:
         return lost.size();
     }
 
-    // Finds the bytes of each edit's numbers and fields by searching for pieces of them. Done once.
+    // Returns the positions of pieces of each edit's numbers in the file, with the number of the
+    // edit. The pieces are searched for only once.
     std::multimap<std::pair<std::size_t, std::size_t>, std::int64_t> const& bytes_of_edits() const
     {
         if (!places_.empty())
             return places_;
-        constexpr std::size_t kPiece = 41; // A tip, whose time is unique.
+        constexpr std::size_t kPiece = 41; // Size of a tip, in bytes; its time makes it unique.
         for (auto const& edit : edits_) {
             auto const record = record_of(edit.edit);
             auto const& bytes = record.numbers;
-            // Later pieces are near, except those on another page.
+            // Further pieces of the edit are near the last one, unless they are on another page.
             auto last = std::string::npos;
             for (std::size_t at = 0; at + kPiece <= bytes.size(); at += kPiece) {
                 auto const piece = std::string_view(bytes).substr(at, kPiece);
@@ -105,7 +107,8 @@ protected:
         return places_;
     }
 
-    // Returns a random position in the header, the schema and the interior pages, or anywhere.
+    // Returns a random position in the file. If `in_structure` is true, it is in the header, the
+    // schema or an interior page.
     std::size_t random_place(std::mt19937& random, bool in_structure) const
     {
         if (!in_structure)
@@ -118,8 +121,8 @@ protected:
         return pages[random() % pages.size()] * kPageBytes + random() % kPageBytes;
     }
 
-    // Damages the file repeatedly, and checks how many of the edits outside the damage are
-    // restored, on average and at least.
+    // Damages the file repeatedly. Of the edits outside the damage, at least half must be restored
+    // each time, and at least 95 % on average.
     void expect_repaired(std::size_t damage_bytes, std::uint32_t seed)
     {
         std::mt19937 random(seed);
@@ -168,7 +171,7 @@ TEST_F(SessionRepair, BringsBackAllBeforeATornTail)
     for (std::size_t pages = 3; pages < whole_.size() / kPageBytes; pages += 7) {
         auto const cut = pages * kPageBytes - 100;
         auto const back = count_back(whole_.substr(0, cut));
-        // Rows whose last byte is before the cut.
+        // For each edit's number: the position of its last byte in the file.
         std::map<std::int64_t, std::size_t> ends;
         for (auto const& [at, number] : bytes_of_edits())
             ends[number] = std::max(ends[number], at.second);
@@ -181,7 +184,7 @@ TEST_F(SessionRepair, BringsBackAllBeforeATornTail)
 TEST_F(SessionRepair, WritesASessionThatOpensAsFarAsItGoes)
 {
     auto bytes = whole_;
-    bytes.replace(0, 200, 200, 'x'); // Destroys header and schema.
+    bytes.replace(0, 200, 200, 'x'); // Destroys the file's header and schema.
     write_bytes("damaged.tractus", bytes);
     EXPECT_FALSE(read_session(path("damaged.tractus"), scene::core_edit_kinds()));
     auto const salvaged
@@ -219,15 +222,15 @@ TEST_F(SessionRepair, LeavesOutWhatWasUndoneAndReplaced)
 TEST_F(SessionRepair, NamesWhatIsLostAndGoesOnWithoutIt)
 {
     auto salvaged = salvage_session(path(), scene::core_edit_kinds()).value();
-    salvaged.rows.erase(salvaged.rows.begin() + 10); // Simulates damage.
+    salvaged.rows.erase(salvaged.rows.begin() + 10); // Simulates damage to one edit.
     ASSERT_TRUE(write_repaired(salvaged, {}, path("new.tractus")));
     auto const session = open("new.tractus");
     ASSERT_TRUE(session) << session.error().message;
     EXPECT_EQ(session->last_step(), 120u);
 }
 
-// If an edit before stroke 20 is lost, the remaining ones must be renumbered, even in an older
-// session without ids.
+// If an edit before stroke 20 is lost, a later deletion of stroke 20 must still delete the same
+// stroke, even in an older session whose strokes have no ids.
 TEST_F(SessionRepair, WhatIsLeftKeepsItsName)
 {
     scene::Anchored<variation::Association> erased;
@@ -256,7 +259,7 @@ TEST_F(SessionRepair, WhatIsLeftKeepsItsName)
 TEST_F(SessionRepair, TakesAnotherPlantInThePlaceOfALostOne)
 {
     auto salvaged = salvage_session(path(), scene::core_edit_kinds()).value();
-    salvaged.rows.erase(salvaged.rows.begin()); // Removes the plant.
+    salvaged.rows.erase(salvaged.rows.begin()); // Removes the edit that adds the plant.
     ASSERT_TRUE(write_repaired(salvaged, { small_model() }, path("new.tractus")));
     auto const session = open("new.tractus");
     ASSERT_TRUE(session) << session.error().message;

@@ -17,7 +17,7 @@ TEST_F(SessionTest, HoldsWhatWasAppended)
         ASSERT_TRUE(session.append(drawing_step(i)));
     auto const scene = session.scene();
     EXPECT_EQ(scene.associations.size(), 3u);
-    // The file is read while it is being written.
+    // A session can be read while it is open for writing.
     auto const contents = read_session(path(), scene::core_edit_kinds()).value();
     EXPECT_EQ(contents.edits.size(), 8u);
     EXPECT_EQ(contents.step, 3u);
@@ -35,7 +35,7 @@ TEST_F(SessionTest, OpensAsItWasClosed)
         ASSERT_TRUE(session.undo());
         scene = session.scene();
     }
-    EXPECT_EQ(file_count(), 1u); // No other file is left beside it.
+    EXPECT_EQ(file_count(), 1u); // No other file is left beside the session.
     auto session = open().value();
     EXPECT_TRUE(same_scene(session.scene(), scene));
     ASSERT_TRUE(session.redo());
@@ -124,7 +124,8 @@ TEST_F(SessionTest, OnlyOneProgramDrawsInIt)
 
 TEST_F(SessionTest, ThatTheProgramLeftOpenIsReadAsItWas)
 {
-    // A killed process leaves the session's file and its journal behind.
+    // Copying the open session's file and journal gives the state that a killed process leaves
+    // behind.
     auto session = create().value();
     ASSERT_TRUE(session.append(drawing_step(1)));
     std::filesystem::copy_file(path(), path("b.tractus"));
@@ -137,8 +138,8 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
 {
     struct Older {
         int format;
-        char const* statements; // SQL statements that make it old.
-        std::int64_t made;      // Time of its edits, which the first format did not contain.
+        char const* statements; // SQL statements that convert a session to the old format.
+        std::int64_t made;      // Expected time of the edits; the first format did not contain it.
     };
     for (auto const& [older, statements, made] :
          { Older { 1, kToFormat1, 0 }, Older { 2, kToFormat2, 1'800'000'000 } }) {
@@ -152,7 +153,7 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
         ASSERT_TRUE(
             Database::open(path(name), Database::Access::Write).value().execute(statements));
         EXPECT_EQ(read_session(path(name), scene::core_edit_kinds()).value().edits.size(),
-                  8u); // Reading must not need a change.
+                  8u); // Reading must not need to change the file.
         EXPECT_EQ(file_count(), count_before + 1);
         {
             auto session = open(name).value();
@@ -181,7 +182,7 @@ TEST_F(SessionTest, OfAnOlderFormatIsBroughtUpToDateAndKeptAsItWas)
     }
 }
 
-// Folders of its author's files, which older programs wrote, must be removed.
+// Older programs wrote the folders of the author's files. These must be removed.
 TEST_F(SessionTest, OfAnOlderFormatLosesTheFoldersOfItsModel)
 {
     {

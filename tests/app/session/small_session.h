@@ -15,20 +15,21 @@
 
 namespace tractus::session {
 
-// Returns options with a clock that does not advance.
+// Returns options with a clock that stands still.
 inline SessionOptions options_for_tests()
 {
     return { scene::core_edit_kinds(), [] { return scene::LoadOptions {}; },
              [] { return std::chrono::sys_seconds(std::chrono::seconds(1'800'000'000)); } };
 }
 
-// SQL that converts a session to format 1.
+// SQL statements that convert a session to format 1.
 constexpr char const* kToFormat1 = "DROP TABLE copies; DROP TABLE meta_copies;"
                                    "ALTER TABLE edits DROP COLUMN made;"
                                    "ALTER TABLE edits DROP COLUMN checksum;"
                                    "PRAGMA user_version = 1;";
 
-// SQL that converts a session to format 2; the formats 2 to 4 differ only in the kinds of edits.
+// SQL statements that convert a session to format 2. The formats 2 to 4 differ only in their kinds
+// of edits.
 constexpr char const* kToFormat2 = "DROP TABLE copies; DROP TABLE meta_copies;"
                                    "PRAGMA user_version = 2;";
 
@@ -38,7 +39,7 @@ inline std::vector<scene::Edit> const& beginning()
     return edits;
 }
 
-// Returns edits that select the trunk and shape it towards a position that depends on the number.
+// Returns a step that selects the trunk and shapes it by a stroke, whose end depends on `number`.
 inline std::vector<scene::Edit> drawing_step(int number)
 {
     return { scene::Select { { { 0, 1, 2 } } },
@@ -65,7 +66,7 @@ inline bool same_scene(scene::Scene const& one, scene::Scene const& other)
     return equal;
 }
 
-// Fixture with an empty folder for sessions.
+// Fixture with an empty folder for session files.
 class SessionFolder : public testing::Test {
 protected:
     void SetUp() override
@@ -102,7 +103,8 @@ protected:
         std::ofstream(path(name), std::ios::binary) << bytes;
     }
 
-    // Returns the error of opening a session, which must fail both for reading and for writing.
+    // Returns the error message for a session that can be opened neither for reading nor for
+    // writing.
     std::string refusal(std::string const& name) const
     {
         auto const read = read_session(path(name), scene::core_edit_kinds());

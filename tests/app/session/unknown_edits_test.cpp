@@ -6,7 +6,8 @@
 namespace tractus::session {
 namespace {
 
-// Returns an edit by another version of the program with more methods.
+// Returns the record of an edit of an unknown kind, as from another version of the program with
+// more methods.
 EditRecord graft()
 {
     return { "graft", R"({"on":[3,0.5],"height":1e999})", std::string("\0\x01\xff", 3) };
@@ -19,8 +20,8 @@ EditRecord select_with_more()
 
 class UnknownEditsTest : public SessionFolder {
 protected:
-    // Creates a session in which step 1 is known, step 2 has an unknown edit of each kind and a
-    // known one, and step 3 is known.
+    // Creates a session of three steps. Steps 1 and 3 have only known edits. Step 2 has a known
+    // edit and an unknown edit of each kind.
     void SetUp() override
     {
         SessionFolder::SetUp();
@@ -48,7 +49,7 @@ protected:
         ASSERT_TRUE(write_step(database, rows));
     }
 
-    // Expects edits 5 and 7 of a file to be unchanged, byte by byte.
+    // Expects the unknown edits 5 and 7 in a file to be unchanged, byte by byte.
     void expect_kept(std::string const& name) const
     {
         auto const database = Database::open(path(name), Database::Access::Read).value();
@@ -92,7 +93,8 @@ TEST_F(UnknownEditsTest, AreNamed)
               "this tractus: a newer one has written it");
 }
 
-// Unknown edits must be counted, so that later ids are the same in programs that know them.
+// Unknown edits must be counted, too. Later strokes then have the same ids as in programs that know
+// all edits.
 TEST_F(UnknownEditsTest, AreCountedForTheIdsOfLaterStrokes)
 {
     auto const session = open().value();
@@ -138,7 +140,7 @@ TEST_F(UnknownEditsTest, OfTheBeginningLeaveItsPlant)
     auto session = open().value();
     EXPECT_EQ(session.unknown().count, 3u);
     EXPECT_EQ(session.scene().associations.size(), 2u);
-    // Beginning again includes what is possible.
+    // Beginning again includes those edits of the first step that are known.
     auto const again = session.beginning().value();
     EXPECT_EQ(again.size(), 1u);
     ASSERT_TRUE(session.append(again));

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-// Recordings that were concatenated, or continued after a restart: their times go back.
+// Tests of recordings that were concatenated, or continued after a restart. Their times go back.
 
 namespace tractus::station {
 namespace {
@@ -35,8 +35,8 @@ std::string head()
           "C: latency_ms = 0\nC: [tablet]\nC: size_mm = [200, 100]\nC: latency_ms = 0\n";
 }
 
-// Returns a recording of a pen that touches from 0.1 s on and optionally lifts at the end, over a
-// surface at rest.
+// Returns half a second of reports from `first_s` on. The pen touches after the first 0.1 s, and
+// lifts at the end if `lifts` is true. The surface is at rest at `counts`.
 std::string part(double first_s, int counts, bool lifts)
 {
     std::string text;
@@ -101,7 +101,7 @@ TEST(JoinedLogs, AreWarnedOfOnceWithTheLine)
     auto const lines = std::count(first.begin(), first.end(), '\n');
     auto const head_text = head();
     auto const head_lines = std::count(head_text.begin(), head_text.end(), '\n');
-    // The line after the D line of the second part.
+    // The warning names the first report of the second part, the line after its D line.
     EXPECT_EQ(replayed.warnings[0],
               fmt::format("{}: the times go back by 4.496 s: another recording begins here, whose "
                           "times count on from the one before",
@@ -118,7 +118,8 @@ TEST(JoinedLogs, AreNotWhatIsOutOfOrderByALittle)
 
 TEST(JoinedLogs, NeedNoSensorThatIsTheSame)
 {
-    // The surface is suddenly elsewhere: a new recording, not a jump.
+    // The second part is a new recording with the surface at another height. That must not count as
+    // a jump.
     auto const log = drivers::parse_log(head() + part(5, 500, true) + part(0, 3900, true), "log");
     auto replay = LogReplay::create(*log, {}).value();
     replay.advance_to(Timestamp::max());

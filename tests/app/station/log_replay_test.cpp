@@ -38,7 +38,8 @@ TEST(LogReplay, LaysTheStrokesOfOlderLogsAsTheyWereLaid)
     auto const older = replayed(log).scene;
     ASSERT_EQ(older.associations.size(), 1u);
     EXPECT_EQ(older.associations[0].what.laying, variation::StrokeLaying::LeastTwist);
-    log.tools.clear(); // Without tool lines, the default draws branch by branch.
+    // Without tool lines, the log uses the default tool, which draws branch by branch.
+    log.tools.clear();
     auto const without = replayed(log).scene;
     ASSERT_EQ(without.associations.size(), 3u);
     for (std::size_t i = 0; i < without.associations.size(); ++i)
@@ -127,7 +128,7 @@ drivers::LogTool min_extents(std::string words, std::size_t position)
     return { {}, "least", std::move(words), position };
 }
 
-// The log has one stroke that selects, one that draws and one that indicates.
+// The log has three strokes: one that selects, one that draws and one that indicates a motion.
 TEST(LogReplay, LeavesOutStrokesThatGetLessFarThanTheLogSays)
 {
     auto log = recorded_log();
@@ -141,8 +142,8 @@ TEST(LogReplay, LeavesOutStrokesThatGetLessFarThanTheLogSays)
     EXPECT_NE(refusal(log).find("\"draw=-1\" is no least extent"), std::string::npos);
 }
 
-// A log by a program with more tools: their strokes must change nothing, and the others must work
-// as before.
+// The log was made by a program with more tools. A stroke with an unknown tool must change nothing;
+// the other strokes must have their usual effect.
 TEST(LogReplay, LeavesOutWhatItDoesNotKnowAndNamesIt)
 {
     auto log = recorded_log();
@@ -162,8 +163,8 @@ drivers::LogTool undo_after(std::size_t strokes, drivers::Log const& log, std::s
     return { log.end(), "undo", std::to_string(strokes), position };
 }
 
-// Lines of undo steps may be in the log after reports of later strokes, or before the end of
-// earlier strokes is known.
+// In a log, the line of an undo step may come after reports of a later stroke, or before the end of
+// an earlier stroke is known.
 TEST(LogReplay, DoesStepsBetweenTheStrokesWhereTheyWereDone)
 {
     auto log = recorded_log();

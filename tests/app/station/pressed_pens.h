@@ -12,13 +12,13 @@ namespace tractus {
 
 // State of a pen on a tablet of 200 x 100 mm.
 struct PenState {
-    double x_mm = 0; // Distance from the left edge.
-    double y_mm = 0; // Distance from the far edge.
+    double x_mm = 0; // Distance from the tablet's left edge.
+    double y_mm = 0; // Distance from the tablet's far edge.
     bool touching = false;
-    int pressure = 1000; // Used only while the pen touches.
+    int pressure = 1000; // Used only while the pen touches the tablet.
 };
 
-// A tablet's report format for pens.
+// A report format of tablets: a device, and a function that encodes a pen's state as a report.
 struct PenFormat {
     char const* name;
     drivers::DeviceInfo (*device)();
@@ -30,7 +30,7 @@ inline std::ostream& operator<<(std::ostream& out, PenFormat const& format)
     return out << format.name;
 }
 
-// Returns the format of a pen described as in the HID standard.
+// Returns the format of a pen that is described as in the HID standard.
 inline PenFormat standard_pen()
 {
     return { "standard", drivers::simple_pen, [](PenState const& pen) {
@@ -40,12 +40,12 @@ inline PenFormat standard_pen()
                 append_u16(report, static_cast<int>(100 * pen.x_mm));
                 append_u16(report, static_cast<int>(100 * pen.y_mm));
                 append_u16(report, pen.touching ? pen.pressure : 0);
-                append_u16(report, 0); // The pen is upright.
+                append_u16(report, 0); // Both tilts are 0.
                 return report;
             } };
 }
 
-// Returns the format of a tablet before its driver switches it: a mouse with tip pressure.
+// Returns the format of a tablet that its driver has not switched yet: a mouse with tip pressure.
 inline PenFormat mouse_mode_pen()
 {
     auto const device = [] {
@@ -68,7 +68,7 @@ inline PenFormat mouse_mode_pen()
     return { "mouse mode", device, report };
 }
 
-// Returns the format of a Huion HS610: 50,800 x 31,750 counts, 200 per millimetre.
+// Returns the format of a Huion HS610, whose coordinates are 50,800 x 31,750 counts, 200 per mm.
 inline PenFormat huion_v2_pen()
 {
     auto const device = [] {
@@ -88,7 +88,7 @@ inline PenFormat huion_v2_pen()
         append_u16(bytes, static_cast<int>(200 * pen.y_mm));
         append_u16(bytes, pen.touching ? pen.pressure : 0);
         append_u16(bytes, 0); // The upper bytes of both coordinates are 0.
-        append_u16(bytes, 0); // The pen is upright.
+        append_u16(bytes, 0); // Both tilts are 0.
         return bytes;
     };
     return { "Huion version 2", device, report };

@@ -1,5 +1,5 @@
-// The simulated board behind a pseudo-terminal, read by the station's own driver of serial ports:
-// drawing without hardware.
+// Tests of drawing without hardware: a simulated board sends heights through a pseudo-terminal, and
+// the station's own driver for serial ports reads them.
 
 #include "app/station/log_replay.h"
 #include "app/station/station.h"
@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kTablet = 0;
 constexpr std::size_t kSensor = 1;
 
-// Returns a recording of the simulated rig: a vertical line and a rising curve.
+// Returns a recording of the simulated rig in which a vertical line and a rising curve are drawn.
 drivers::Log recording()
 {
     sim::LineShape const upright { .from_mm = { -40, 10, 60 }, .to_mm = { -40, 10, 260 } };
@@ -66,7 +66,8 @@ Strokes replay(drivers::Log const& log)
     return station.take_strokes();
 }
 
-// The station with a recording's tablet, and its height sensor as a board on a serial line.
+// Fixture with the tablet of a recording, and a simulated board on a serial line that sends the
+// recording's heights.
 class SerialTwin : public testing::Test {
 protected:
     void SetUp() override
@@ -84,7 +85,7 @@ protected:
         board_->begin(log_.begin());
     }
 
-    // Serial lines are looked for in /dev.
+    // The driver accepts only serial lines below /dev.
     drivers::DeviceInfo sensor_info() const
     {
         return { .name = "board",
@@ -103,7 +104,8 @@ protected:
         return reconnection;
     }
 
-    // Prints the lines until `end`, and passes on what the driver has read of them.
+    // Lets the board print its lines up to `end`, and passes each report that the driver reads to
+    // `push`.
     template<typename Push> void print_until(Timestamp end, Push const& push)
     {
         if (board_->due() < log_.begin())
@@ -116,7 +118,7 @@ protected:
         }
     }
 
-    // Draws the recording, and returns the log of it.
+    // Plays the recording through the serial line, and returns a log of the reports.
     drivers::Log record()
     {
         std::ostringstream out;
@@ -200,8 +202,8 @@ TEST_F(SerialTwin, KnowsItsReaders)
     EXPECT_EQ(port_->lost_count(), 1u) << "nobody has read that line";
 }
 
-// A station that does not read for long loses lines, as with a real board, and whole ones
-// afterwards.
+// If the station does not read for a long time, lines are lost, as with a real board. Later lines
+// must be whole again.
 TEST_F(SerialTwin, LosesLinesWhereNobodyReadsThem)
 {
     for (int i = 0; i < 100'000 && port_->lost_count() == 0; ++i)

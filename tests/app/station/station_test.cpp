@@ -13,7 +13,7 @@
 namespace tractus::station {
 namespace {
 
-// Returns a station with a fixed height of 100 mm, without a height sensor.
+// Returns a station without a height sensor, whose surface is always at 100 mm.
 DrawingStation low_station(std::optional<tools::Tool> const& tool = {})
 {
     StationOptions options;
@@ -61,7 +61,7 @@ TEST(Station, MakesAStrokeOfWhatThePenTouches)
 
 TEST(Station, ScalesAPenThatDoesNotTellItsSizeToTheMeasuredSurface)
 {
-    // A pen whose axes both range to 32767, without a size.
+    // A tablet whose two axes both range to 32767, and which states no size.
     drivers::DeviceInfo const pen {
         .name = "Tablet",
         .vendor_id = 0x1234,
@@ -82,7 +82,7 @@ TEST(Station, ScalesAPenThatDoesNotTellItsSizeToTheMeasuredSurface)
     };
     std::vector const devices { pen };
     auto station = DrawingStation(Station::create(devices, options).value(), small_scene());
-    // The report's position is the right and far corner of the tablet.
+    // The report's position is the right far corner of the tablet.
     station.push(0, at_ms(0), drivers::bytes("01 ff 7f 00 00"));
     auto const moments = station.take_moments();
     ASSERT_FALSE(moments.empty());
@@ -113,7 +113,7 @@ TEST(Station, KeepsTheStrokeOfAPenThatIsUnplugged)
     EXPECT_EQ(station.strokes()[0].stroke.tips.size(), 10u);
     EXPECT_TRUE(station.inks().empty());
     EXPECT_FALSE(station.pen_in_range());
-    // The pen touches when the tablet returns, which must begin another stroke.
+    // When the tablet returns, the pen already touches. That must begin another stroke.
     for (int i = 0; i < 10; ++i)
         station.push(kPen, at_ms(5000 + 5 * i), pen_report(100 + 5 * i, 50, true));
     station.finish();
@@ -141,7 +141,7 @@ TEST(Station, KeepsTheStrokeWhoseHeightSensorIsUnplugged)
     ASSERT_EQ(station.strokes().size(), 1u);
     auto const length = station.strokes()[0].stroke.tips.size();
     EXPECT_GE(length, 19u);
-    draw(105, false); // Without a height, nothing is drawn.
+    draw(105, false); // While there is no height, nothing is drawn.
     EXPECT_TRUE(station.inks().empty());
     draw(1000, true);
     station.finish();
@@ -181,7 +181,7 @@ TEST(Station, TakesTwoTabletsAtOnce)
 TEST(Station, GivesAStrokeTheToolInHandWhenItBegan)
 {
     auto station = low_station(tools::DrawInOrderTool {});
-    // The tool changes in the middle of the first stroke.
+    // The tool is changed in the middle of the first stroke.
     station.set_tool(at_ms(50), indicators::IndicateTool {});
     draw_across(station, 0);
     draw_across(station, 200);
@@ -216,7 +216,8 @@ TEST(Station, CountsBrokenReportsAndGoesOn)
     EXPECT_EQ(station.strokes().size(), 1u);
 }
 
-// Returns a station after 400 ms of drawing, with the sensor's cable open between 200 and 350 ms.
+// Returns a station after a stroke of 400 ms. The cable of the height sensor was open from 200 to
+// 350 ms.
 DrawingStation station_with_an_open_cable()
 {
     StationOptions options;
@@ -297,8 +298,8 @@ TEST(Station, TakesHeightsFromTheSensorBetweenThePensReports)
     EXPECT_NEAR(tips.back().position_mm.z(), 139, 1);
 }
 
-// Returns a tablet before its driver switches it: a mouse with tip pressure, 200 x 100 counts,
-// which never reports that the pen has left.
+// Returns a tablet that its driver has not switched yet: a mouse with tip pressure and 200 x 100
+// counts. It never reports that the pen has left.
 drivers::DeviceInfo mouse_with_pressure()
 {
     return {
@@ -319,7 +320,7 @@ DrawingStation station_with_mouse()
     return DrawingStation(Station::create(devices, options).value(), small_scene());
 }
 
-// Sends twenty reports of the mouse's tip, 5 ms apart, and nothing afterwards.
+// Sends twenty reports of a touching pen from the mouse, 5 ms apart, and nothing afterwards.
 void touch_with_mouse(DrawingStation& station, std::int64_t start_ms)
 {
     for (int i = 0; i < 20; ++i) {
@@ -333,7 +334,8 @@ TEST(Station, APenThatRestsInSilenceGoesOnWithItsStroke)
 {
     auto station = station_with_mouse();
     touch_with_mouse(station, 0);
-    // The tablet reports only changes, so its silence means nothing.
+    // Up to now, the tablet has reported only changes, so silence does not mean that the pen has
+    // left.
     station.pass_time(at_ms(60'000));
     EXPECT_TRUE(station.pen_in_range());
     EXPECT_TRUE(station.strokes().empty());
@@ -342,7 +344,7 @@ TEST(Station, APenThatRestsInSilenceGoesOnWithItsStroke)
     EXPECT_EQ(station.strokes().size(), 1u);
 }
 
-// Sends the equal reports of a resting pen whose tablet streams.
+// Sends equal reports of a resting pen, as a tablet does that streams all its reports.
 void rest_with_mouse(DrawingStation& station, std::int64_t start_ms)
 {
     for (int i = 0; i < 4; ++i)

@@ -18,7 +18,8 @@ DrawingStation station_in_hand(std::optional<tools::Tool> const& tool = {})
     return station_on(small_scene(), tool);
 }
 
-// Draws from one point to another with the pen down, and then lifts it; x and y of the tablet.
+// Draws a line between two points with the pen down, and then lifts it. The points are in tablet
+// coordinates.
 void touch_along(DrawingStation& station, std::int64_t start_ms, Vec2 const& from_mm,
                  Vec2 const& to_mm)
 {
@@ -31,16 +32,18 @@ void touch_along(DrawingStation& station, std::int64_t start_ms, Vec2 const& fro
 
 Eigen::AlignedBox2d left_part()
 {
-    return { Vec2(-100, -50), Vec2(-60, 50) }; // The area below x = 40 mm on the tablet.
+    return { Vec2(-100, -50), Vec2(-60, 50) }; // The area with x below 40 mm on the tablet.
 }
 
 TEST(StationTools, PressesWhereATouchBeginsInAnAreaForIt)
 {
     auto station = station_in_hand(indicators::IndicateTool {});
     station.set_pressing_areas({ left_part() });
-    touch_along(station, 0, { 30, 50 }, { 100, 50 }); // Leaving the area: still a press.
+    // The touch begins in the area, so it is a press even when it leaves the area.
+    touch_along(station, 0, { 30, 50 }, { 100, 50 });
     EXPECT_FALSE(station.is_pressing());
-    touch_along(station, 200, { 100, 50 }, { 30, 50 }); // Entering the area: still a stroke.
+    // The touch begins outside the area, so it is a stroke even when it enters the area.
+    touch_along(station, 200, { 100, 50 }, { 30, 50 });
     station.finish();
     ASSERT_EQ(station.strokes().size(), 1u);
     EXPECT_EQ(station.counts().strokes, 1u);
@@ -56,8 +59,8 @@ TEST(StationTools, PressesWhereATouchBeginsInAnAreaForIt)
     EXPECT_TRUE(station.take_moments().empty());
 }
 
-// Reports of both devices arrive in bursts and their times are evened. A recording with whole
-// microseconds must give the same distinction of touches.
+// Reports of both devices arrive in bursts, and their times are evened. A recording of these times
+// in whole microseconds must distinguish presses from strokes in the same way.
 TEST(StationTools, PressesWhereReportsComeInBursts)
 {
     StationOptions options;
@@ -123,7 +126,7 @@ TEST(StationTools, TakesBackAStrokeThatTurnsOutToBeAPress)
     EXPECT_TRUE(station.is_pressing());
     station.push(kPen, at_ms(50), pen_report(60, 50, false));
     EXPECT_FALSE(station.is_pressing());
-    station.convert_touch_to_press(); // Without a touch, there is no effect.
+    station.convert_touch_to_press(); // There is no touch, so this has no effect.
     draw_across(station, 100);
     station.finish();
     ASSERT_EQ(station.strokes().size(), 1u);
@@ -165,19 +168,19 @@ TEST(StationTools, DoesAtOnceWhatNeedsNoStroke)
     EXPECT_EQ(tools::words_for(station.take_tool_changes().at(0).tool).arguments, "invert now");
 }
 
-// Erases with the pen's other end across a line, with ten samples 1 mm and 5 ms apart.
+// Erases across a line with the pen's other end: ten samples, 1 mm and 5 ms apart.
 void erase_across(DrawingStation& station, std::int64_t start_ms, double x_mm, double y_mm)
 {
     for (int i = 0; i < 10; ++i) {
         auto report = pen_report(x_mm, y_mm + i, true);
-        report[1] = std::byte { 0x38 }; // Flags in range, eraser, invert.
+        report[1] = std::byte { 0x38 }; // The flags "in range", "eraser" and "invert".
         station.push(kPen, at_ms(start_ms + 5 * i), report);
     }
     station.push(kPen, at_ms(start_ms + 60), pen_report(x_mm, y_mm, false));
 }
 
-// Returns a station with strokes and erasures by the pen's other end, before and after a tool for
-// it is chosen.
+// Returns a station on which strokes alternate with erasures by the pen's other end, one each
+// second. The tools are changed at the given times.
 DrawingStation drawn_and_erased(std::vector<Station::ToolChange> const& changes)
 {
     auto station = station_in_hand();

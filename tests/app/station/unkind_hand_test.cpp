@@ -9,15 +9,16 @@
 #include <utility>
 #include <vector>
 
-// Compares intended strokes with the results, under the worst behaviour of devices and computer.
+// Compares intended strokes with the drawn ones when the hand, the devices and the computer behave
+// badly.
 
 namespace tractus::station {
 namespace {
 
 using namespace std::chrono_literals;
 
-// Returns a hand that draws a vertical line with the pen at rest, a horizontal line and a rising
-// curve.
+// Returns a hand that draws a vertical line with the pen at rest on the tablet, a horizontal line,
+// and a rising curve.
 sim::Hand hand_of(std::uint64_t seed, sim::Unkindness const& unkindness)
 {
     sim::LineShape const upright { .from_mm = { -40, 10, 60 }, .to_mm = { -40, 10, 260 } };
@@ -30,14 +31,14 @@ sim::Hand hand_of(std::uint64_t seed, sim::Unkindness const& unkindness)
                                            { .path = sim::make_path(curve) } };
     sim::add_hooks(strokes, {}, unkindness);
     sim::add_dabs(strokes, {}, unkindness);
-    // Without tremor in the plane, the pen rests during the vertical line, and its tablet is
-    // silent.
+    // The hand has no tremor in the plane of the tablet. So the pen rests during the vertical line,
+    // and its tablet sends no reports.
     sim::HandOptions options { .seed = seed, .plane_tremor_mm = 0 };
     sim::set_tremor(options, unkindness);
     return sim::Hand(std::move(strokes), options);
 }
 
-// Where the hand is, for each millisecond.
+// Returns the position of the hand for each millisecond.
 std::vector<Vec3> places_of(sim::Hand const& hand)
 {
     std::vector<Vec3> places;
@@ -48,9 +49,10 @@ std::vector<Vec3> places_of(sim::Hand const& hand)
 
 struct Outcome {
     std::size_t strokes = 0;
-    std::size_t meant = 0; // Strokes of the hand, dabs included.
-    double worst_mm = 0;   // Greatest distance of a tip from where the hand was at about that time.
-    // Greatest distance of the hand's positions, pen down, from the nearest stroke.
+    std::size_t meant = 0; // Number of the hand's strokes, including dabs.
+    // Maximum distance of a tip from the positions of the hand at about the tip's time.
+    double worst_mm = 0;
+    // Maximum distance of the hand's positions, with the pen down, from the nearest drawn stroke.
     double missed_mm = 0;
 };
 
@@ -62,7 +64,7 @@ double distance_mm(Vec3 const& point, Vec3 const& a, Vec3 const& b)
     return (point - a - part * way).norm();
 }
 
-// Draws with the given unkindness; tips may be as late as a stall delays reports.
+// Draws with the given unkindness. The time of a tip may be as late as a stall delays reports.
 Outcome draw(std::uint64_t seed, sim::Unkindness unkindness)
 {
     unkindness.seed = seed;
@@ -176,7 +178,8 @@ TEST(UnkindHand, DabsAsOftenAndAsShortlyAsInPublicRecordings)
     EXPECT_NEAR(static_cast<double>(shorter_than_2_mm), static_cast<double>(dabs) * 75 / 88, 25);
 }
 
-// The deviation of a resting hand, and how often it crosses the middle, twice per wave.
+// Tests the deviation of a trembling hand at rest, and how often it crosses its mean position:
+// twice per wave.
 TEST(UnkindHand, TremblesFrom8To12HzByWhatWasMeasured)
 {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -192,7 +195,8 @@ TEST(UnkindHand, TremblesFrom8To12HzByWhatWasMeasured)
             crossings += last * y_mm < 0;
             last = y_mm;
         }
-        EXPECT_NEAR(std::sqrt(squares / 9000), 0.3, 0.05); // Waves of close frequencies beat.
+        // The deviation varies, since waves of close frequencies interfere.
+        EXPECT_NEAR(std::sqrt(squares / 9000), 0.3, 0.05);
         EXPECT_GE(crossings, 2 * 8 * 9 - 2);
         EXPECT_LE(crossings, 2 * 12 * 9 + 2);
     }

@@ -7,8 +7,8 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-// A pen held still while the surface rises or sinks: the basic stroke of this station, drawn with
-// tablets that report only changes.
+// Tests of a pen that is held still while the surface rises or sinks: the basic stroke of this
+// station. The tablets report only changes.
 
 namespace tractus::station {
 namespace {
@@ -17,8 +17,8 @@ using namespace std::chrono_literals;
 
 constexpr double kLow_mm = 100;
 constexpr double kHigh_mm = 300;
-constexpr double kDown_s = 0.3;  // Time of pen-down.
-constexpr double kStart_s = 0.6; // Time at which the surface starts.
+constexpr double kDown_s = 0.3;  // Time at which the pen touches the tablet.
+constexpr double kStart_s = 0.6; // Time at which the surface starts to move.
 
 calib::Rig rig()
 {
@@ -33,14 +33,14 @@ calib::Rig rig()
 struct Rise {
     double mm_per_s = 100;
     double readings_hz = 500;
-    double noise_counts = 0; // Standard deviation of the readings.
+    double noise_counts = 0; // Standard deviation of the height sensor's readings.
     std::uint64_t seed = 1;
-    // Rate at which the hand's pressure changes by a count; 0: never.
+    // Rate at which the pen's pressure changes by one count; 0: never.
     double pressure_changes_hz = 0;
 };
 
-// Returns the height; the surface starts and stops abruptly, which is harder than a hand's
-// movement.
+// Returns the height of the surface. The surface starts and stops abruptly, which is harder to
+// follow than the movement of a hand.
 double height_mm(Rise const& rise, double seconds)
 {
     return std::clamp(kLow_mm + rise.mm_per_s * (seconds - kStart_s), kLow_mm, kHigh_mm);
@@ -56,7 +56,7 @@ Timestamp at_s(double seconds)
     return timestamp_ns(std::llround(seconds * 1e9));
 }
 
-// A report of either device, with its arrival.
+// A report of the pen or the height sensor, with the time of its arrival.
 struct Arrival {
     double seconds = 0;
     std::size_t device = 0;
@@ -68,7 +68,8 @@ void add_pen(std::vector<Arrival>& arrivals, PenFormat const& format, Rise const
     auto const send = [&](double seconds, PenState const& pen) {
         arrivals.push_back({ seconds + 0.008, kPen, format.report(pen) });
     };
-    constexpr int kApproach = 20; // Number of hovering samples, 5 ms apart.
+    // Number of samples before the touch, in which the pen hovers; they are 5 ms apart.
+    constexpr int kApproach = 20;
     for (int i = 0; i < kApproach; ++i)
         send(kDown_s - 0.005 * (kApproach - i), { .x_mm = 60 + 0.5 * i, .y_mm = 40 });
     double const up_s = stop_s(rise) + 0.2;
@@ -113,7 +114,7 @@ Station station_of(drivers::DeviceInfo const& pen)
 
 struct Drawn {
     std::vector<tools::ToolStroke> strokes;
-    std::vector<PenMoment> moments; // Pen moments of the live ink.
+    std::vector<PenMoment> moments; // Moments of the pen, for the live ink.
     std::size_t tips_in_silence = 0;
 };
 
@@ -134,7 +135,8 @@ Drawn draw(PenFormat const& format, Rise const& rise)
 
 class VerticalStroke : public testing::TestWithParam<PenFormat> { };
 
-// The pressure changes often, because some tablets' pens count as gone after 0.1 s of silence.
+// The pressure changes often, because the pens of some tablets count as gone after 0.1 s of
+// silence.
 Rise rise_of(double mm_per_s)
 {
     return { .mm_per_s = mm_per_s, .pressure_changes_hz = 12 };
@@ -149,7 +151,7 @@ void expect_truth(std::vector<TipSample> const& tips, Rise const& rise)
         double const seconds = to_seconds(tips[i].time - Timestamp());
         worst_mm = std::max(worst_mm, std::abs(tips[i].position_mm.z() - height_mm(rise, seconds)));
         aside_mm = std::max(aside_mm, (tips[i].position_mm - tips[0].position_mm).head<2>().norm());
-        // The surface counts as moving only after a significant distance.
+        // The surface counts as moving only after it has moved by SilentTouch::kMoved_mm.
         double const moves_s = kStart_s + calib::SilentTouch::kMoved_mm / rise.mm_per_s;
         if (i > 0 && to_seconds(tips[i - 1].time - Timestamp()) > moves_s && seconds < stop_s(rise))
             longest_gap_s = std::max(longest_gap_s, to_seconds(tips[i].time - tips[i - 1].time));
@@ -182,7 +184,7 @@ TEST_P(VerticalStroke, HasTipsInTimeOrderWithThePenLastPressure)
     auto const& tips = drawn.strokes[0].stroke.tips;
     for (std::size_t i = 1; i < tips.size(); ++i) {
         EXPECT_LT(tips[i - 1].time, tips[i].time);
-        // In this recording, the pressure never falls.
+        // In this recording, the pressure only rises.
         EXPECT_LE(tips[i - 1].pressure, tips[i].pressure);
     }
     EXPECT_GT(tips.front().pressure, 0);
@@ -208,7 +210,7 @@ TEST_P(VerticalStroke, IsLiveInkAtOnce)
 
 TEST_P(VerticalStroke, SinksAsItRises)
 {
-    // Compares with the same rise and a sensor that counts down.
+    // The same rise is drawn again with a height sensor that counts down.
     auto const rise = rise_of(150);
     auto const up = draw(GetParam(), rise);
     StationOptions options;
@@ -255,7 +257,7 @@ TEST(SilentPen, HasNoTipsWhileTheSurfaceRests)
 {
     auto station = station_of(standard_pen().device());
     std::vector<Arrival> arrivals;
-    Rise const short_rise {}; // The test uses only the times of the pen's reports.
+    Rise const short_rise {}; // Only the times of the pen's reports matter in this test.
     add_pen(arrivals, standard_pen(), short_rise);
     Random random({ .seed = 3 });
     for (double seconds = 0; seconds < stop_s(short_rise) + 1; seconds += 0.002)
@@ -269,8 +271,8 @@ TEST(SilentPen, HasNoTipsWhileTheSurfaceRests)
     EXPECT_EQ(station.counts().tips_in_silence, 0u);
 }
 
-// Returns the reports of a pen that streams irregularly, about 200 times a second, while it moves
-// and the surface rises.
+// Returns the reports of a pen that moves while the surface rises. Its tablet streams about 200
+// reports a second at irregular times; those from `lost_from_s` to `lost_to_s` are lost.
 std::vector<Arrival> streaming_arrivals(std::uint64_t seed, double lost_from_s, double lost_to_s)
 {
     Random random({ .seed = seed });
@@ -308,7 +310,8 @@ TEST(SilentPen, IsNotOneWhoseReportsWereLostOnTheWay)
     for (auto const& [seconds, device, report] : streaming_arrivals(1, 0.5, 0.58))
         station.push(device, at_s(seconds), report);
     station.finish();
-    EXPECT_GT(station.counts().tips_in_silence, 0u); // The loss was not known yet.
+    // At that time, the station did not know yet that reports were lost.
+    EXPECT_GT(station.counts().tips_in_silence, 0u);
     auto const strokes = station.take_strokes();
     ASSERT_EQ(strokes.size(), 1u);
     for (auto const& tip : strokes[0].stroke.tips) {
@@ -318,19 +321,19 @@ TEST(SilentPen, IsNotOneWhoseReportsWereLostOnTheWay)
     }
 }
 
-// A tablet that streams and cannot report that the pen has left.
+// The tablet streams its reports, but cannot report that the pen has left.
 TEST(SilentPen, LeavesNoTailWhereItsSilenceMeansThatItHasLeft)
 {
     auto station = station_of(mouse_mode_pen().device());
     Rise const rise { .mm_per_s = 150 };
     std::vector<Arrival> arrivals;
-    // The pen rests at first, and its tablet continues to send.
+    // At first the pen rests, and its tablet continues to send reports.
     for (double seconds = 0.1; seconds < kStart_s; seconds += 0.005)
         arrivals.push_back(
             { seconds + 0.008, kPen,
               mouse_mode_pen().report(
                   { .x_mm = 20 + 20 * std::max(seconds, 0.2), .y_mm = 40, .touching = true }) });
-    // The pen lifts without a report, and touches elsewhere.
+    // The pen is lifted without a report, and later touches elsewhere.
     for (double seconds = 2; seconds < 2.2; seconds += 0.005)
         arrivals.push_back({ seconds + 0.008, kPen,
                              mouse_mode_pen().report(

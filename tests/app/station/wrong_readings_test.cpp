@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
-// Impossible height readings during strokes.
+// Tests of impossible height readings during strokes.
 
 namespace tractus::station {
 namespace {
@@ -16,9 +16,10 @@ using namespace std::chrono_literals;
 
 struct Faults {
     double readings_hz = 500;
-    int in_a_row = 0;        // Length of runs of wrong readings, one run every 0.3 s.
-    double single_share = 0; // Share of isolated wrong readings among the others.
-    bool on_rail = false;    // True: wrong readings are 4095; false: they are random.
+    int in_a_row = 0;        // Length of each run of wrong readings; one run begins every 0.3 s.
+    double single_share = 0; // Share of isolated wrong readings among the readings outside runs.
+    // True: wrong readings are 4095, the end of the range; false: they are random.
+    bool on_rail = false;
     std::uint64_t seed = 1;
 };
 
@@ -27,7 +28,7 @@ double height_mm(double seconds)
     return 200 + 60 * std::sin(2 * 3.14159265 * seconds / 1.6);
 }
 
-// Draws with a pen that moves for two seconds while the surface sways.
+// Draws with a pen that moves for two seconds while the surface rises and sinks.
 tools::ToolStroke draw(Faults const& faults, double& worst_live_mm)
 {
     StationOptions options;
@@ -36,7 +37,7 @@ tools::ToolStroke draw(Faults const& faults, double& worst_live_mm)
     auto station = Station::create(devices, options).value();
     Random random({ .seed = faults.seed });
     auto const at = [](double seconds) { return timestamp_ns(std::llround(seconds * 1e9)); };
-    // Returns a reading at least 10 mm from the truth.
+    // Returns a wrong reading: at least 10 mm away from the true one, or at the end of the range.
     auto const wrong = [&](double counts) {
         double const off = random.uniform(100, 1900);
         return faults.on_rail ? 4095
@@ -96,8 +97,8 @@ TEST(WrongReadings, StayOutOfTheInkUpToTenInARowAtAnyRate)
                                  faults.in_a_row, faults.on_rail));
         double live_mm = 0;
         auto const stroke = draw(faults, live_mm);
-        // The readings after them are doubted for a while, too. Over a tenth of a second, the
-        // interpolated curve may be off by a little more.
+        // The readings after wrong ones are doubted for a while, too. Over a gap of a tenth of a
+        // second, the interpolated height may be slightly wrong.
         double const gap_s = (faults.in_a_row + 4) / faults.readings_hz;
         EXPECT_LE(worst_mm(stroke), 0.5 + 14 * gap_s * gap_s);
         EXPECT_LE(live_mm, 1.5 + 250 * gap_s);
@@ -125,8 +126,8 @@ TEST(WrongReadings, AreNoneWhereTheSurfaceIsSomewhereElseAfterAPause)
     options.rig.tablet_size_mm = { 200, 100 };
     std::vector const devices { drivers::simple_pen(), drivers::simple_height_sensor() };
     auto station = Station::create(devices, options).value();
-    // The computer stood still for half a second: the delayed readings and the new ones arrive at
-    // once.
+    // The computer stood still for half a second. The delayed readings and the new ones then arrive
+    // at once.
     for (int ms = 0; ms < 2000; ms += 2) {
         bool const is_after = ms >= 1000;
         int const arrives_ms = ms + (is_after ? 500 : 0);
@@ -144,7 +145,7 @@ TEST(WrongReadings, AreNoneWhereTheSurfaceIsSomewhereElseAfterAPause)
 
 TEST(WrongReadings, AreNamedAsJumps)
 {
-    // The doctor's judgement must be that used for ink.
+    // `tractus doctor` uses HeightMonitor, so its judgement must agree with that used for ink.
     calib::HeightMonitor monitor { calib::Rig {} };
     for (int i = 0; i < 1000; ++i) {
         bool const is_wrong = i > 500 && i <= 505;

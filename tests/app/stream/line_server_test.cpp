@@ -42,7 +42,7 @@ TEST_F(LineServerTest, ForgetsAReaderThatHasGone)
     ASSERT_EQ(server.reader_count(), 1u);
     reader.leave();
     server.publish("one\n", kKeep);
-    server.serve({}); // A signal for the broken pipe would end the test.
+    server.serve({}); // The reader's end of the socket is closed. SIGPIPE would end the test.
     EXPECT_EQ(server.reader_count(), 0u);
 }
 
@@ -67,7 +67,7 @@ TEST_F(LineServerTest, KeepsAReaderThatOnlyHasNothingToSay)
     EXPECT_EQ(reader.read_now(), "hello\none\n");
 }
 
-// Returns everything that it reads while the server sends.
+// Returns everything that the reader receives while the server sends.
 std::string read_all(LineServer& server, LocalReader const& reader)
 {
     std::string text;
@@ -85,7 +85,8 @@ TEST_F(LineServerTest, LeavesOutForASlowReaderWhatMayBeLeftOutAndSaysSo)
     LocalReader const reader(path_);
     server.serve({});
     std::string const line(999, 'x');
-    constexpr std::size_t kCount = 5000; // 5 MB, which the reader does not read meanwhile.
+    // The lines have 5 MB in total; the reader reads nothing until all are published.
+    constexpr std::size_t kCount = 5000;
     for (std::size_t i = 0; i < kCount; ++i) {
         server.publish(line + "\n", kLeaveOut);
         server.serve({});
@@ -93,7 +94,7 @@ TEST_F(LineServerTest, LeavesOutForASlowReaderWhatMayBeLeftOutAndSaysSo)
     server.publish("stroke\n", kKeep);
     auto const text = read_all(server, reader);
     auto const lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-    // The other three lines are "hello", the report of the loss, and "stroke".
+    // Besides these lines, the reader receives "hello", the report of the loss, and "stroke".
     auto const lost = kCount - (lines - 3);
     EXPECT_GT(lost, 0u);
     EXPECT_GT(lines * 1000, LineServer::kMaxWaiting);
@@ -124,7 +125,8 @@ TEST_F(LineServerTest, DoesNotCountWhatWaitsForAReaderThatTakesNothing)
     LocalReader const other(path_);
     Timestamp now = timestamp_ns(1'000'000'000);
     server.serve(now);
-    std::string const line(std::size_t { 1 } << 20, 'x'); // More than a socket's buffer.
+    // The line is longer than the buffer of a socket.
+    std::string const line(std::size_t { 1 } << 20, 'x');
     server.publish(line, kKeep);
     server.serve(now);
     auto const waiting = server.waiting_bytes();
@@ -137,7 +139,7 @@ TEST_F(LineServerTest, DoesNotCountWhatWaitsForAReaderThatTakesNothing)
     }
     EXPECT_EQ(server.waiting_bytes(), 0u);
     EXPECT_EQ(server.reader_count(), 2u);
-    // The stuck reader reads again, and has lost nothing.
+    // When the reader that was stuck reads again, it must receive everything.
     auto const late = stuck.read_now();
     server.serve(now);
     EXPECT_GT(server.waiting_bytes(), 0u);

@@ -11,8 +11,8 @@
 
 namespace tractus::stream {
 
-// A client of a local socket in the test's own thread; this works because a socket's buffer accepts
-// data before it is read.
+// A client of a local socket that runs in the test's own thread. That works because the socket's
+// buffer accepts data before they are read.
 class LocalReader {
 public:
     explicit LocalReader(std::filesystem::path const& path)
@@ -28,7 +28,7 @@ public:
     LocalReader(LocalReader const&) = delete;
     LocalReader& operator=(LocalReader const&) = delete;
 
-    // Returns the data available now; empty if there is none.
+    // Returns the data that can be read now; empty if there are none.
     std::string read_now() const
     {
         std::string text;
@@ -41,7 +41,7 @@ public:
         return text;
     }
 
-    // Ends writing, as a shell's pipe does whose input has ended.
+    // Closes the writing end, like a pipe of a shell whose input has ended.
     void close_writing() const { ::shutdown(socket_, SHUT_WR); }
 
     void leave()
@@ -55,7 +55,7 @@ private:
     int socket_;
 };
 
-// Fixture with the path of a socket of its own.
+// Fixture with its own path for a socket.
 class SocketPlace : public testing::Test {
 protected:
     void SetUp() override { std::filesystem::remove(path_); }

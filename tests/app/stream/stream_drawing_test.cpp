@@ -25,7 +25,7 @@ drivers::Log small_log()
     return drivers::read_log(std::filesystem::path(TRACTUS_FIXTURES) / "small.tractus-log").value();
 }
 
-// Streams a log completely, restricted to `what`.
+// Returns all lines of `what` that are streamed from a log.
 std::string streamed(drivers::Log const& log, StreamOutput::What what)
 {
     auto replay = small_replay(log);
@@ -41,8 +41,8 @@ std::string streamed(drivers::Log const& log, StreamOutput::What what)
     return text;
 }
 
-// The file small.jsonl was written by tests/fixtures/stream_small, which is independent of the
-// program.
+// The expected file small.jsonl was written by tests/fixtures/stream_small, which shares no code
+// with the program.
 TEST(StreamDrawing, GivesASmallLogToTheByte)
 {
     EXPECT_EQ(streamed(small_log(), StreamOutput::What::All),
@@ -53,7 +53,7 @@ TEST(StreamDrawing, GivesStrokesAlone)
 {
     auto const text = streamed(small_log(), StreamOutput::What::Strokes);
     EXPECT_EQ(text.find("\"tip\""), std::string::npos);
-    // Includes the first and the last line.
+    // The lines are the first line, two strokes and the last line.
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
 }
 
@@ -76,8 +76,8 @@ TEST(StreamDrawing, EndsWhereNothingCanBeWritten)
 
 class StreamSocket : public SocketPlace { };
 
-// The pen draws two thousand strokes while one reader does not read and another one disconnects:
-// take() and serve() must always return, and no stroke may be lost.
+// The pen draws two thousand strokes while one reader does not read and another disconnects. take()
+// and serve() must return each time, and no stroke may be lost.
 TEST_F(StreamSocket, NeverStopsTheDrawing)
 {
     auto station = flat_station();
@@ -111,8 +111,8 @@ TEST_F(StreamSocket, NeverStopsTheDrawing)
     EXPECT_EQ(text.substr(text.size() - end_line().size()), end_line());
 }
 
-// Of two readers, one reads everything and the other nothing: the first must receive the end. Time
-// passes only by waiting.
+// One reader reads everything, and another reads nothing. The first one must receive the end of the
+// stream. The test's clock advances only when the program waits.
 TEST_F(StreamSocket, EndsThoughAReaderNeverReads)
 {
     std::ostringstream text;

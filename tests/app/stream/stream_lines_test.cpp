@@ -22,7 +22,7 @@ TEST(StreamLines, HaveATipWithItsTimeToTheNanosecond)
                                       .pressure = 0.25,
                                       .position_mm = { -0.0001, 2, 3.14159 },
                                       .time = timestamp_ns(
-                                          // More digits than a double has.
+                                          // This number has more digits than a double can hold.
                                           9'007'199'254'740'993) };
     EXPECT_EQ(tip_line(moment),
               "{\"type\":\"tip\",\"pen\":0,\"time_s\":9007199.254740993,"

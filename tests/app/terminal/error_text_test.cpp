@@ -99,7 +99,7 @@ TEST_F(ErrorText, HidesWhatATerminalWouldObey)
               std::string::npos);
 }
 
-// Returns what the program prints to standard error when that is a terminal.
+// Returns what the program prints to standard error if that is a terminal.
 std::string printed_to_a_terminal(std::string const& model)
 {
     int const terminal = ::posix_openpt(O_RDWR | O_NOCTTY);

@@ -24,7 +24,7 @@ TEST(MinExtent, IsHowFarTheHandGetsFromWhereItBegan)
     EXPECT_EQ(extent_mm(through({ { 1, 2, 3 } })), 0);
     EXPECT_EQ(extent_mm(through({ { 0, 0, 0 }, { 3, 4, 0 }, { 0, 0, 0 } })), 5) << "a loop";
     EXPECT_EQ(extent_mm(through({ { 0, 0, 100 }, { 0, 0, 300 } })), 200) << "a vertical line";
-    Stroke tremor; // Whatever the length of the path.
+    Stroke tremor; // The extent of a stroke does not grow with the length of its path.
     for (int i = 0; i < 1000; ++i)
         tremor.tips.push_back({ .position_mm = { i % 2 * 0.5, 0, 0 } });
     EXPECT_EQ(extent_mm(tremor), 0.5);

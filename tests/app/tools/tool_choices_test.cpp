@@ -11,8 +11,8 @@
 namespace tractus::tools {
 namespace {
 
-// Returns the texts of the buttons, with "|" before those that begin a group, "!" after those that
-// act at once, and "*" after the one that is on.
+// Returns the texts of the buttons. The mark "|" precedes a button that begins a group. "!" follows
+// a button that acts at once, and "*" follows the button that is on.
 std::string buttons(Tool const& hand)
 {
     std::string texts;
@@ -65,7 +65,7 @@ TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
         "Around, Stem, No line, Outline, Turn round, | Leaf's edge, | Layer's organ, Erase, ");
 }
 
-// A number is entered in a panel: its button leaves the current tool unchanged.
+// A number is entered in a panel, so its button must leave the current tool unchanged.
 TEST(ToolChoices, AskForNumbers)
 {
     Tool const hand(*find_tool_kind(methods::all_methods().tools, "sketch"));
@@ -80,7 +80,7 @@ TEST(ToolChoices, AskForNumbers)
               "3 Lengthening 0.9##ratio, 4 Lateral 0.62##lateral, ");
 }
 
-// The texts are those of the window from when each was written out.
+// The expected texts are those that the window had when each button was written by hand.
 TEST(ToolChoices, OfferAllThatTheToolInHandMayMean)
 {
     auto const tools = methods::all_methods().tools;

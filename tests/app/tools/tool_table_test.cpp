@@ -19,7 +19,7 @@ TEST(ToolTable, StandsInTheManual)
         << table;
 }
 
-// The window has keys of its own: see show_shortcuts().
+// The keys of the window itself are also taken: see show_shortcuts().
 TEST(ToolTable, GivesNoKeyAndNoWordTwice)
 {
     std::set<char> keys { 'T', 'V', 'F', 'W', 'S', 'Z', 'N', 'Q', '?' };

@@ -78,7 +78,7 @@ TEST(Tool, NamesTheToolsThereAre)
               std::string::npos);
 }
 
-// Returns where the selection view shows a node, and a pen has to point.
+// Returns the position, on the tablet, at which the selection view shows a point of the plant.
 Vec3 shown(scene::Scene const& scene, Vec3 const& plant_mm)
 {
     auto const view = scene::fit_selection_view(*scene.base);
@@ -99,8 +99,8 @@ TEST(SelectTool, SelectsTheAxisThatThePenFollows)
               variation::Selection { segments_of(scene.base->axes[0]) });
 }
 
-// A branch is selected where it is shown; a log without this option selects on the rest shape, as
-// before.
+// A branch is selected where it is shown, as bent by strokes. In logs without this option, the tool
+// selects on the rest shape, as in older versions.
 TEST(SelectTool, ChoosesOnTheSkeletonAsBentWhereItSaysSo)
 {
     auto scene = small_scene();
@@ -245,7 +245,8 @@ TEST(Tool, KnowsAllItsArguments)
 
 TEST(SelectTool, ChoosesInAllWays)
 {
-    auto scene = small_scene(); // A trunk of six internodes, a branch of two and one of four.
+    // The model has a trunk of six internodes, and two branches of four and two internodes.
+    auto scene = small_scene();
     auto const& plant = *scene.base;
     auto const tip_of = [&](AxisId id) { return plant.positions(plant.axes[id]).back(); };
     auto const along = [&](Vec3 const& from, Vec3 const& to) {
@@ -255,7 +256,8 @@ TEST(SelectTool, ChoosesInAllWays)
     auto const first = segments_of(plant.axes[1]);
     auto const second = segments_of(plant.axes[2]);
 
-    // A straight stroke from the trunk's middle to a branch's tip, off the branches.
+    // A straight stroke from the middle of the trunk's first internode to the tip of a branch. In
+    // between, it touches no branch.
     auto const base = plant.positions(plant.axes[0])[1] * 0.5;
     auto const path = selection_by(SelectionMode::Ends, along(base, tip_of(2)), scene);
     ASSERT_EQ(path.size(), 1u);
@@ -305,7 +307,7 @@ TEST(IndicatorTools, MoveAndDeleteTheOneWhereTheyBegin)
     auto const moved = edits_of(indicators::MoveIndicatorTool {}, move, scene).value();
     scene = scene::apply_edit(scene, moved[0]).value();
     EXPECT_EQ(scene.indicators[0].what.start_mm, Vec3(0, 0, 160));
-    // The stroke begins beside the indicator, so it deletes nothing.
+    // The stroke begins beside the indicator's new position, so it deletes nothing.
     EXPECT_FALSE(edits_of(indicators::DeleteIndicatorTool {}, move, scene));
     auto const there = stroke_through({ { 90, 0, 161 }, { 95, 0, 161 } });
     scene = scene::apply_edit(scene,
@@ -338,8 +340,8 @@ scene::Associate association_of(Stroke stroke)
     return { .stroke = std::move(stroke), .propagation = variation::Propagation::Both };
 }
 
-// Returns a scene with two strokes along x, the second 50 mm above the first; the first is for one
-// axis, the second for two.
+// Returns a scene with two strokes along x, the second one 50 mm above the first. The first stroke
+// shapes one axis, and the second shapes two.
 scene::Scene scene_with_two_strokes()
 {
     auto scene = small_scene();
@@ -406,7 +408,8 @@ TEST(Tool, HasAnOtherEnd)
 
 Tool const kErasePart = EraseTool { EraseExtent::Part };
 
-// Returns a stroke along x at a height of 20 mm, with a tip every millimetre, and tip 0 at -50.
+// Returns a stroke along x at the given height, with a tip every millimetre. Tip 0 is at x = -50
+// mm.
 Stroke level_stroke(double height_mm = 20)
 {
     Stroke stroke;
@@ -427,7 +430,7 @@ scene::Scene scene_with(Stroke const& stroke,
         .value();
 }
 
-// Returns the tips erased from the only stroke, in one edit.
+// Returns the ranges of tips that a path of the eraser erases from the only stroke, in one edit.
 std::vector<TipRange> erased(scene::Scene const& scene, std::vector<Vec3> const& way_mm)
 {
     auto const edits = edits_of(kErasePart, stroke_through(way_mm), scene);
@@ -463,7 +466,7 @@ TEST(ErasePartTool, ShapesTheBranchByWhatIsLeft)
     auto const& tips = scene.associations[0].what.stroke.tips;
     EXPECT_EQ(tips.size(), 47u);
     EXPECT_NEAR(tips.back().position_mm.x(), -4, 1e-9);
-    // The next erasure uses what is now visible.
+    // The next erasure acts on the part of the stroke that is still visible.
     EXPECT_EQ(erased(scene, { { -30.5, -20, 30 }, { -30.5, 20, 30 } }),
               (std::vector<TipRange> { { 16, 23 } }));
 }
@@ -471,13 +474,14 @@ TEST(ErasePartTool, ShapesTheBranchByWhatIsLeft)
 TEST(ErasePartTool, TakesAStrokeWholeOfWhichNothingIsLeftThatShapes)
 {
     auto const scene = scene_with(level_stroke());
-    for (double const end_mm : { 60.0, 44.0 }) { // All of it, and all but a small rest.
+    // Erases the whole stroke, or all of it except a short rest.
+    for (double const end_mm : { 60.0, 44.0 }) {
         auto const over = stroke_through({ { -60, 0, 30 }, { end_mm, 0, 30 } });
         auto const edits = edits_of(kErasePart, over, scene).value();
         ASSERT_EQ(edits.size(), 1u);
         EXPECT_EQ(edits[0].get<scene::DeleteStroke>()->strokes.ids, scene::ids_of(scene, { 0 }));
     }
-    // Without its end, the loop has no chord, by which it is fitted.
+    // The stroke is a loop with an end. Without the end it has no chord, by which it is fitted.
     Stroke loop;
     for (int i = 0; i <= 72; ++i)
         loop.tips.push_back(
@@ -517,10 +521,10 @@ TEST(ErasePartTool, DoesNotDigBelowItselfIntoAStrokeThatWasDrawnUpwards)
                                .position_mm = { 0.001 * i, 0, 1.5 * i },
                                .touching = true });
     auto const scene = scene_with(trunk);
-    // The surface is at 90 mm: tips above it are not visible.
+    // The surface is at 90 mm. Tips above the surface are not visible, so they are not erased.
     EXPECT_EQ(erased(scene, { { -2, 0, 90 }, { 2, 0, 90 } }),
               (std::vector<TipRange> { { 55, 60 } }));
-    // The surface sinks with the eraser on it, erasing from the top.
+    // The surface sinks with the eraser on it, so the stroke is erased from its top.
     EXPECT_EQ(erased(scene, { { 1, 0, 160 }, { -1, 0, 100 } }),
               (std::vector<TipRange> { { 62, 100 } }));
 }
@@ -543,7 +547,7 @@ TEST(ErasePartTool, TakesIndicatorsWhole)
     EXPECT_FALSE(edits_of(kErasePart, beside, scene));
 }
 
-// Reports that are far apart must leave no tips between them.
+// Reports of the eraser may be far apart. No tips may remain between their positions.
 TEST(EraseTool, MissesNothingOnItsWay)
 {
     auto const scene = scene_with(level_stroke());

@@ -22,7 +22,7 @@ using variation::Propagation;
 
 constexpr std::array kLists { &indicators::indicator_curves };
 
-// The curves of a scene whose strokes all have ink, as the station's view keeps it.
+// Returns the curves of a scene in which every stroke has ink, as in the view of the station.
 std::vector<DrawnCurveView> curves_of(scene::Scene const& scene)
 {
     std::vector<SharedVector<TipSample>> strokes;
@@ -47,7 +47,8 @@ scene::Edit drawn(Vec3 const& end_mm, Propagation propagation = Propagation::Sel
     return scene::Associate { .stroke = scene::stroke_towards(end_mm), .propagation = propagation };
 }
 
-// The trunk is segments 0 to 5, its branches 6 and 7, and 8 to 11.
+// Returns an edit that selects paths. The trunk has the segments 0 to 5; its two branches have the
+// segments 6 and 7, and 8 to 11.
 scene::Edit selected(variation::Selection paths)
 {
     return scene::Select { std::move(paths) };
@@ -84,7 +85,7 @@ TEST(DrawnCurves, ComeInOrderWithTheNamesOfWhatTheyDid)
     EXPECT_LT(curves[1].edit, curves[2].edit);
 }
 
-// Picking a curve selects what it shapes.
+// Each curve must know the paths that it shapes, since picking a curve selects them.
 TEST(DrawnCurves, KnowThePathsThatTheyShape)
 {
     auto scene = scene::after({ selected({ { 6, 7 }, { 8, 9, 10, 11 } }), drawn({ 20, 0, 0 }),
@@ -114,7 +115,7 @@ TEST(DrawnCurves, LeaveOutWhatALaterStrokeOverrides)
     EXPECT_GT(before[0].line.points.back().position_mm.x(), 0);
 }
 
-// A tall trunk with a thousand branches, each drawn.
+// A tall trunk has a thousand branches, and each of them is shaped by a stroke.
 TEST(DrawnCurves, AreAsManyAsAThousand)
 {
     constexpr int kBranches = 1000;
@@ -171,7 +172,8 @@ TEST(DrawnCurves, AreLimbsToo)
         Vec3 const shown_mm = (is_end ? points.back() : points.front()).position_mm.cast<double>();
         EXPECT_LT((shown_mm - (is_end ? places_mm.back() : places_mm.front())).norm(), 1e-3);
     }
-    // It selects the limb, goes with what bears it, and comes after what was drawn before.
+    // Picking the curve selects the limb. The curve moves with the branch that carries the limb,
+    // and is listed after the strokes drawn earlier.
     scene = scene::after({ scene::Select { .at = curves[0].paths } }, scene);
     EXPECT_EQ(scene.selection.vector().front(), segments_of(scene::limb_axis(scene)));
     EXPECT_TRUE(curves_of(scene)[0].is_selected);

@@ -82,7 +82,7 @@ TEST(InkLine, DotsStay)
     EXPECT_EQ(thinned(line_through({ point(1, 1), point(1, 1), point(1, 1) })).points.size(), 2u);
 }
 
-// A pen that leans far to the right and draws away from the user.
+// The pen leans far to the right and draws away from the user.
 TEST(InkLine, IsBroadAcrossTheLeanOfAPencilsSide)
 {
     std::vector<TipSample> tips(5);

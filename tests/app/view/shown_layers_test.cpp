@@ -17,7 +17,7 @@ namespace {
 
 using Lines = std::vector<std::vector<Vec3f>>;
 
-// Returns a line that depends on the edit by which the plant was last changed.
+// Returns a line whose position depends on the edit that last changed the plant.
 Lines lines_of(scene::BuiltPlant const& plant)
 {
     auto const x = static_cast<float>(plant.drawn->source_edit);
@@ -49,7 +49,7 @@ std::string seen_in(ShownLayers const& layers)
     return said;
 }
 
-// Returns the scene after another edit of its plant.
+// Returns the scene after one more edit of its plant.
 scene::Scene changed(scene::Scene scene)
 {
     auto plant = std::make_shared<scene::PlantState>(*scene.drawn);
@@ -80,7 +80,7 @@ TEST_F(ShownLayersTest, FadeAfterAChangeAndComeBackWithTheNext)
     ASSERT_EQ(seen_in(layers_), "stays fades ");
     EXPECT_EQ(layers_.seen()[1].strength, 0.5);
     EXPECT_EQ(layers_.seen()[0].strength, 1);
-    layers_.show(next, drawing_); // The plant is the same, so there is no change.
+    layers_.show(next, drawing_); // The plant is the same, so the layers must not change.
     layers_.pass(from_seconds(3), drawing_);
     EXPECT_EQ(seen_in(layers_), "stays ");
     layers_.show(changed(next), drawing_);

@@ -25,8 +25,8 @@
 namespace tractus::view {
 namespace {
 
-// Returns a station with only the tools of this test, so that the thread sanitizer's build does not
-// need all methods.
+// Returns a station that has only the tools of this test. Other tools would need all methods, which
+// the build with the thread sanitizer leaves out.
 DrawingStation station_on(scene::Scene scene, std::optional<tools::Tool> const& tool = {})
 {
     static constexpr std::array kTools { &tools::DrawInOrderTool::kKind, &tools::DrawTool::kKind,
@@ -35,7 +35,7 @@ DrawingStation station_on(scene::Scene scene, std::optional<tools::Tool> const& 
     return { flat_station(kTools, tool), std::move(scene) };
 }
 
-// Begins a curved stroke; a straight one would not change the straight trunk.
+// Begins a curved stroke. A straight stroke would not change the straight trunk.
 void begin_stroke(DrawingStation& station)
 {
     for (int i = 0; i < 10; ++i)
@@ -56,14 +56,14 @@ TEST(StationView, LetsTheBranchFollowThePen)
     begin_stroke(station);
     view.show(station, station.document());
     view.settle();
-    // The trunk, and the two branches that move with it.
+    // The preview has the trunk and the two branches that move with it.
     ASSERT_EQ(view.state().preview.size(), 3u);
     auto const& trunk = view.state().preview.front();
     EXPECT_EQ(trunk.state, tools::SkeletonLine::State::Assigned);
     EXPECT_EQ(trunk.points_mm.size(), 7u);
     auto const revision = view.state().preview_revision;
     auto const skeletons = view.state().skeleton_revision;
-    // Showing again without new data must not change the preview.
+    // If nothing new has happened, showing the station again must not change the preview.
     view.show(station, station.document());
     view.settle();
     EXPECT_EQ(view.state().preview_revision, revision);
@@ -83,7 +83,7 @@ std::size_t in_state(StationView const& view, tools::SkeletonLine::State state)
     return count;
 }
 
-// The skeleton after pen-up must be the one shown while drawing.
+// The skeleton after the pen is lifted must be equal to the one shown while drawing.
 TEST(StationView, KeepsTheSkeletonAsStrokesBendIt)
 {
     auto station = station_on(small_scene(), tools::DrawInOrderTool {});
@@ -114,7 +114,7 @@ TEST(StationView, KeepsTheSkeletonAsStrokesBendIt)
     EXPECT_EQ(in_state(view, tools::SkeletonLine::State::Next), 0u);
 }
 
-// A stroke without effect stays visible beside the reason, until the next one begins.
+// A refused stroke stays visible beside the reason, until the next stroke begins.
 TEST(StationView, KeepsARefusedStrokeInSight)
 {
     // No branch is selected, so the stroke is refused.
@@ -197,7 +197,8 @@ TEST(StationView, PreviewsNothingForAPenThatShapesNothing)
     }
 }
 
-// Erasing must restore the branch, also with the pen's other end while its tip would draw.
+// While a stroke is being erased, the preview must show its branch unbent. This must also work for
+// the pen's other end while the current tool draws.
 TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
 {
     auto station = station_on(small_scene(), tools::DrawInOrderTool {});
@@ -207,7 +208,7 @@ TEST(StationView, LetsTheBranchGoBackWhileItsStrokeIsErased)
     view.show(station, station.document());
     auto const erase = [&](int number) {
         auto report = pen_report(80 + number, 40, true);
-        report[1] = std::byte { 0x38 }; // Flags in range, eraser, invert.
+        report[1] = std::byte { 0x38 }; // The flags "in range", "eraser" and "invert".
         station.push(kPen, at_ms(300 + 5 * number), report);
     };
     for (int i = 0; i < 15; ++i)
@@ -244,7 +245,7 @@ TEST(StationView, ShowsAStrokeOfSeveralBranchesTwiceOnlyWhereTheyDiffer)
         2u);
 }
 
-// Returns a scene with a trunk whose segments each bear a branch, with a twig of a hundred
+// Returns a scene with a trunk. Each segment of the trunk has a branch with a twig of a hundred
 // segments.
 scene::Scene bushy_scene(int branches)
 {
@@ -252,7 +253,8 @@ scene::Scene bushy_scene(int branches)
     model.source.text = "Lsystem: 1\nderivation length: 100\nAxiom: ";
     for (int i = 0; i < branches; ++i)
         model.source.text += "F(10)[+(60)F(8)[+(50)A]F(8)]";
-    model.source.text += "F(10)\nA --> F(1)A\nendlsystem\n"; // The trunk continues to its own end.
+    // After its last branch, the trunk continues to a tip of its own.
+    model.source.text += "F(10)\nA --> F(1)A\nendlsystem\n";
     return scene::apply_edit({}, model).value();
 }
 
@@ -305,7 +307,7 @@ TEST(StationView, ShowsTheSurfaceMoveUnderAPenThatRests)
     double const low_mm = view.state().surface_height_mm;
     EXPECT_NEAR(static_cast<double>(view.state().pen.tip_mm.z()), low_mm, 1e-4);
 
-    move_surface(200, 2000); // The resting pen sends no reports, and still counts as in range.
+    move_surface(200, 2000); // The resting pen sends no reports, but must still count as in range.
     EXPECT_TRUE(view.state().pen.in_range);
     EXPECT_GT(view.state().surface_height_mm, low_mm + 10);
     EXPECT_NEAR(static_cast<double>(view.state().pen.tip_mm.z()), view.state().surface_height_mm,
@@ -334,7 +336,7 @@ TEST(StationView, GrowsACollectionOneByOne)
     EXPECT_GT(view.state().collection_revision, revision);
 }
 
-// Height of a mesh above the ground.
+// Returns the height of the top of a mesh above the ground.
 double height_of(mesh::Mesh const& mesh)
 {
     return mesh::bounds(mesh).max_mm.z();

@@ -7,7 +7,7 @@ namespace tractus::window {
 
 using namespace layout_tests;
 
-// In a small window, the rest is reached by scrolling down, never sideways.
+// In a small window, everything must be reachable by scrolling down, never sideways.
 TEST_F(LayoutTest, ShowsCalibratingInTheWindow)
 {
     StillCalibration still;

@@ -12,7 +12,7 @@
 namespace tractus::window {
 namespace {
 
-// A window that shows a calibration.
+// A window that shows a calibration that does not change.
 class StillWindow : public view::WindowModel {
 public:
     void advance(Duration) override { }
@@ -26,7 +26,7 @@ private:
     view::WindowState state_;
 };
 
-// Returns the number of pixels within 12 levels of a colour.
+// Returns the number of pixels whose colour differs from `srgb` by at most 12 levels.
 int colored(render::Image const& picture, Vec3f const& srgb)
 {
     auto const wanted = render::color_from(srgb);

@@ -41,7 +41,8 @@ std::vector<Box> boxes_of(CardGrid const& grid)
 
 void check_grid(std::vector<view::StartCards> const& groups, float width, float scale)
 {
-    constexpr float kPenHits_px = 56; // Least size for a pen, equal to theme::kButtonHeight_px.
+    // Minimum size of a target for the pen, equal to theme::kButtonHeight_px.
+    constexpr float kPenHits_px = 56;
     auto const grid = arrange_cards(groups, width, scale);
     std::set<std::pair<std::size_t, std::size_t>> shown;
     for (auto const& place : grid.places)
@@ -59,7 +60,8 @@ void check_grid(std::vector<view::StartCards> const& groups, float width, float 
         EXPECT_LE(boxes[i].bottom, grid.height);
         for (std::size_t j = i + 1; j < boxes.size(); ++j)
             EXPECT_FALSE(boxes[i].overlaps(boxes[j])) << i << " and " << j;
-        for (auto const& title : grid.titles) // Titles of a line of letters.
+        // Each title is assumed to be a line of text, at least 20 pixels wide.
+        for (auto const& title : grid.titles)
             EXPECT_FALSE(boxes[i].overlaps(
                 { title.left, title.top, title.left + 20, title.top + 30 * scale }))
                 << title.text;
@@ -76,8 +78,8 @@ TEST(CardGrid, ShowsEveryCardOnceAndNoneOverAnother)
             }
 }
 
-// Columns must have equal left edges throughout the page, equal gaps to within a pixel, and fill
-// the width.
+// Throughout the page, the left edges of the columns must be equal, and the gaps equal to within a
+// pixel. The columns must fill the width.
 TEST(CardGrid, HasColumnsOfOneWidthThroughout)
 {
     auto const grid = arrange_cards(groups_of(12), 1560, 1);
@@ -102,14 +104,15 @@ TEST(CardGrid, ShowsTheNewestBesideTheEmptySheetAndTheOthersLast)
     EXPECT_EQ(grid.places[3].top, grid.places[0].top);
     EXPECT_EQ(grid.places.back().group, 1u);
     EXPECT_EQ(grid.places.back().card, 11u);
-    // The narrow window has three columns.
+    // The narrow window has three columns of cards.
     auto const narrow = arrange_cards(groups_of(12), 480, 1);
     EXPECT_GT(narrow.titles[1].top, narrow.places[2].top);
 }
 
 TEST(CardGrid, LeadsTheArrowsFromCardToCard)
 {
-    auto const grid = arrange_cards(groups_of(0), 480, 1); // Three cards, then 14 in rows of three.
+    // Three cards, and then 14 in rows of three.
+    auto const grid = arrange_cards(groups_of(0), 480, 1);
     EXPECT_EQ(neighbour(grid, 0, Direction::Left), 0u);
     EXPECT_EQ(neighbour(grid, 0, Direction::Right), 1u);
     EXPECT_EQ(neighbour(grid, 1, Direction::Down), 4u);

@@ -6,7 +6,8 @@
 namespace tractus::window {
 namespace {
 
-// Height at which a plant of a shape is seen, where `count` are side by side in `columns`.
+// Returns the height of each plant in pixels if `count` plants, of width `shape` times their
+// height, are shown in `columns`.
 double plant_px(std::size_t count, std::size_t columns, ImVec2 const& size_px, double shape)
 {
     auto const rows = (count + columns - 1) / columns;

@@ -21,8 +21,9 @@
 #include <tuple>
 #include <unistd.h>
 
-// The first plant of each method, from the start page, with each kind of device: measures presses
-// and seconds until it exists, and checks that its recording replays.
+// Tests that draw the first plant with each method, starting at the start page, with each kind of
+// device. They measure the presses and seconds until the plant exists, and check that the recording
+// replays.
 namespace tractus::window {
 
 using namespace layout_tests;
@@ -30,7 +31,7 @@ using namespace layout_tests;
 namespace {
 
 namespace fs = std::filesystem;
-using Line = std::vector<Vec3>; // Points of a stroke. World frame.
+using Line = std::vector<Vec3>; // Points of a stroke, in the world frame.
 
 enum class Device { PenAndSurface, PenDisplay, Tablet, Mouse };
 
@@ -40,8 +41,8 @@ char const* name_of(Device device)
     return kNames.at(static_cast<std::size_t>(device));
 }
 
-// A card that the user presses, and lines that the user draws. The pad's lower edge is below the
-// window's bar.
+// A card that the user presses, and the lines that the user then draws. The lower edge of the pad
+// is hidden by the window's bar.
 struct FirstPlant {
     char const* method = "";
     char const* card = "";
@@ -69,7 +70,7 @@ Line leaf_edge()
     return line;
 }
 
-// Returns lines through the given points, x and y.
+// Returns lines through points given by x and y, at a height of 100 mm.
 std::vector<Line> flat(std::vector<std::vector<Vec2>> const& lines)
 {
     std::vector<Line> all;
@@ -110,8 +111,8 @@ std::vector<FirstPlant> first_plants()
     };
 }
 
-// The hand at the pen, and optionally at the surface, as a log of the devices' reports: 200 a
-// second.
+// A hand that moves the pen, and optionally the surface. It writes a log with 200 reports of each
+// device per second.
 class PenHand {
 public:
     explicit PenHand(bool has_surface)
@@ -130,7 +131,7 @@ public:
             rest({ at.x(), at.y(), 100 }, touches, 30);
     }
 
-    // Draws at 120 mm/s.
+    // Draws a line at 120 mm/s.
     void draw(Line const& line)
     {
         rest(line.front(), false, 20);
@@ -164,7 +165,7 @@ private:
     void send(Vec3 const& at, bool touches)
     {
         now_ms_ += 5;
-        if (has_surface_) // The counts are those of the linear model of a default Rig.
+        if (has_surface_) // The counts follow the linear height model of a default Rig.
             log_.write_report(kHeight, at_ms(now_ms_),
                               height_report(static_cast<int>(std::lround(10 * at.z()))));
         log_.write_report(kPen, at_ms(now_ms_), pen_report(100 + at.x(), 50 - at.y(), touches));
@@ -176,7 +177,7 @@ private:
     std::int64_t now_ms_ = 0;
 };
 
-// The window, in frames of 1/60 s.
+// The window, drawn in frames of 1/60 s.
 class Frames {
 public:
     Frames(ImVec2 const& size, render::Renderer& renderer)
@@ -212,7 +213,7 @@ public:
 
     PenArea const& area() const { return layout_->pen_area(); }
 
-    // Returns the middle of a card on the start page, which must be fully visible.
+    // Returns the middle of a card on the start page. The card must be fully visible.
     ImVec2 card(view::StartPageState const& page, std::string const& title) const
     {
         DrawnFrame drawn;
@@ -223,7 +224,8 @@ public:
         for (auto const& [whole, visible] : drawn.buttons)
             if (whole.panel.find("cards") != std::string::npos)
                 boxes.push_back(visible);
-        // Cards are drawn in the grid's order; invisible ones, at the end, are not drawn.
+        // The cards are drawn in the order of the grid. Those at the end that are not visible are
+        // not drawn.
         auto const grid = arrange_cards(page.groups, ImGui::GetIO().DisplaySize.x, 1);
         for (std::size_t i = 0; i < std::min(boxes.size(), grid.places.size()); ++i) {
             auto const& place = grid.places[i];
@@ -246,8 +248,8 @@ Timestamp clock_now()
     return Timestamp(std::chrono::steady_clock::now().time_since_epoch());
 }
 
-// Waits for the other thread to open what was chosen, however long that takes; the log's time
-// stands still.
+// Waits until another thread has opened the chosen drawing, without a time limit. The time of the
+// log stands still meanwhile.
 void wait_for_opening(controllers::LiveWindow& window)
 {
     while (window.start_page() && window.start_page()->state().is_opening) {
@@ -312,7 +314,7 @@ protected:
         return controllers::LiveWindow::create(std::move(devices), std::move(all)).value();
     }
 
-    // Return the time that it took, in seconds, and the resulting scene.
+    // These functions return the time until the plant exists, in seconds, and the resulting scene.
     std::pair<double, scene::Scene> draw_with_pen();
     std::pair<double, scene::Scene> draw_with_mouse();
 
@@ -352,7 +354,7 @@ std::pair<double, scene::Scene> FirstPlants::draw_with_pen()
     return { hand.seconds(), drawn };
 }
 
-// In real time, since the mouse's devices are read on threads of their own.
+// Draws in real time, since the mouse's devices are read in threads of their own.
 std::pair<double, scene::Scene> FirstPlants::draw_with_mouse()
 {
     auto all = options();
@@ -378,7 +380,7 @@ std::pair<double, scene::Scene> FirstPlants::draw_with_mouse()
         show(card, is_down);
     while (window.start_page())
         show(card, false);
-    for (int i = 0; i < 4; ++i) // Drawing starts only when the pad has its position.
+    for (int i = 0; i < 4; ++i) // Drawing can start only when the pad has its final position.
         show({ 0, 0 }, false);
     for (auto const& line : plant().lines) {
         std::vector<ImVec2> path;
@@ -408,13 +410,13 @@ TEST_P(FirstPlants, TakesOnePressAndIsRecorded)
     auto const [seconds, scene] = device() == Device::Mouse ? draw_with_mouse() : draw_with_pen();
     RecordProperty("seconds", fmt::format("{:.1f}", seconds));
     if (device() != Device::Mouse)
-        EXPECT_LT(seconds, 60); // Limit in the log's time, not in computing time.
+        EXPECT_LT(seconds, 60); // The limit is in the log's time, not in computing time.
     ASSERT_EQ(scene.plants.size(), 1u);
     EXPECT_GT(scene.plants.front()->base->segment_count(), 0u);
     bool const is_shaped = std::string_view(plant().method) == "strokes";
     EXPECT_EQ(scene.associations.size(), is_shaped ? 1u : 0u);
 
-    // Folder in which the recordings are kept.
+    // If this variable is set, the recordings are copied to the folder that it names.
     if (auto const* const folder = std::getenv("TRACTUS_FIRST_PLANTS"))
         fs::copy_file(recording(),
                       fs::path(folder)
@@ -432,8 +434,8 @@ TEST_P(FirstPlants, TakesOnePressAndIsRecorded)
     EXPECT_EQ(again.scene.associations.size(), scene.associations.size());
 }
 
-// Recordings that come with the program; TRACTUS_FIRST_PLANTS=app/demo/first-plants makes them
-// again.
+// Tests the recordings that come with the program. Running the tests with
+// TRACTUS_FIRST_PLANTS=app/demo/first-plants makes these again.
 TEST(FirstPlantRecordings, ReplayToAPlant)
 {
     std::size_t count = 0;

@@ -19,10 +19,10 @@
 #include <string>
 #include <vector>
 
-// Draws the window without a display, for tests of the positions of its elements.
+// Fixture that draws the window without a display, to test the positions of its elements.
 namespace tractus::window::layout_tests {
 
-// A start page with a given number of recent drawings, and with pictures as large as those of
+// A start page with the given number of recent drawings, whose pictures are as large as those of
 // models.
 class CardsModel : public view::StartPageModel {
 public:
@@ -127,17 +127,17 @@ public:
     void name(std::string drawing) { state_.drawing_name = std::move(drawing); }
     void add_card(tools::ToolCard card) { state_.cards.push_back(std::move(card)); }
 
-    std::vector<tools::Tool> moved {};       // Settings of a tool while a slider is dragged.
-    std::vector<tools::Tool> released {};    // Settings of a tool when the slider is released.
-    std::vector<std::string> given_names {}; // Names given to the drawing.
-    std::vector<view::RequestCollection> collections {}; // Collections that were asked for.
-    std::vector<std::size_t> picked {};                  // Drawn curves that were clicked.
+    std::vector<tools::Tool> moved {};       // Settings of a tool while a slider is being dragged.
+    std::vector<tools::Tool> released {};    // Settings of a tool when a slider is released.
+    std::vector<std::string> given_names {}; // Names that the user has given to the drawing.
+    std::vector<view::RequestCollection> collections {}; // Collections that the user has asked for.
+    std::vector<std::size_t> picked {};                  // Drawn curves that the user has clicked.
     std::size_t touches = 0;
-    double surface_mm = 0; // Distance by which the surface was moved.
+    double surface_mm = 0; // Distance by which the user has moved the surface.
 
     std::optional<CardsModel> start {};
     calibration::CalibrationModel* calibrated
-        = nullptr; // Calibration shown instead of the drawing; not owned.
+        = nullptr; // Calibration that is shown instead of the drawing; not owned.
 
 private:
     tools::Methods methods_;
@@ -150,7 +150,7 @@ struct Box {
     float top = 0;
     float right = 0;
     float bottom = 0;
-    std::string panel {}; // Name of the ImGui window.
+    std::string panel {}; // Name of the ImGui window that contains the box.
 
     float width() const { return right - left; }
     float height() const { return bottom - top; }
@@ -164,7 +164,8 @@ inline std::string text_of(Box const& box)
 
 inline bool overlap(Box const& one, Box const& other)
 {
-    constexpr float kTouch_px = 1.5f; // Tolerance for smoothed edges.
+    // Boxes may overlap by this much, since their edges are smoothed.
+    constexpr float kTouch_px = 1.5f;
     return std::min(one.right, other.right) - std::max(one.left, other.left) > kTouch_px
         && std::min(one.bottom, other.bottom) - std::max(one.top, other.top) > kTouch_px;
 }
@@ -178,15 +179,15 @@ Box cut(Box box, ImVec4 const& clip)
     return box;
 }
 
-// The contents of a frame, found in the vertices sent to the graphics card, so that it is what the
-// user sees.
+// The elements of a frame, found in the vertices that are sent to the graphics card. So they are
+// what the user sees.
 struct DrawnFrame {
     struct Button {
         Box whole;
         Box visible;
     };
     std::vector<Button> buttons {};
-    std::vector<Box> pictures {}; // Boxes of the window's views.
+    std::vector<Box> pictures {}; // Boxes in which the window shows its views.
 };
 
 constexpr ImU32 kWithoutAlpha = ~IM_COL32_A_MASK;
@@ -199,7 +200,7 @@ inline bool is_button(ImU32 color)
     return is(ImGuiCol_Button) || is(ImGuiCol_CheckMark) || is(ImGuiCol_ButtonHovered);
 }
 
-// Finds the buttons: each run of neighbouring vertices in a button's colour is one.
+// Finds the buttons of a frame. Each run of successive vertices in a button's colour is one button.
 inline void find_drawn(ImDrawList const& list, DrawnFrame& drawn)
 {
     auto const font = ImGui::GetIO().Fonts->TexID;
@@ -246,14 +247,15 @@ protected:
         ASSERT_TRUE(context) << context.error().message;
         context_.emplace(std::move(*context));
         renderer_.emplace(render::Renderer::create().value());
-        glEnable(GL_RASTERIZER_DISCARD); // Pixels are not needed, only positions.
+        glEnable(GL_RASTERIZER_DISCARD); // Pixels are not needed, only the positions of vertices.
     }
 
     using Prepare = std::function<void(Layout&, DrawingModel&)>;
-    // Check of a frame in a window of the given size.
+    // A check of the elements of a frame in a window of the given size.
     using Check = std::function<void(DrawnFrame const&, ImVec2 const&)>;
 
-    // Shows a window of the given size in points; `prepare` is called before the last frames.
+    // Shows a window of the given size, in points. Calls `prepare` before the last frames, and
+    // `check` after them.
     void show(ImVec2 const& points, float scale, Prepare const& prepare, Check const& check)
     {
         ImGui::CreateContext();
@@ -285,16 +287,16 @@ protected:
         ImGui::DestroyContext();
     }
 
-    // Input in one frame: the mouse's position, the state of its button, and the keys pressed.
+    // Input in one frame: the position of the mouse, the state of its button, and the keys pressed.
     struct Moment {
         ImVec2 place_px;
         bool is_down = false;
         HandInput input {};
-        std::string typed {}; // Text typed on the keyboard.
+        std::string typed {}; // Text typed on the keyboard in this frame.
     };
 
-    // Shows the page in a window of the given size in points while input takes place; `look` is
-    // called at its end.
+    // Shows the page in a window of the given size, in points, with the given input in successive
+    // frames. Calls `look` at the end.
     void work(
         ImVec2 const& points, std::vector<Moment> const& moments, DrawingModel& model,
         std::function<void(Layout&)> const& prepare = [](Layout&) {},
@@ -334,7 +336,7 @@ struct Size {
     float scale;
 };
 
-// Returns sizes in points, on displays of up to 3840 x 2160.
+// Returns the window sizes to test, in points, for displays of up to 3840 x 2160 pixels.
 inline std::vector<Size> sizes()
 {
     std::vector<Size> all;
@@ -353,7 +355,7 @@ inline std::vector<Size> sizes()
     return all;
 }
 
-// True for panels that can be scrolled by dragging up and down.
+// True if the box is in a panel that the user can scroll by dragging up and down.
 inline bool scrolls(Box const& box)
 {
     return box.panel.find("meanings") != std::string::npos || box.panel == "menu"

@@ -43,7 +43,7 @@ TEST_F(LayoutTest, ShowsThePlantBesideTheMenuThatChangesIt)
         }
 }
 
-// For a left hand, the menu is on the other side of the plant.
+// For a left-handed user, the menu must be on the other side of the plant.
 TEST_F(LayoutTest, ShowsThePlantBesideTheMenuOfALeftHand)
 {
     for (auto const& size : sizes()) {
@@ -68,7 +68,7 @@ TEST_F(LayoutTest, ShowsThePlantBesideTheMenuOfALeftHand)
     }
 }
 
-// Nothing of the window may be visible, whatever was open before.
+// On stage, only the growing plant may be visible, whatever was open in the window before.
 TEST_F(LayoutTest, ShowsNothingOnStageButWhatGrows)
 {
     for (auto const& size : sizes()) {
@@ -114,7 +114,7 @@ TEST_F(LayoutTest, LetsTheMouseDrawOnStageUntilEscape)
 
 namespace {
 
-// The switches beside a collection, from top to bottom.
+// Returns the boxes of the switches beside a collection, from top to bottom.
 std::vector<Box> switches(DrawnFrame const& drawn)
 {
     std::vector<Box> boxes;

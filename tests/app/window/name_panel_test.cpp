@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kButtonCount = 2 + 40 + 3;
 
-// Returns the panel's buttons, row by row: confirm and Close, four rows of ten keys, and three
-// more.
+// Returns the buttons of the name panel, row by row: confirm and Close, four rows of ten keys, and
+// three other keys.
 std::vector<DrawnFrame::Button> name_buttons(DrawnFrame const& drawn)
 {
     std::vector<DrawnFrame::Button> buttons;
@@ -55,7 +55,7 @@ TEST_F(LayoutTest, ShowsKeysForANameInTheWindow)
         }
 }
 
-// The keys are found as they were drawn, and pressed; the first letter is a capital.
+// Finds the keys where they were drawn, and presses them. The first letter must be a capital.
 TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
 {
     ImVec2 const size { 1600, 900 };
@@ -81,7 +81,7 @@ TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
         for (bool const is_down : { false, true, false })
             moments.push_back({ middle, is_down });
     }
-    // The key C would choose a tool if the panel were closed.
+    // If the panel were closed, the key C would choose a tool.
     moments[1].input.presses.push_back({ 'C' });
     work(size, moments, model, ask, [](Layout& layout) {
         EXPECT_FALSE(layout.workspace().name_request) << "the panel closes when it is done";
@@ -91,7 +91,7 @@ TEST_F(LayoutTest, NamesTheDrawingWithKeysOnTheWindow)
     EXPECT_EQ(model.touches, 0u) << "nothing is drawn below the panel";
 }
 
-// A name is typed on the keyboard, in several frames.
+// The name is typed on the keyboard, in several frames.
 TEST_F(LayoutTest, TypesANameInThePlaceOfTheOldOneAndConfirmsWithEnter)
 {
     auto const name_by = [&](std::vector<Moment> const& moments, bool is_closed) {

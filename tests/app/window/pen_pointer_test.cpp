@@ -17,7 +17,7 @@ Bounds tablet_volume()
 
 } // namespace
 
-// ImGui without a window, to observe its mouse input.
+// Fixture with ImGui but without a window, to observe the mouse input that ImGui receives.
 class PenPointerTest : public testing::Test {
 protected:
     PenPointerTest()

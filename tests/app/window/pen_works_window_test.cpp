@@ -28,19 +28,19 @@ namespace {
 
 constexpr int kWidth_px = 1000;
 constexpr int kHeight_px = 560;
-// The simple pen's tablet; the window shows it in the middle, as large as possible.
+// Size of the simple pen's tablet. The window shows the tablet in its middle, as large as possible.
 constexpr double kTabletWidth_mm = 200;
 constexpr double kTabletDepth_mm = 100;
 constexpr double kPxPerMm = kWidth_px / kTabletWidth_mm;
 
-// Writes the reports of a pen that operates the window; positions are in the window's pixels.
+// Writes the reports of a pen that operates the window. Positions are in pixels of the window.
 class PenScript {
 public:
     explicit PenScript(std::vector<drivers::DeviceInfo> devices = { drivers::simple_pen() })
         : log_(text_, { .devices = std::move(devices), .rig_text = {}, .start = {} })
     {
         hover(10, 10);
-        wait(300); // The window is open.
+        wait(300); // By then, the window is open.
     }
 
     void hover(double x_px, double y_px, bool barrel = false)
@@ -68,13 +68,14 @@ public:
         wait(100);
     }
 
-    // Erases with the pen's other end.
+    // Erases along a line with the pen's other end.
     void erase(double from_x_px, double from_y_px, double to_x_px, double to_y_px)
     {
         draw(from_x_px, from_y_px, to_x_px, to_y_px, kInRange | kErasing);
     }
 
-    // Opens the ring at a position, and taps a choice; choices are counted clockwise from the top.
+    // Opens the ring of tools at a position, and taps one of its choices, which are counted
+    // clockwise from the top.
     void choose(double x_px, double y_px, int choice)
     {
         constexpr double kMiddleOfRing_px = 126;
@@ -83,7 +84,7 @@ public:
         wait(50);
         hover(x_px, y_px);
         wait(50);
-        // The groups of tools, undo, redo, and what changes the view.
+        // The choices are the groups of tools, undo, redo, and two that change the view.
         auto const choices
             = static_cast<int>(tools::tool_choices(methods::all_methods().tools, {}).size()) + 4;
         double const angle = choice * 2 * kPi / choices - kPi / 2;
@@ -106,10 +107,10 @@ public:
     }
 
 private:
-    // Bits of the simple pen's report.
+    // Bits in the first byte of the simple pen's report.
     static constexpr int kTouching = 0x01;
     static constexpr int kBarrel = 0x02;
-    static constexpr int kErasing = 0x18; // Bits for the pen's other end touching.
+    static constexpr int kErasing = 0x18; // The pen's other end touches.
     static constexpr int kInRange = 0x20;
 
     void send(double x_px, double y_px, int flags)
@@ -160,7 +161,8 @@ protected:
         return controllers::LiveWindow::create(std::move(devices), std::move(options)).value();
     }
 
-    // A pen can also operate the window before there is a drawing.
+    // Returns a window at its start page: a pen can also operate the window before there is a
+    // drawing.
     controllers::LiveWindow window_at_start(PenScript& script)
     {
         auto const file = folder_ / "pen.tractus-log";
@@ -200,7 +202,7 @@ protected:
 
 namespace {
 
-constexpr int kDrawChoice = 0; // First choice of the ring, clockwise from the top.
+constexpr int kDrawChoice = 0; // Index of the ring's first choice, clockwise from the top.
 constexpr int kSelectChoice = 1;
 constexpr int kLeanChoice = 2;
 constexpr int kEraseChoice = 3;
@@ -246,7 +248,7 @@ TEST_F(PenWorksWindow, SelectsWhereTheSkeletonIsShown)
 {
     PenScript script;
     script.choose(500, 195, kSelectChoice);
-    script.draw(500, 310, 500, 120); // Across the branch on the right.
+    script.draw(500, 310, 500, 120); // Draws across the branch on the right.
     auto window = window_of(script);
     run(window, script);
     EXPECT_TRUE(window.state().hand.get<tools::SelectTool>());
@@ -272,11 +274,12 @@ TEST_F(PenWorksWindow, RecordsWhatReplaysTheSame)
     EXPECT_EQ(replay.strokes.size(), 1u);
 }
 
-// Chosen by a button, and then used with the pen's other end, also when the recording is replayed.
+// The eraser is chosen by a button, and then used with the pen's other end. The replay of the
+// recording must give the same result.
 TEST_F(PenWorksWindow, ErasesWhatItTouches)
 {
     PenScript script;
-    script.draw(300, 195, 700, 215); // Draws the first branch.
+    script.draw(300, 195, 700, 215); // Draws a stroke for the first branch.
     script.choose(500, 195, kEraseChoice);
     script.tap(306, 458); // Taps "What it touches".
     script.draw(700, 150, 700, 250);
@@ -292,7 +295,7 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
     ASSERT_EQ(window.scene().associations.size(), 1u);
     auto const& tips = window.scene().associations[0].what.stroke.tips;
     EXPECT_NEAR(tips.front().position_mm.x(), -36,
-                0.1); // The line has a tip every 4 mm, so its ends are at -36 and 36 mm.
+                0.1); // The line has a tip every 4 mm, so its new ends are at x = -36 and 36 mm.
     EXPECT_NEAR(tips.back().position_mm.x(), 36, 0.1);
 
     auto const log = drivers::read_log(folder_ / "again.tractus-log").value();
@@ -304,7 +307,7 @@ TEST_F(PenWorksWindow, ErasesWhatItTouches)
                               window.scene().associations[0].what.stroke));
 }
 
-// A table whose height sensor is not calibrated yet, and a user without keyboard and mouse.
+// The table's height sensor is not calibrated yet, and the user has neither keyboard nor mouse.
 TEST_F(PenWorksWindow, LeavesCalibratingForDrawing)
 {
     PenScript script(simple_rig());
@@ -321,7 +324,7 @@ TEST_F(PenWorksWindow, LeavesCalibratingForDrawing)
 TEST_F(PenWorksWindow, RestsOnTheTabletToCapture)
 {
     PenScript script(simple_rig());
-    script.tap(760, 400); // Rests at a position without buttons.
+    script.tap(760, 400); // Taps a position without buttons.
     script.rest(760, 400, 800);
     script.wait(500);
     auto window = window_of(script, false, true);
@@ -346,19 +349,19 @@ TEST_F(PenWorksWindow, PressesAButtonForLongWithoutCapturing)
     EXPECT_EQ(window.calibration()->view().proposed_mm, -10);
 }
 
-// By a step, and by keys; numbers out of range change nothing.
+// Numbers are set in steps and by keys. Numbers out of range must change nothing.
 TEST_F(PenWorksWindow, SetsNumbersOfATool)
 {
     PenScript script;
     script.choose(500, 195, kSketchChoice);
-    script.draw(973, 340, 973, 480); // Scrolls the bar's rows to their end.
-    script.tap(220, 392);            // Button "Angle 45°", whose panel is above the bar.
-    script.tap(316, 140);            // Taps "more by 5".
-    script.tap(80, 392);             // Button "Laterals 2", which accepts 0 to 8.
-    script.tap(676, 247);            // Presses key 3.
-    script.tap(676, 42);             // Presses "Set".
-    script.tap(676, 115);            // Presses key 9.
-    script.tap(676, 42);             // Presses "Set".
+    script.draw(973, 340, 973, 480); // Scrolls the rows of the bar to their end.
+    script.tap(220, 392); // Taps the button "Angle 45°", whose panel opens above the bar.
+    script.tap(316, 140); // Taps "more by 5".
+    script.tap(80, 392);  // Taps the button "Laterals 2", whose range is 0 to 8.
+    script.tap(676, 247); // Taps the key 3.
+    script.tap(676, 42);  // Taps "Set".
+    script.tap(676, 115); // Taps the key 9.
+    script.tap(676, 42);  // Taps "Set".
     auto window = window_of(script);
     run(window, script);
     auto const words = tools::words_for(window.state().hand);
@@ -367,12 +370,12 @@ TEST_F(PenWorksWindow, SetsNumbersOfATool)
     EXPECT_EQ(window.station().counts().strokes, 0u);
 }
 
-// The tests' display is larger than their window.
+// The display on which the tests run must be larger than their window.
 TEST_F(PenWorksWindow, FillsTheDisplay)
 {
     PenScript script;
     script.tap(942, 524); // Opens the menu.
-    script.tap(920, 42);  // Opens the menu's page Window.
+    script.tap(920, 42);  // Opens the page "Window" of the menu.
     script.tap(760, 126); // Chooses "Full screen".
     script.wait(300);
     auto window = window_of(script);
@@ -386,7 +389,7 @@ TEST_F(PenWorksWindow, PressesACardAndDrawsOnTheEmptySheet)
 {
     ::setenv("XDG_DATA_HOME", folder_.c_str(), 1);
     PenScript script;
-    script.tap(110, 200); // The card "Along a stroke".
+    script.tap(110, 200); // Taps the card "Along a stroke".
     script.draw(300, 150, 700, 150);
     auto window = window_at_start(script);
     ASSERT_NE(window.start_page(), nullptr);

@@ -11,7 +11,7 @@ namespace tractus::window {
 
 namespace {
 
-// A window that records the requests made to it.
+// A window model that records the requests it receives.
 class AskedModel : public view::WindowModel {
 public:
     AskedModel()

@@ -6,9 +6,9 @@
 
 namespace tractus::window {
 
-// Returns the state of a window: a drawing volume of 200 x 150 x 300 mm with its surface half way
-// up, a stroke that rises through the surface, the pen on the surface, and a skeleton of a trunk
-// and two branches in two states.
+// Returns the state of a window. The drawing volume is 200 x 150 x 300 mm, with its surface half
+// way up. There is a stroke that rises through the surface, a pen on the surface, and the skeleton
+// of a trunk and two branches in two states.
 inline view::WindowState small_state()
 {
     view::WindowState state;

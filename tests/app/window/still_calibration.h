@@ -6,8 +6,8 @@
 
 namespace tractus::window {
 
-// A constant calibration of a string potentiometer's heights with seven captures, one of which
-// slipped.
+// A finished, constant calibration of the heights of a string potentiometer. It has seven captures,
+// one of which slipped.
 class StillCalibration : public calibration::CalibrationModel {
 public:
     StillCalibration()

@@ -25,7 +25,7 @@ view::DrawnCurveView curve_through(std::vector<Vec3f> const& points_mm)
     return curve;
 }
 
-// One to the right, one to the back, one upwards.
+// Returns a state with three curves: one to the right, one to the back, and one upwards.
 view::WindowState state_with_curves()
 {
     auto state = small_state();
@@ -106,7 +106,7 @@ TEST(StrokeScene, DropsALineFromTheHighlightedCurvesStart)
     EXPECT_EQ(flat_lines(with), with.size());
 }
 
-// The upright stays upright and the front stays in front, as the camera turns.
+// When the camera turns, vertical lines must stay vertical, and the front must stay in front.
 TEST(StrokeScene, ShowsTheGroundLevelFromEverywhere)
 {
     auto const state = state_with_curves();
@@ -119,12 +119,14 @@ TEST(StrokeScene, ShowsTheGroundLevelFromEverywhere)
         EXPECT_NEAR(top->x(), foot->x(), 25);
         auto const front = projection.to_px(front_mm(state));
         ASSERT_TRUE(front);
-        bool const is_nearer = std::cos(azimuth_rad) > 0; // The nearer edge is lower.
+        // The edge nearer to the camera is lower in the picture.
+        bool const is_nearer = std::cos(azimuth_rad) > 0;
         EXPECT_EQ(front->y() > foot->y(), is_nearer) << azimuth_rad;
     }
 }
 
-// Each curve is found where it is seen, from every side, and none far from all.
+// From every side, each curve must be found where it is seen. No curve may be found far from all of
+// them.
 TEST(StrokeScene, FindsTheCurveThatIsClicked)
 {
     auto const state = state_with_curves();

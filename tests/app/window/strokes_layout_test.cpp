@@ -10,7 +10,7 @@ using namespace layout_tests;
 
 namespace {
 
-// Curves side by side, as tall as the drawing volume.
+// Adds curves that stand side by side and are as tall as the drawing volume.
 void add_curves(DrawingModel& model, std::size_t count)
 {
     std::vector<view::DrawnCurveView> curves;
@@ -53,7 +53,8 @@ TEST_F(LayoutTest, ShowsStrokesBelowThePadWhereThereIsRoom)
     std::size_t with_strokes = 0;
     for (auto const& size : sizes())
         for (std::size_t const count : { 0u, 3u, 1000u }) {
-            if (count != 3 && size.width != 1280) // Numbers of curves need one size each.
+            // Other numbers of curves are tested with a single window size.
+            if (count != 3 && size.width != 1280)
                 continue;
             SCOPED_TRACE(fmt::format("{}, {} curves", text_of(size), count));
             show(
@@ -105,14 +106,14 @@ TEST_F(LayoutTest, ShowsStrokesAloneBesideTheirList)
         }
 }
 
-// A click on a curve picks it, a drag turns the view and picks nothing.
+// A click on a curve must pick it. A drag must turn the view and pick nothing.
 TEST_F(LayoutTest, PicksTheClickedStroke)
 {
     DrawingModel model;
     add_curves(model, 1);
     auto const at = [](float x, float y, bool is_down) { return Moment { { x, y }, is_down }; };
     auto const alone = [](Layout& layout) { layout.workspace().shown = Workspace::Shown::Strokes; };
-    // The only curve is upright in the middle of the box, and of the picture: it is crossed.
+    // The only curve is upright, in the middle of the picture. The clicks cross it.
     std::vector<Moment> clicks { at(5, 5, false) };
     for (float x = 640; x < 1100; x += 12)
         for (bool const is_down : { false, true, false })

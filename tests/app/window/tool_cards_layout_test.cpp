@@ -44,7 +44,7 @@ TEST_F(LayoutTest, TakesACardIntoTheHand)
     model.perform(view::ChooseTool { tool });
     auto const second = tools::ready_cards(tool)[1].tool;
     std::vector<Moment> moments { { { 0, 0 } }, { { 0, 0 } } };
-    // Positions that include the second card of the first row.
+    // Some of these positions are on the second card of the first row.
     for (float y = 300; y < 420; y += 20) {
         moments.push_back({ { 230, y } });
         moments.push_back({ { 230, y }, true });
@@ -55,8 +55,8 @@ TEST_F(LayoutTest, TakesACardIntoTheHand)
     EXPECT_EQ(model.state().hand, second);
 }
 
-// Wherever on the gizmo a drag begins, it must set the rule while moving and once at its end, if it
-// began on a handle, and must not draw on the pad below.
+// A drag may begin anywhere on the gizmo. If it begins on a handle, it must set the rule while
+// moving and once at its end. It must never draw on the pad below.
 TEST_F(LayoutTest, DragsTheHandlesOfTheRule)
 {
     DrawingModel model;

@@ -16,7 +16,8 @@ bool starts_at(render::Curve const& curve, Vec3f const& position_mm)
     return curve.points.front().position_mm.isApprox(position_mm);
 }
 
-// Returns a copy, since g++ 14 warns of a dangling reference here.
+// Returns a copy of the curve with the given begin and unit, since g++ 14 warns of a dangling
+// reference here.
 render::Curve find(std::vector<render::Curve> const& curves, Vec3f const& begin_mm,
                    render::Curve::WidthUnit unit)
 {
@@ -77,7 +78,8 @@ TEST(PadCurves, DashWhatWasRefused)
     auto const first = find(dashed, { 0, 50, 150 }, render::Curve::WidthUnit::Pixels);
     EXPECT_TRUE(first.points.back().position_mm.isApprox(Vec3f(4, 50, 150)));
     EXPECT_NE(first.points[0].color, theme::palette().ink);
-    // The outline tool draws on the sheet, where that stroke was not drawn.
+    // The outline tool draws on the upright sheet. The refused stroke was not drawn there, so it is
+    // not shown.
     state.hand = silhouette::OutlineTool {};
     EXPECT_EQ(pad_live_curves(state).size(), before);
 }
@@ -153,8 +155,8 @@ TEST(LayerCurves, DashAndDotByTheirPattern)
     };
     auto state = small_state();
     state.strokes.clear();
-    // Alternating dashes of 4 mm and gaps of 2.4 mm, around a corner: 0 to 4, 6.4 to 10.4, 12.8 to
-    // 16.
+    // Dashes of 4 mm alternate with gaps of 2.4 mm around a corner: dashes from 0 to 4, 6.4 to
+    // 10.4, and 12.8 to 16 mm.
     state.layers = { { &kDashed, { { { 0, 0, 0 }, { 8, 0, 0 }, { 8, 8, 0 } } } } };
     auto const curves = pad_stroke_curves(state);
     ASSERT_EQ(curves.size(), 3u);

@@ -12,7 +12,7 @@ namespace tractus::window {
 
 namespace {
 
-// Shows one state, and counts the window's requests.
+// A window model that shows a fixed state and counts the window's requests.
 class StillModel : public view::WindowModel {
 public:
     explicit StillModel(std::string trouble = {})
@@ -48,7 +48,8 @@ struct Part {
     int bottom = 660;
 };
 
-// Returns the number of pixels in the part within 12 levels of a colour.
+// Returns the number of pixels in a part of the picture whose colour differs from `srgb` by at most
+// 12 levels.
 int colored(render::Image const& picture, Part const& part, Vec3f const& srgb)
 {
     auto const wanted = render::color_from(srgb);
@@ -97,7 +98,8 @@ namespace {
 
 constexpr Part kPad { 110, 550 };
 constexpr Part kSkeleton { 620, 960, 60, 580 };
-constexpr Part kLegend { 560, 620, 580, 660 }; // Lines of the legend; the words are beside them.
+// The coloured lines of the legend; its words are beside them.
+constexpr Part kLegend { 560, 620, 580, 660 };
 constexpr Part kPlant { 990, 1480 };
 
 } // namespace

@@ -20,8 +20,8 @@ using std::chrono::microseconds;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-// Forwards to lines owned by the test, because a source owns its lines and the test also needs
-// them.
+// Forwards to lines that the test owns. A source owns the lines that it is given, but the test
+// needs them, too.
 class BorrowedLines final : public GpioLines {
 public:
     explicit BorrowedLines(GpioLines& lines)
@@ -47,8 +47,8 @@ Result<std::unique_ptr<ReportSource>> open(SimulatedConverter& converter,
           .sleep_until = [&](Timestamp time) { converter.lines.sleep_until(time); } });
 }
 
-// Returns the number of the k-th request in the n-th conversion; the first three conversions are a
-// self-test.
+// Returns the number of the k-th request in the n-th conversion. The first three conversions are
+// made when the converter is opened.
 constexpr std::uint64_t request(std::uint64_t conversion, std::uint64_t k)
 {
     return conversion * 51 + k;
@@ -143,7 +143,7 @@ TEST(GpioAdc, RepeatsWhatTheSchedulerInterrupted)
 
 TEST(GpioAdc, NeverGivesAReadingThatAnInterruptionSpoiled)
 {
-    // The reading is interrupted once, at each possible place.
+    // The reading is interrupted once, before each of its requests in turn.
     for (std::uint64_t at = 0; at < 51; ++at) {
         SimulatedConverter converter({}, { .pauses = { { request(3, at), milliseconds(30) } } });
         converter.inputs[5] = 3000.5 / 4096;

@@ -49,7 +49,7 @@ Result<QuadratureLevels> both_high()
     return QuadratureLevels { .a = true, .b = true };
 }
 
-// Returns the state after all edges that follow the beginning.
+// Returns the encoder's state after all pending edges, counted from `beginning`.
 Quadrature count_from(Quadrature::Beginning const& beginning, GpioEdges& edges)
 {
     Quadrature quadrature(beginning);
@@ -63,7 +63,7 @@ Quadrature count_from(Quadrature::Beginning const& beginning, GpioEdges& edges)
     return quadrature;
 }
 
-// The driver of a CP2112 assumes both lines to be low before its first poll.
+// The kernel's driver of a CP2112 assumes both lines to be low before its first poll.
 TEST(GpioEdges, TakeNoFirstLookAtHighLinesForEdges)
 {
     ScriptedEdges edges(

@@ -31,7 +31,7 @@ double hand(Timestamp time)
     return 4000 - 4000 * std::cos(to_seconds(time) * kPi / 2);
 }
 
-// Samples read until `end`, and the decoder's errors.
+// Samples read until a given time, and the decoder's errors.
 struct Read {
     std::vector<HeightSample> samples;
     std::vector<std::string> errors;
@@ -66,8 +66,8 @@ TEST(GpioEncoder, FollowsAHandToTheCount)
     EXPECT_TRUE(read.errors.empty());
     ASSERT_GT(read.samples.size(), 1500u);
     for (auto const& sample : read.samples)
-        // The time is that of an edge, to within a step of the simulation, in which it may have
-        // moved by a fraction of a count.
+        // A sample's time is that of an edge, to within a step of the simulation. In a step the
+        // encoder may move by a fraction of a count.
         EXPECT_NEAR(sample.counts - kEncoderCountsBelow, hand(sample.time), 1.2);
     EXPECT_EQ(read.samples.front().full_scale, kEncoderFullScale);
 }
@@ -127,7 +127,7 @@ TEST(GpioEncoder, WaitsNoLongerThanItIsTold)
     EXPECT_EQ(lines->now(), timestamp_ns(4'000'000));
 }
 
-// The bytes of one report: 260 counts below the beginning, after three edges.
+// The report's bytes mean 260 counts below the beginning, after three edges.
 TEST(GpioEncoderDecoder, ReadsTheReportsBytes)
 {
     auto const decoder = make_gpio_encoder_decoder();

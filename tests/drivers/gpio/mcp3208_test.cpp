@@ -12,7 +12,8 @@ using std::chrono::milliseconds;
 
 constexpr unsigned kRequests = 51; // Number of requests for one conversion of 12 bits.
 
-// Index of the request that ends the sampling: CS low, ten for the command, then one rising edge.
+// Index of the request that ends the sampling. Before it, CS goes low, the command takes ten
+// requests, and CLK rises once.
 constexpr std::uint64_t kSamplingEnds = 12;
 
 constexpr Mcp3208Channel kFirst { .bits = 12, .channel = 0 };

@@ -6,8 +6,8 @@
 namespace tractus::drivers {
 namespace {
 
-// Returns the state after edges, each written as a word. "A+" means that A rises; a lower-case
-// letter, as in "b-", means that the edge was lost.
+// Returns the state after a sequence of edges. Each edge is written as a word: "A+" means that A
+// rises; a lower-case letter, as in "b-", means that the edge was lost.
 Quadrature after(std::string_view edges, Quadrature::Beginning const& beginning = {})
 {
     Quadrature quadrature(beginning);

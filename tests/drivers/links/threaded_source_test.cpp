@@ -10,10 +10,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Long enough for any machine; tests continue as soon as there is a report.
+// Time limit of a read, long enough for any machine; a read returns as soon as there is a report.
 constexpr Duration kPatience = 30s;
 
-// Sends `count` reports, numbered in their first two bytes, then nothing or an error.
+// A source that gives `count` reports, numbered in their first two bytes, and then nothing or an
+// error.
 class Script final : public ReportSource {
 public:
     enum class End { Silence, Error };
@@ -110,7 +111,7 @@ TEST(ThreadedSource, CountsWhatTheRingCouldNotHold)
         if (!report)
             break;
         EXPECT_EQ((*report)->received,
-                  // The oldest reports are kept.
+                  // When the ring is full, the oldest reports are kept.
                   timestamp_ns(static_cast<std::int64_t>(received)));
         ++received;
     }

@@ -143,7 +143,7 @@ TEST(LibinputRecord, SaysWhatIsWrong)
         parsed_record("devices:\n- events:\n  - hid: {time: [x], hidraw0: [1]}\n", "record.yml"));
 }
 
-// A recording without raw reports, of a touchpad and of a pen.
+// A libinput recording without raw reports, of a touchpad and of a pen.
 constexpr char const* kLibinputEvents
     = "version: 1\nndevices: 2\nlibinput:\n  version: \"1.22.1\"\ndevices:\n"
       "- node: /dev/input/event4\n"
@@ -214,7 +214,7 @@ TEST(LibinputRecord, RefusesEventsThatAreNone)
     }
 }
 
-// A recording with axes as version 1.2 writes them, and a comment after each event.
+// An evemu recording with axes as version 1.2 writes them, and a comment after each event.
 constexpr char const* kEvemu = "# EVEMU 1.2\n"
                                "# Input device name: \"Pen\"\n"
                                "N: Pen # 2\n"
@@ -312,7 +312,8 @@ TEST(UsbhidDump, PutsTheReportsOfDevicesInTheOrderOfTheirTimes)
     EXPECT_EQ(order, "312") << "a device's own reports stay in their order";
 }
 
-// Returns a log of two interfaces of one tablet: their descriptors, and reports of simple_pen().
+// Returns a log of two interfaces of one tablet: their descriptors, and pen reports of simple_pen()
+// on one of them.
 Log log_of_two_interfaces(std::string const& own, int own_interface, int describing_interface)
 {
     Log log { .name = "dump.txt" };

@@ -191,8 +191,8 @@ TEST(LogReader, RefusesWhatIsNoLog)
               "<bytes>\")");
 }
 
-// The report's stated size is such that three times it is 2 modulo 2^64, the number of characters
-// that follow.
+// The second line states a size whose threefold overflows 64 bits to 2. This is the number of
+// characters that follow, so a check by multiplication would accept the size.
 TEST(LogReader, SkipsAReportWhoseSizeWouldWrapAround)
 {
     auto const log = parsed("R: 1 c0\n"
@@ -223,7 +223,7 @@ TEST(LogReader, NamesTextInUtf16)
               "pen.hid is text in UTF-16 or UTF-32: save it again as UTF-8");
 }
 
-// Lines must be read wherever they end within the pieces in which a file is read.
+// Lines must be read correctly wherever the file is divided into pieces.
 TEST(LogReader, ReadsALogOfManyPieces)
 {
     auto const path = std::filesystem::temp_directory_path()
@@ -240,7 +240,8 @@ TEST(LogReader, ReadsALogOfManyPieces)
     EXPECT_EQ(log->warning_count, 0u);
 }
 
-// Fixture with a log whose reports do not all stay in memory, as text and in a file.
+// Fixture with a log, as text and in a file, that is too large for all of its reports to stay in
+// memory.
 class LargeLog : public testing::Test {
 protected:
     LargeLog()

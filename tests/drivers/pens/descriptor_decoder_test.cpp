@@ -1,5 +1,5 @@
-// Pens decoded by their report descriptors: Wacom's own usage page, and known habits of some
-// models.
+// Tests pens that are decoded by their report descriptors: Wacom's own usage page, and known habits
+// of some models.
 
 #include "drivers/pens/descriptor_decoder.h"
 #include "drivers/pens/known_habits.h"
@@ -43,7 +43,7 @@ private:
     Timestamp time_ {};
 };
 
-// A pen of 200 x 100 mm, 0.01 mm per count, on Wacom's page 0xFF0D. Its report:
+// A pen of 200 x 100 mm, 0.01 mm per count, on Wacom's page 0xFF0D. The bytes of its report:
 //   10            id
 //   ..            bits: 0 tip, 1 barrel, 2 eraser, 3 invert, 4 in proximity, 5 in range
 //   .. .. ..      x
@@ -51,7 +51,7 @@ private:
 //   .. ..         pressure, 0 to 4095
 //   .. .. .. ..   serial number
 //   .. ..         type of the tool
-// Its report 13 is the state of its battery.
+// Its other report, 13, is the state of its battery.
 DeviceInfo wacom_page_pen()
 {
     return { .vendor_id = 0x056a,
@@ -125,8 +125,8 @@ TEST(WacomPage, ABatteryReportIsNoEvent)
     EXPECT_EQ(device.sample(hovering).position_mm, before.position_mm);
 }
 
-// Returns a digitizer's pen with the given usages of its first six bits, X and Y up to 20000 and
-// 10000, and pressure up to 8191: two-byte numbers, after one byte of bits.
+// Returns a digitizer's pen. A report has one byte of bits, of which the first six have the given
+// usages, and three two-byte numbers: X up to 20000, Y up to 10000, and pressure up to 8191.
 DeviceInfo pen_with_bits(std::uint16_t vendor_id, std::uint16_t product_id,
                          std::string const& six_usages)
 {
@@ -163,8 +163,9 @@ TEST(KnownHabits, HuionsSecondButtonIsTheEraser)
 
 TEST(KnownHabits, HuionsSecondButtonIsTheEraserBesideATipSwitchThatNeverComes)
 {
-    // A Q11K, a K26 or a W58 in its power-up mode: tip, barrel, eraser, invert, secondary tip, in
-    // range. The upper button is pressed while the pen hovers, and then while it draws.
+    // A Q11K, a K26 or a W58 in its power-up mode. Usages of its bits: tip, barrel, eraser, invert,
+    // secondary tip, in range. The upper button is pressed while the pen hovers, and then while it
+    // draws.
     Device device(pen_with_bits(0x256c, 0x006e, "09 42 09 44 09 45 09 3c 09 43 09 32"));
     EXPECT_EQ(device.decoder().traits().button_count, 2u);
     EXPECT_EQ(device.sample("07 20 10 27 c4 09 00 00").buttons, 0u);
@@ -208,7 +209,7 @@ TEST(KnownHabits, AnArtist24HoldsItsFalseLeave)
 
 TEST(KnownHabits, SecondaryTipSwitchIsTheSecondButton)
 {
-    // A Kamvas Pro 19: tip, barrel, secondary tip, invert, eraser, in range.
+    // A Kamvas Pro 19. Usages of its bits: tip, barrel, secondary tip, invert, eraser, in range.
     Device device(pen_with_bits(0x256c, 0x006b, "09 42 09 44 09 43 09 3c 09 45 09 32"));
     EXPECT_EQ(device.sample("07 20 10 27 c4 09 00 00").buttons, 0u);
     EXPECT_EQ(device.sample("07 24 10 27 c4 09 00 00").buttons, 2u);
@@ -247,7 +248,7 @@ TEST(DescriptorDecoder, BelievesTheKernelsSizeAfterTheTables)
 
 TEST(DescriptorDecoder, AMousesSilenceEndsThePresenceThatItCannotEnd)
 {
-    // The device has pen reports, too, which can report leaving.
+    // The device has pen reports in addition to mouse reports, and pen reports can report leaving.
     auto info = simple_pen();
     auto const mouse = bytes(
         "05 01 09 02 a1 01 85 09 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02"

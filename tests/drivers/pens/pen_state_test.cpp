@@ -1,4 +1,4 @@
-// Behaviours of pens and their devices that Linux's own tablet tests require, each as a test.
+// Tests behaviours of pens and their devices that Linux's own tablet tests require.
 
 #include "drivers/pens/pen_state.h"
 
@@ -20,7 +20,7 @@ PenScale const kScale {
     .has_tilt = true,
 };
 
-// Pen states as in Linux's tests.
+// Pen states with the same meaning as in Linux's tests.
 PenFields const kOut { .pressure = 0, .tilt_deg = Vec2::Zero(), .in_range = false, .tip = false };
 PenFields const kHover { .x = 5000, .y = 2500, .pressure = 0, .in_range = true, .tip = false };
 PenFields const kContact { .x = 5000, .y = 2500, .pressure = 900, .in_range = true, .tip = true };
@@ -44,9 +44,9 @@ PenFields at_place(PenFields fields, std::int32_t x, std::int32_t y)
     return fields;
 }
 
-// A pen whose reports arrive every 5 ms, and a letter for the result of each: '-' no sample, 'o'
-// out, 'h' hover, 'C' contact, 'i' erase intent, 'E' erasing. The test fails if two tools are in
-// range without the first having left.
+// A pen whose reports arrive every 5 ms. push() returns a letter for the result of each report: '-'
+// no sample, 'o' out, 'h' hover, 'C' contact, 'i' erase intent, 'E' erasing. The test fails if two
+// tools are in range without the first having left.
 class Pen {
 public:
     explicit Pen(PenHabits const& habits = {})
@@ -127,7 +127,7 @@ TEST(PenState, TakesEveryLegalWayIntoRange)
 
 TEST(PenState, TipImpliesInRange)
 {
-    // A touch screen's pen that clears its in-range bit after its first touch.
+    // The pen of a touch screen, which clears its in-range bit after its first touch.
     auto touching = kContact;
     touching.in_range = false;
     Pen pen;
@@ -306,7 +306,7 @@ TEST(PenState, ASilenceOf100MsEndsHoveringForFormatsThatNeverReportIt)
     EXPECT_EQ(pen.push(hovering), 'h');
 }
 
-// Pushes the reports of a resting pen on a tablet that streams: equal reports.
+// Pushes equal reports, as a streaming tablet sends them while the pen rests.
 std::string rest(Pen& pen, PenFields const& fields, int reports = 4)
 {
     std::string letters;
@@ -318,7 +318,7 @@ std::string rest(Pen& pen, PenFields const& fields, int reports = 4)
 TEST(PenState, ContactRestsInSilenceOnATabletThatReportsChangesOnly)
 {
     Pen pen({ .reports_leaving = false });
-    for (int i = 0; i < 200; ++i) // Each report differs from its predecessor, or is repeated once.
+    for (int i = 0; i < 200; ++i) // No report occurs more than twice in a row.
         EXPECT_EQ(pen.push(at_place(kContact, 5000 + i / 2, 2500)), 'C');
     EXPECT_FALSE(pen.state().silence_limit());
     EXPECT_EQ(pen.push(at_place(kContact, 5101, 2500), std::chrono::minutes(1)), 'C');
@@ -385,7 +385,7 @@ TEST(PenState, ATouchFarFromWhereItFellSilentIsAnother)
     EXPECT_EQ(fast.push(kContact), 'C');
     EXPECT_EQ(fast.push(far, 5ms), 'C') << "there was no silence";
 
-    Pen telling; // A pen whose tablet reports leaving.
+    Pen telling; // The tablet of this pen reports leaving.
     EXPECT_EQ(telling.push(kContact), 'C');
     EXPECT_EQ(telling.push(far, 101ms), 'C');
 }
@@ -397,8 +397,8 @@ TEST(PenState, NoSilenceEndsThePresenceOfAPenThatReportsIt)
     EXPECT_FALSE(pen.state().silence_limit());
 }
 
-// XP-Pen's Artist 24: the second button is the eraser's bit, and pressing it while the pen touches
-// sends a false leave, and then hovering.
+// Habits of XP-Pen's Artist 24. The second button is the eraser's bit. Pressing it while the pen
+// touches sends a false leave, and then hovering.
 PenHabits const kArtist24 { .second_button_is_eraser = true, .false_leave = 20ms };
 
 TEST(PenState, HoldsAFalseLeaveWhileTouching)
@@ -426,7 +426,7 @@ TEST(PenState, BelievesALeaveThatLasts)
 {
     Pen pen(kArtist24);
     EXPECT_EQ(pen.push({ kContact, kOut }), "C-");
-    EXPECT_EQ(pen.state().silence_limit(), 25ms); // Counted from the last sample, 5 ms before.
+    EXPECT_EQ(pen.state().silence_limit(), 25ms); // The last sample came 5 ms before.
     auto const left = pen.time();
     EXPECT_EQ(pen.push(kOut, 21ms), 'o');
     EXPECT_EQ(pen.last().time, left);
@@ -440,7 +440,8 @@ TEST(PenState, ReadsTheEraserAsTheSecondButtonOnlyWhereItIsOne)
     pressed.eraser_touch = true;
     EXPECT_EQ(pen.push({ kContact, pressed }), "CC");
     EXPECT_EQ(pen.last().buttons, 2u);
-    // The inverted pen sends invert, and touches with invert and tip.
+    // With its eraser end down, this pen sends invert while it hovers, and invert and tip while it
+    // touches.
     auto inverted = kEraseIntent;
     inverted.tip = true;
     EXPECT_EQ(pen.push({ kOut, kEraseIntent, inverted }), "oiE");

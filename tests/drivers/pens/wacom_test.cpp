@@ -11,7 +11,7 @@
 namespace tractus::drivers {
 namespace {
 
-// A tablet of a family, 200 x 100 mm with 100 counts per millimetre.
+// A tablet whose reports have the format of `family`, 200 x 100 mm with 100 counts per millimetre.
 class Tablet {
 public:
     explicit Tablet(std::string_view family, std::int32_t pressure_maximum = 2047)
@@ -69,7 +69,8 @@ TEST(Wacom, FamiliesPassOverShortReports)
         }
 }
 
-// Returns a Bluetooth report: frames from its second byte on, followed by the pen's serial number.
+// Returns a Bluetooth report: frames from its second byte on, and the pen's serial number at
+// `serial_at`.
 std::string bluetooth_report(std::vector<std::string> const& frames, std::size_t serial_at)
 {
     std::string report = "80";
@@ -116,7 +117,7 @@ TEST(Wacom, TakesEveryFrameOfAReportOverBluetooth)
 
 TEST(Wacom, TakesNoFingersForAPen)
 {
-    // Reports of fingers have the pen's id, and are longer.
+    // Reports of fingers have the report id of the pen, but are longer.
     auto const fingers = std::string("02 e1 13 88 04 e2 40 eb 64 02 00 00 00 00 00 00 00 00 00 00");
     for (auto const* family : { "wacom-intuos", "wacom-intuos-pro" })
         EXPECT_EQ(Tablet(family).report(fingers), std::nullopt) << family;
@@ -226,7 +227,7 @@ TEST(Wacom, IntuosProIsAwayWhileItsPenIsTooHigh)
 
 TEST(Wacom, IntuosProDrawsToItsRightEdge)
 {
-    // X is at its maximum of 20,000 (27 10, doubled) with a pressure of 226 * 8: the near bit,
+    // X is at its maximum of 20,000 (27 10, doubled), and the pressure is 226 * 8. The near bit,
     // 0x40, is clear, but the pen still draws.
     Tablet tablet("wacom-intuos-pro");
     EXPECT_TRUE(tablet.sample("02 e0 26 ac 04 e2 e2 2b 64 00").touching);
@@ -242,7 +243,7 @@ TEST(Wacom, IntuosProIsAwayWherePressureAloneSpeaksForIt)
 {
     Tablet tablet("wacom-intuos-pro");
     tablet.sample("02 e0 26 ac 04 e2 e2 2b 64 00");
-    // The pen is not at the edge.
+    // The pen is not at the right edge, so the near bit counts.
     EXPECT_FALSE(tablet.sample("02 a0 27 0f 04 e2 e2 2b 64 00").in_range);
 }
 
@@ -334,9 +335,9 @@ TEST(Wacom, FramesOverBluetoothLieBetweenTheirReports)
         all.insert(all.end(), some.begin(), some.end());
     };
     report(100ms, { frame, frame, frame });
-    report(112ms, { frame, frame, frame, frame }); // Sooner than four samples take.
+    report(112ms, { frame, frame, frame, frame }); // Too soon for the samples to be 5 ms apart.
     report(300ms, { frame, frame });               // Long after the previous report.
-    // At the same time as the previous report, and then out of order.
+    // Two reports: one at the time of the previous report, and one before it.
     report(300ms, { frame, frame });
     report(290ms, { frame });
     // Empty frames at the beginning and in between.

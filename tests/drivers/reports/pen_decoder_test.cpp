@@ -145,7 +145,7 @@ TEST_F(PenDecoderTest, SurvivesAWobbleBetweenTheTools)
         was_eraser = pen.eraser;
     }
     sample(with_flags("21"));
-    EXPECT_TRUE(sample(with_flags("21")).touching); // The pen is not stuck with the eraser.
+    EXPECT_TRUE(sample(with_flags("21")).touching); // The tip can touch again after the eraser.
 }
 
 TEST_F(PenDecoderTest, ReportsBarrelButtonsWithoutMovingThePen)
@@ -206,7 +206,7 @@ TEST_F(PenDecoderTest, BoundsThePressure)
 TEST(PenDecoder, KeepsItsPlaceWhereTheDeviceSaysNull)
 {
     auto info = simple_pen();
-    // Allows X and Y to be null: Input (Data, Variable, Absolute, Null state).
+    // Declares that X and Y have a null state: Input (Data, Variable, Absolute, Null state).
     for (std::size_t i = 0; i + 1 < info.report_descriptor.size(); ++i)
         if (info.report_descriptor[i] == std::byte { 0x81 }
             && info.report_descriptor[i + 1] == std::byte { 0x02 })

@@ -45,7 +45,7 @@ TEST(PenLayout, FindsTheFieldsOfADigitizerPen)
 
 TEST(PenLayout, TakesAMouseWithTipPressureForAPen)
 {
-    // Three buttons and padding, X and Y 0 to 32767, tip pressure 0 to 8191.
+    // A mouse with tip pressure: three buttons and padding, X and Y 0 to 32767, pressure 0 to 8191.
     auto const found = layouts(
         "05 01 09 02 a1 01 85 01 09 01 a1 00 05 09 19 01 29 03 15 00 25 01 95 03 75 01 81 02"
         "95 05 81 01 05 01 09 30 09 31 26 ff 7f 95 02 75 10 81 02"
@@ -107,7 +107,7 @@ TEST(PenLayout, ReadsAPhysicalRangeWithoutUnitAsThousandthsOfAnInch)
 
 TEST(PenLayout, GuessesASizeWhereTheDescriptorHasNone)
 {
-    // 20000 x 10000 counts, 5080 per inch.
+    // Axes of 20000 x 10000 counts without a size: 5080 counts per inch are assumed.
     auto const usual = pen_with_axes("26 20 4e", "26 10 27");
     ASSERT_EQ(usual.size(), 1u);
     EXPECT_NEAR(usual[0].size_mm.x(), 100, 1e-9);

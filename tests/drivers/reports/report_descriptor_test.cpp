@@ -138,8 +138,8 @@ TEST(ReportDescriptor, KeepsAnArraysUsagesAsARange)
 
 TEST(ReportDescriptor, MeasuresInMillimetres)
 {
-    // Counts 0 to 32000 are 0 to 6299 thousandths of an inch. The exponent's byte is FD, although
-    // the standard requires the nibble D.
+    // Counts 0 to 32000 mean 0 to 6299 thousandths of an inch. The byte of the unit exponent is FD,
+    // although the standard requires the nibble D.
     auto const inches = only_field(
         "05 01 09 30 15 00 27 00 7d 00 00 35 00 46 9b 18 65 13 55 fd 75 18 95 01 81 02");
     EXPECT_EQ(inches.unit_exponent, -3);
@@ -161,7 +161,7 @@ TEST(ReportDescriptor, KnowsNoLengthWithoutAUnitOfLength)
 
 TEST(ReportDescriptor, MeasuresAngles)
 {
-    // Unit of hundredths of a degree.
+    // The unit is a hundredth of a degree.
     auto const tilt = only_field(
         "05 0d 09 3d 16 d8 dc 26 28 23 36 d8 dc 46 28 23 65 14 55 0e 75 10 95 01 81 02");
     EXPECT_NEAR(radians_per_count(tilt).value(), radians(0.01), 1e-12);
@@ -169,7 +169,7 @@ TEST(ReportDescriptor, MeasuresAngles)
 
 TEST(ReportDescriptor, ReadsFieldsThatCrossBytes)
 {
-    // Fields of four bits, twelve bits, and thirty-two bits from the middle of a byte.
+    // Fields of 4, 12 and 32 bits; the last one begins in the middle of a byte.
     auto const odd = parse("05 0d 15 00 25 0f 75 04 95 01 09 30 81 02 75 0c 26 ff 0f 09 30 81 02"
                            "75 04 81 01 75 20 09 30 27 ff ff ff ff 81 02");
     ASSERT_TRUE(odd);

@@ -41,8 +41,8 @@ struct SimulatedClock {
     }
 };
 
-// The least and the greatest error of the mapped times, in microseconds, without the minimum
-// transmission time.
+// The least and the greatest error of the mapped times, in microseconds, after subtracting the
+// minimum transmission time.
 struct Span {
     double min_us = std::numeric_limits<double>::max();
     double greatest_us = std::numeric_limits<double>::lowest();

@@ -12,8 +12,8 @@
 
 namespace tractus::drivers {
 
-// A device that answers commands, with simulated time that advances only while waiting, and with
-// all possible faults of the transmission. A test keeps a pointer to the wire and gives the driver
+// A device that answers commands, with simulated time that advances only while waiting. It can
+// simulate all faults of the transmission. A test keeps a pointer to the wire and gives the driver
 // a link to it.
 struct FakeWire {
     using Answer = std::function<std::vector<std::byte>(std::span<std::byte const>)>;
@@ -24,7 +24,7 @@ struct FakeWire {
     Timestamp now {};
     bool is_plugged = true;
 
-    // Returns the packets that arrive instead of a given answer, in order. Without this function,
+    // Returns the packets that arrive in place of an answer, in order. If this function is empty,
     // answers arrive unchanged.
     std::function<std::vector<Bytes>(Bytes)> disturb {};
 

@@ -22,7 +22,7 @@ std::unique_ptr<HeightDecoder> make_decoder()
     return make_height_frame_decoder(sim::HeightSensorModel().info()).value();
 }
 
-// Returns a frame with two readings a millisecond apart.
+// Returns a frame with two readings that are a millisecond apart.
 HeightFrame frame(std::uint16_t sequence)
 {
     HeightFrame made {
@@ -172,7 +172,8 @@ TEST(HeightFrameDecoder, SurvivesACorruptFrame)
 TEST(HeightFrameDecoder, FindsTheNextFrameBehindGarbage)
 {
     auto const decoder = make_decoder();
-    // Half a frame, a wrong magic number, and bytes that look like the beginning of a frame.
+    // The stream contains a wrong magic number, half a frame, and bytes that look like the
+    // beginning of a frame.
     auto half = sim::encode_height_frame(frame(0));
     half.resize(9);
     auto const mixed = joined({ bytes("00 54 52 ff"), half, bytes("54 52 48 01 00 ff"),
@@ -257,7 +258,8 @@ TEST(HeightFrameDecoder, TimesNeverGoBack)
 
 TEST(HeightFrameParser, HoldsBackAtMostOneFrame)
 {
-    // Endless beginnings of frames: each is dropped when the next one contradicts it.
+    // The stream consists of endless beginnings of frames. Each one is dropped when the next one
+    // contradicts it.
     HeightFrameParser parser;
     std::vector<HeightFrame> frames;
     auto const beginning = bytes("54 52 48 01 00 17 00 00 00 00 00 00 e8 03");

@@ -46,7 +46,7 @@ struct LabJackU3 : testing::Test {
     FakeWire wire;
 };
 
-// The command reads one single-ended analogue input, as in the user's guide.
+// The expected packet is that of the user's guide for reading one single-ended analogue input.
 TEST(LabJackPacket, HasBothChecksums)
 {
     auto const packet = labjack_packet(LabJackCommand::Feedback, bytes("00 01 00 1f"));

@@ -60,7 +60,8 @@ TEST_F(LinakDesk, TellsItsHeightInTenthsOfAMillimetre)
     EXPECT_EQ(read(**source), kLinakCountsBelow);
 }
 
-// Users' recordings of desks show feature 3, feature 5 with four times 0x8001, and nothing else.
+// In users' recordings of desks, the host sends feature 3, feature 5 with four times 0x8001, and
+// nothing else.
 TEST_F(LinakDesk, IsInitialisedAndNeverMoved)
 {
     auto const source = open().value();

@@ -184,8 +184,8 @@ TEST(SerialLine, ReplaysFromALogAsItWasRead)
     EXPECT_EQ(log.records.size(), 3u) << "what could not be decoded is in the log, too";
 }
 
-// The board is unplugged, and returns at another node. A symbolic link as udev makes it names the
-// node.
+// The board is unplugged, and returns at another node. A symbolic link, as udev makes it, points to
+// the board's present node.
 TEST(SerialLine, GoesOnWhenTheBoardIsBack)
 {
     auto const link

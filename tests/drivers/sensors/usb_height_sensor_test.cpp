@@ -13,8 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A sensor model that answers requests. Its simulated time advances with each read, and meanwhile
-// it measures.
+// A sensor model that answers requests. Its simulated time advances with each read, and the sensor
+// measures during that time.
 struct FakeSensor {
     sim::HeightSensorModel model;
     bool is_plugged = true;

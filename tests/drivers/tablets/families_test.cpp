@@ -1,4 +1,5 @@
-// One report of each kind of each format. Of Wacom's formats, only the Bamboo Pad's is tested here.
+// Tests makers' own formats with one report of each kind. Of Wacom's formats, only the Bamboo Pad's
+// is tested here.
 
 #include "drivers/pens/families.h"
 
@@ -78,7 +79,7 @@ Expected const kReports[] {
     { "uclogic-v2", "08 80 67 55 c2 3f 00 00 00 00 00 00", 0x5567, 0x3fc2 },
     { "uclogic-v2", "08 84 af 9c 45 48 00 00 00 00 00 00", 0x9caf, 0x4845, 0, kNear, kUp, kPen, 2 },
     { "uclogic-v2", "08 00 70 c6 06 7c 00 00 00 00 00 00", 50800, 31750, 0, kGone },
-    // A report with coordinates of 24 bits.
+    // A report whose coordinates have 24 bits.
     { "uclogic-v2", "08 80 ed 73 35 d1 00 00 01 02 00 00", 0x173ed, 0x2d135 },
     { "uclogic-v2", "08 a1 ed 73 35 d1 01 00 00 00 00 00", 0x73ed, 0xd135, 1, kNear, kDown,
       kEraser },

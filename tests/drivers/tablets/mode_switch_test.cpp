@@ -26,7 +26,7 @@ std::string hex(std::span<std::byte const> bytes)
 class FakePort final : public TabletPort {
 public:
     std::map<int, std::string> strings;
-    std::string refused_report; // Report that the tablet refuses, written as in `told`.
+    std::string refused_report; // Report that the tablet refuses, such as "output 02 08".
     bool has_usb = true;
     std::vector<std::string> told;
 
@@ -203,7 +203,7 @@ TEST(ModeSwitch, WarnsWhereItCannotTellTabletsApart)
         << warning;
 }
 
-// Helper for tests of find_receiver(), which chooses the interface that accepts a report.
+// Helper for tests of find_receiver(): returns an interface with the given report descriptor.
 
 DeviceInfo interface_with(std::string_view descriptor)
 {

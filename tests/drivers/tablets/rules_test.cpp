@@ -104,13 +104,13 @@ TEST(Rules, PermitByUsageNoDeviceOfTheCorpusThatIsNoPen)
     REQUIRE_CORPUS();
     for (auto const& entry :
          std::filesystem::directory_iterator(corpus() / "descriptors" / "other")) {
-        // Wacom's devices there are pens in Wacom's own format.
+        // Wacom's devices in this folder are pens with reports in Wacom's own format.
         bool const is_wacom = entry.path().filename().string().find("_056A_") != std::string::npos;
         EXPECT_TRUE(is_wacom || !is_permitted_by_usage(entry.path())) << entry.path();
     }
 }
 
-// Ids of chip makers are used by many devices that are not tablets, and Genius makes keyboards,
+// The ids of chip makers are used by many devices that are not tablets. Genius makes keyboards,
 // whose input must not be readable by everyone.
 TEST(Rules, PermitNotAllDevicesOfMakersOfOtherThings)
 {

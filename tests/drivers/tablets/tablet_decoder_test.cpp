@@ -13,7 +13,8 @@
 namespace tractus::drivers {
 namespace {
 
-// Returns the vendor-defined interface of a Huion HS610, with the tablet's description of itself.
+// Returns the vendor-defined interface of a Huion HS610, with USB string 201, by which the model is
+// recognised.
 DeviceInfo hs610()
 {
     return {
@@ -171,7 +172,7 @@ TEST(TabletDecoder, LetsASilentPenLeave)
 TEST(TabletDecoder, BelievesTheTabletBeforeTheTable)
 {
     auto info = hs610();
-    // 40000 x 25000 counts, 2047 levels, 4000 counts per inch.
+    // String 200 says 40000 x 25000 counts, 2047 levels, 4000 counts per inch.
     info.strings[200]
         = string_descriptor_text(bytes("40 9c 00 a8 61 00 ff 07 a0 0f 00 00 00 00 00 00"));
     auto const decoder = make_pen_decoder(info);
@@ -283,7 +284,7 @@ TEST(TabletDecoder, LetsThePenLeaveBeforeItGoesOnInTheOtherFormat)
 
 TEST(TabletDecoder, ReadsReportsWithoutIds)
 {
-    // A VEIKK A30 of its second kind, assumed to use no report ids.
+    // A VEIKK A30 of the second version, assumed to use no report ids.
     DeviceInfo const info {
         .vendor_id = 0x2feb,
         .product_id = 0x0002,

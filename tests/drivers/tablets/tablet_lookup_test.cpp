@@ -16,8 +16,8 @@ DeviceInfo device(std::uint16_t vendor_id, std::uint16_t product_id,
              .strings = std::move(strings) };
 }
 
-// Returns the vendor-defined interface of a Huion tablet: report 8 with 12 bytes that are not
-// described.
+// Returns the descriptor of a Huion tablet's vendor-defined interface: report 8, with 12 bytes
+// whose meaning is not described.
 std::vector<std::byte> huion_descriptor()
 {
     return bytes("06 00 ff 09 01 a1 01 85 08 75 58 95 01 09 01 81 02 c0");
@@ -111,13 +111,15 @@ TEST(TabletLookup, TakesANewModelForOneOfItsKin)
         = find_tablet(device(0x256c, 0x006d, { { 201, "HUION_X999_180726" }, { 2, "" } }));
     ASSERT_TRUE(match);
     EXPECT_GT(match->alternatives, 0u);
-    // The name is qualified even if only one model is possible.
+    // The name must be qualified even if only one model has such ids, because the string matches no
+    // model.
     auto const only = find_tablet(device(0x256c, 0x0067, { { 201, "HUION_X999_180726" } }));
     ASSERT_TRUE(only);
     EXPECT_EQ(tablet_name(*only), "Huion H951P (or another one with its ids)");
 }
 
-// Interfaces of a Wacom CTH-480: its pen has reports of 10 bytes, its touch of 64.
+// The interfaces are those of a Wacom CTH-480: its pen has reports of 10 bytes, its touch surface
+// has reports of 64.
 TEST(TabletLookup, TellsATabletsPadFromItsPen)
 {
     auto info = device(0x056a, 0x0302);
@@ -192,14 +194,14 @@ TEST(TabletLookup, BelievesTheTabletsOwnName)
     info.name = "HUION Huion Tablet_H640P Pen";
     EXPECT_EQ(found_name(info), "Huion H640P");
     info.name = "HUION H610 Pro V2";
-    // The model is distinguished from the H610 Pro.
+    // The device's name must not be taken for that of the H610 Pro.
     EXPECT_EQ(found_name(info), "Huion H610 Pro V2");
 }
 
 TEST(TabletLookup, TellsFirmwareApartByTheLengthOfReports)
 {
     auto info = device(0x2feb, 0x0002);
-    // Reports of 13 bytes: 12 bytes without an id, which counts as one more.
+    // The device sends reports of 12 bytes without an id. The missing id counts as one more byte.
     info.report_descriptor
         = bytes("06 00 ff 09 01 a1 01 75 08 95 0c 15 00 26 ff 00 09 01 81 02 c0");
     EXPECT_EQ(found_name(info), "VEIKK A30 V2");
@@ -252,7 +254,7 @@ TEST(TabletLookup, KeepsToItsInterface)
                                        "    1234:0001 8 generic; interface 1\n");
     ASSERT_TRUE(tablets);
     auto info = device(0x1234, 0x0001);
-    // The interface is not known, so it may be this tablet.
+    // The device's interface number is not known, so it may be this tablet.
     EXPECT_TRUE(find_tablet(*tablets, info));
     info.interface_number = 1;
     EXPECT_TRUE(find_tablet(*tablets, info));

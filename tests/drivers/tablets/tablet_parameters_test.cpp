@@ -8,7 +8,8 @@
 namespace tractus::drivers {
 namespace {
 
-// Returns string 200 of a Huion HS610, without length and type.
+// Returns the text of string 200 of a Huion HS610. The descriptor's length and type are not part of
+// it.
 std::string hs610_string_200()
 {
     return string_descriptor_text(bytes("70 c6 00 06 7c 00 ff 1f d8 13 00 00 00 00 00 00 00"));
@@ -51,7 +52,8 @@ TEST(Parameters, OfString200AreSizeAndRanges)
 
 TEST(Parameters, OfString200MayNeed24Bits)
 {
-    // X 95213, Y 53557, 16383 levels, 5080 counts per inch: 476 x 268 mm.
+    // String 200 with X up to 95213, Y up to 53557, 16383 levels, 5080 counts per inch: 476 x 268
+    // mm.
     auto const told = parse_parameters(
         200, string_descriptor_text(bytes("ed 73 01 35 d1 00 ff 3f d8 13 00 00 00 00 00 00")));
     ASSERT_TRUE(told);
@@ -62,7 +64,8 @@ TEST(Parameters, OfString200MayNeed24Bits)
 
 TEST(Parameters, OfString100Have16Bits)
 {
-    // X 40000, Y 25000, 8 keys, frame type 1, 2047 levels, 4000 counts per inch.
+    // String 100 with X up to 40000, Y up to 25000, 8 keys, frame type 1, 2047 levels, 4000 counts
+    // per inch.
     auto const told
         = parse_parameters(100, string_descriptor_text(bytes("40 9c a8 61 08 01 ff 07 a0 0f")));
     ASSERT_TRUE(told);

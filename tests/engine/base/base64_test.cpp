@@ -5,7 +5,7 @@
 namespace tractus {
 namespace {
 
-// Test vectors of RFC 4648, section 10.
+// The test vectors are those of RFC 4648, section 10.
 TEST(Base64, WritesAndReadsThePublishedVectors)
 {
     struct Vector {

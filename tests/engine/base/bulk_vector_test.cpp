@@ -10,7 +10,7 @@ namespace {
 TEST(BulkVector, KeepsItsValuesAsItGrowsFromSmallToLarge)
 {
     BulkVector<std::uint32_t> numbers;
-    for (std::uint32_t i = 0; i < 3'000'000; ++i) // Grows to 12 MB.
+    for (std::uint32_t i = 0; i < 3'000'000; ++i) // The vector grows to 12 MB.
         numbers.push_back(i);
     BulkVector<std::uint32_t> const copy = numbers;
     std::uint32_t wrong = 0;

@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include <vector>
 
-// Returns the paths for which fsync was called, in order.
+// Returns the paths of the files for which fsync was called, in the order of the calls.
 static std::vector<std::string>& flushed()
 {
     static std::vector<std::string> paths;
@@ -18,7 +18,8 @@ static std::vector<std::string>& flushed()
 
 static std::mutex flushed_mutex;
 
-// Replaces the C library's fsync in this program: records the path, then flushes the file.
+// Replaces the C library's fsync in this program. It records the path of the file, and then flushes
+// the file.
 extern "C" int fsync(int file)
 {
     std::error_code ignored;
@@ -137,7 +138,8 @@ TEST_F(File, MakesTheFoldersThatItIsIn)
     EXPECT_EQ(read_file(folder_ / "a" / "b" / "x").value(), "bytes");
 }
 
-// In another order, a power failure could leave an empty file under the new name, or the old one.
+// The contents of a file must reach the disk before its new name, and then the folder. In another
+// order, a power failure could leave an empty file under the new name, or the old file.
 TEST_F(File, LetsTheDiskTakeAFileBeforeItsNameAndThenItsFolder)
 {
     flushed().clear();

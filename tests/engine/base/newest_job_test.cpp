@@ -50,7 +50,7 @@ TEST(NewestJob, FinishesWhatItMakesBeforeItGoes)
     EXPECT_EQ(shared.use_count(), 1);
 }
 
-// Reports that it has begun; for a wish of 0 it works until it is told to stop.
+// Work that reports that it has begun. If 0 is wanted, it works until it is told to stop.
 struct Endless {
     std::atomic<bool>* has_begun;
 
@@ -63,7 +63,7 @@ struct Endless {
     }
 };
 
-// A job that is working on a wish of 0.
+// A job that has begun work on 0, which does not end by itself.
 struct EndlessJob {
     EndlessJob()
     {
@@ -85,7 +85,7 @@ TEST(NewestJob, StopsLongWorkThatNobodyWantsAnyMore)
 {
     EndlessJob endless;
     std::optional<int> made;
-    for (int wish = 1; !made; ++wish) { // The first wishes are superseded too early.
+    for (int wish = 1; !made; ++wish) { // The first wishes may be superseded before they are done.
         endless.job.want(wish);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         made = endless.job.take();

@@ -15,8 +15,8 @@
 namespace tractus {
 namespace {
 
-// Returns the squares of 0 to count - 1, in the order in which they were used; ends after
-// `end_after`.
+// Returns the squares of 0 to count - 1, in the order in which parallel_in_order() used them. Stops
+// after `end_after` numbers.
 std::vector<std::size_t> squares(std::size_t count, std::size_t slots, std::size_t end_after)
 {
     std::vector<std::size_t> numbers(slots);
@@ -76,7 +76,7 @@ std::ptrdiff_t thread_count()
 
 TEST(WorkerThreads, AreGoneWhenTheyAreEnded)
 {
-    end_worker_threads(); // Removes the worker threads of other tests.
+    end_worker_threads(); // Ends the worker threads that other tests have started.
     auto const before = thread_count();
     bool were_there = false;
     for (int round = 0; round < 20; ++round) {
@@ -87,7 +87,7 @@ TEST(WorkerThreads, AreGoneWhenTheyAreEnded)
         });
         were_there |= thread_count() > before;
         end_worker_threads();
-        // The kernel still lists a thread for a moment after it was joined.
+        // The kernel lists a thread for a moment even after it was joined.
         for (int looks = 0; looks < 100'000 && thread_count() > before; ++looks)
             std::this_thread::yield();
         EXPECT_EQ(thread_count(), before) << "round " << round;

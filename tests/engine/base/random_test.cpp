@@ -8,8 +8,8 @@
 namespace tractus {
 namespace {
 
-// Known answers published with the reference implementation (Random123, kat_vectors, philox4x32
-// 10).
+// Known answers for philox4x32 with 10 rounds, published with the reference implementation
+// (Random123, kat_vectors).
 TEST(Random, GivesTheWordsOfPhilox)
 {
     EXPECT_EQ(random_block({}, 0),
@@ -50,7 +50,7 @@ TEST(Random, UniformStaysInItsRange)
         ASSERT_LT(value, 4);
         sum += value;
     }
-    EXPECT_NEAR(sum / 10'000, 1, 0.06); // The standard error is 0.017.
+    EXPECT_NEAR(sum / 10'000, 1, 0.06); // The standard error of the mean is 0.017.
 }
 
 TEST(Random, NormalHasMeanZeroAndVarianceOne)
@@ -64,8 +64,8 @@ TEST(Random, NormalHasMeanZeroAndVarianceOne)
         sum += value;
         squares += value * value;
     }
-    EXPECT_NEAR(sum / kCount, 0, 0.02);     // The standard error is 0.005.
-    EXPECT_NEAR(squares / kCount, 1, 0.03); // The standard error is 0.007.
+    EXPECT_NEAR(sum / kCount, 0, 0.02);     // The standard error of the mean is 0.005.
+    EXPECT_NEAR(squares / kCount, 1, 0.03); // The standard error of the mean square is 0.007.
 }
 
 TEST(Random, StreamsWithDifferentKeysDiffer)

@@ -53,7 +53,8 @@ TEST(SharedList, LosesAnyElement)
     }
 }
 
-// Compares with a vector, for lists of about a block's length, and indices at the blocks' ends.
+// Compares lists with vectors, for lengths near multiples of a block's length (32) and for changed
+// indices at the ends of blocks.
 TEST(SharedList, ChangesManyElementsAtOnce)
 {
     for (int const length : { 1, 31, 32, 33, 64, 100 })

@@ -34,7 +34,7 @@ TEST(SharedVector, IsChangedInPlaceByItsOnlyOwner)
     EXPECT_EQ(one.front(), 7);
 }
 
-// Counts how often it is read.
+// A source of numbers that counts how often it is read.
 struct Numbers : ElementSource<int> {
     Result<std::vector<int>> read() const override
     {
@@ -60,7 +60,7 @@ TEST(SharedVector, IsReadFromItsSourceWhenSomebodyLooksAtIt)
     EXPECT_EQ(numbers->reads, 1);
 }
 
-// Fails when it is read for the first time.
+// A source of numbers that fails when it is read for the first time.
 struct Unreadable : ElementSource<int> {
     Result<std::vector<int>> read() const override
     {

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Number of a process that has ended.
+// Returns the number of a process that has ended.
 pid_t ended_process()
 {
     pid_t const child = ::fork();

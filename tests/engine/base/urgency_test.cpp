@@ -23,11 +23,11 @@ TEST(Urgency, WhatMayComeLaterIsBelowTheOthersWithItsHelpers)
 {
     int const usual = priority_here();
     std::mutex mutex;
-    std::map<pid_t, int> priorities; // Priorities of the threads that took part.
+    std::map<pid_t, int> priorities; // Priority of each thread that took part in the loops.
     std::thread([&] {
         set_urgency(Urgency::Later);
-        // Worker threads join when they wake up, so a hundred loops whose pieces wait for each
-        // other are run.
+        // Worker threads join a loop only after they wake up. So the loop is repeated up to a
+        // hundred times, and its two pieces wait for each other.
         for (int i = 0; i < 100 && (i < 1 || priorities.size() < 2); ++i) {
             std::atomic<int> begun = 0;
             parallel_for(2, 1, [&](std::size_t begin, std::size_t end) {
@@ -56,8 +56,9 @@ TEST(Urgency, WhatIsSeenSoonDoesNotInterruptWhoWakesIt)
     EXPECT_EQ(::sched_getscheduler(0), SCHED_OTHER);
 }
 
-// The library's worker threads help everyone: a worker that has helped with low-priority work must
-// not lower the priority of the next loop, or of the thread that waits for it.
+// The worker threads help with the loops of all threads. After a worker has helped with
+// low-priority work, it must not lower the priority of the next loop, or of the thread that waits
+// for that loop.
 TEST(Urgency, LoopsOfOthersStayWhereTheyAre)
 {
     int const usual = priority_here();

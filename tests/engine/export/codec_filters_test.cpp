@@ -13,7 +13,7 @@
 namespace tractus::exports {
 namespace {
 
-// Returns what a reader decodes from filtered numbers.
+// Returns the numbers that a reader decodes from filtered numbers.
 template<typename Number>
 std::vector<Number> read_back(std::span<Number const> filtered, CodecFilter filter,
                               std::size_t stride)

@@ -47,8 +47,8 @@ struct Corner {
     Vec2f texture;
 };
 
-// Returns the corners of all triangles, in order: meshes with equal corners are equal, however they
-// share vertices.
+// Returns the corners of all triangles, in order. Two meshes with equal corners are equal, even if
+// they share vertices in different ways.
 std::vector<Corner> corners_of(mesh::Mesh const& mesh)
 {
     std::vector<Corner> corners;
@@ -64,7 +64,8 @@ std::vector<Corner> corners_of(mesh::Mesh const& mesh)
     return corners;
 }
 
-// Returns the difference between a compressed file and a quantised one; empty if there is none.
+// Describes the difference between the meshes of a compressed and a quantised file; empty if there
+// is none.
 std::string difference(mesh::Mesh const& compressed, mesh::Mesh const& quantized)
 {
     auto const a = corners_of(compressed);
@@ -124,7 +125,8 @@ RC_GTEST_PROP(CompressedGlb, IsTheSameOnAnyNumberOfThreads, ())
     RC_ASSERT(mesh::on_threads(5, write) == expected);
 }
 
-// Several pieces, made from triangles in memory and from a plant, one of them with tangents.
+// A mesh must be written in several pieces with fewer than 70,000 vertices each, whether it is
+// given as triangles or as a plant.
 TEST(CompressedGlb, IsInPiecesThatStandAlone)
 {
     mesh::MeshOptions const fine { .min_sides = 40, .max_sides = 64 };
@@ -198,7 +200,7 @@ TEST(CompressedGlb, IsSmallerAndSaysWhatItNeeds)
     EXPECT_NEAR(static_cast<double>(glb_bytes(mesh, options)), bytes, 0.3 * bytes);
 }
 
-// Replaces a word in the JSON by another one of the same length.
+// Replaces a word in the JSON part of a .glb file by another word of the same length.
 std::string with_word(std::string glb, std::string const& word, std::string const& other)
 {
     auto const at = glb.find(word);
@@ -230,7 +232,7 @@ TEST(CompressedGlb, IsRefusedWhereItClaimsWhatCannotBe)
     expect_error("\"mode\":\"INDICES\"", "\"mode\":\"INDICEX\"", "mode or filter");
 }
 
-// Each case must end in a valid mesh or in an error.
+// Reading a damaged file must give a valid mesh or an error.
 TEST(CompressedGlb, IsReadSafelyWhereItIsDamaged)
 {
     auto const glb = glb_of(mesh::make_mesh(mesh::sample_tree(2)), with({}, Vertices::Compressed));

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kAges = 5;
 
-// Fixture with a growing tree and the contents of its file.
+// Fixture with a growing tree and the film of it that is written to a .glb file.
 class GlbGrowth : public testing::Test {
 protected:
     void SetUp() override
@@ -42,7 +42,7 @@ protected:
         return nlohmann::json::parse(glb.substr(20, u32_at(glb, 12)));
     }
 
-    // Returns an accessor's numbers; zeros if it has no bytes.
+    // Returns the numbers of an accessor; all of them are 0 if the accessor has no bytes.
     static std::vector<float> floats_of(std::string const& glb, nlohmann::json const& json,
                                         nlohmann::json const& index)
     {
@@ -88,7 +88,7 @@ TEST_F(GlbGrowth, ShowsTheWholePlantWhereItIsNotPlayed)
               nlohmann::json({ "age 0.2", "age 0.4", "age 0.6", "age 0.8" }));
     auto const read = read_glb(glb);
     ASSERT_TRUE(read) << read.error().message;
-    ASSERT_EQ(read->surfaces.size(), 2u); // Bark, and leaves as triangles.
+    ASSERT_EQ(read->surfaces.size(), 2u); // Bark, and leaves that are given as triangles.
     EXPECT_TRUE(read->organs.empty());
     EXPECT_EQ(read->triangle_count(), mesh_.whole().triangle_count());
     EXPECT_LT((mesh::bounds(*read).max_mm - mesh::bounds(mesh_.whole()).max_mm).norm(), 0.1);
@@ -132,8 +132,8 @@ TEST_F(GlbGrowth, HasATargetForEachAge)
     }
 }
 
-// The tolerance is the greatest distance of a ring from the bend that the young plant's own mesh
-// would round differently.
+// The tolerance is the greatest distance of a ring from a bend of its axis. The young plant's own
+// mesh would round these bends differently.
 TEST_F(GlbGrowth, LooksAtEachAgeAsTheYoungPlantItselfDoes)
 {
     std::vector<mesh::AgedMesh::Vertices> vertices;
@@ -145,7 +145,8 @@ TEST_F(GlbGrowth, LooksAtEachAgeAsTheYoungPlantItselfDoes)
             for (auto const& position : surface.positions_mm)
                 box.add(position.cast<double>());
         Plant const alone = variation::without_unborn(young);
-        Bounds expected; // Bounds of the young plant's own mesh, with leaves as triangles.
+        // Bounds of the mesh made for the young plant alone, with leaves as triangles.
+        Bounds expected;
         mesh::AgedMesh const own(alone);
         for (auto const& surface : own.whole().surfaces)
             for (auto const& position : surface.positions_mm)
@@ -182,7 +183,7 @@ TEST_F(GlbGrowth, GoesEvenlyFromAgeToAge)
 
 TEST_F(GlbGrowth, TakesNoBytesForNormalsThatDoNotTurn)
 {
-    // Without weight, so that grown parts do not move.
+    // The branches have no weight, so that parts that are fully grown do not move.
     auto const plan = variation::plan_of(mesh::sample_tree(1), {});
     variation::Grower grower(plan);
     Plant const whole = grower.grow(kKey);

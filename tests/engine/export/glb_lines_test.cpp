@@ -23,8 +23,9 @@ void append_chunk(std::string& bytes, std::string_view kind, std::string chunk, 
     bytes.append(chunk);
 }
 
-// Returns a file with one primitive of four vertices: a trunk of two metres in two pieces, and a
-// point beside its middle. Its node is two metres up, and scaled by one half.
+// Returns a .glb file with one primitive of four vertices: a trunk of two metres in two pieces, and
+// a point beside the middle of the trunk. The primitive's node is at a height of two metres and
+// scaled by one half.
 std::string glb_of_primitive(std::string const& primitive)
 {
     std::string const json = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
@@ -62,7 +63,8 @@ TEST(GlbLines, StandWhereTheirNodesStand)
     auto const lines = read_glb_lines("tree.glb", glb_of_mode(kLines, R"(,"indices":1)"));
     ASSERT_TRUE(lines) << lines.error().message;
     ASSERT_EQ(lines->size(), 3u);
-    // The y axis of glTF is our z axis, its z axis our -y; metres become millimetres.
+    // The y axis of glTF is the z axis of a plant, and the z axis of glTF is -y. Metres become
+    // millimetres.
     EXPECT_TRUE((*lines)[0].from_mm.isApprox(Vec3(0, 0, 2000)));
     EXPECT_TRUE((*lines)[0].to_mm.isApprox(Vec3(0, 0, 2500)));
     EXPECT_TRUE((*lines)[1].to_mm.isApprox(Vec3(0, 0, 3000)));

@@ -14,7 +14,7 @@ namespace tractus::exports {
 
 inline GlbOptions const kInstanced { .organs = GlbOptions::Organs::Instanced };
 
-// Returns the bytes of a .glb.
+// Returns the bytes of a .glb file that contains plants.
 inline std::string glb_of(std::span<PlacedMesh const> plants, GlbOptions const& options = {})
 {
     std::ostringstream out;
@@ -30,7 +30,7 @@ inline std::string glb_of(mesh::Mesh const& mesh, GlbOptions const& options = {}
     return glb_of(std::span(&placed, 1), options);
 }
 
-// Returns the contents of a .glb's first chunk.
+// Returns the JSON of a .glb file, which is its first chunk.
 inline nlohmann::json json_of(std::string const& glb)
 {
     std::uint32_t size = 0;

@@ -12,7 +12,8 @@
 namespace tractus::exports {
 namespace {
 
-// The seed is fixed, unless the environment variable sets other parameters.
+// Fixes the seed of the property tests, unless the environment variable RC_PARAMS sets other
+// parameters.
 [[maybe_unused]] bool const has_parameters
     = setenv("RC_PARAMS", "seed=1 max_success=30", 0) == 0; // NOLINT(concurrency-mt-unsafe)
 
@@ -31,7 +32,7 @@ rc::Gen<GlbOptions> random_glb_options()
         rc::gen::arbitrary<bool>());
 }
 
-// Form in which plants are given to the writer.
+// Form in which plants are given to the .glb writer.
 enum class Given { AsMeshes, AsMeshFunctions, AsPlants, AsPlantFunctions };
 
 std::vector<PlacedMesh> placed_plants(std::vector<Plant> const& plants,
@@ -67,7 +68,8 @@ RC_GTEST_PROP(GlbProperties, IsTheSameWhoeverMeshesOnAnyNumberOfThreads, ())
         meshes.push_back(mesh::make_mesh(plant));
     }
     auto options = *random_glb_options();
-    // Bounding boxes of meshes are tighter than those of plants.
+    // Quantisation depends on the bounding box. That of a mesh is tighter than that of its plant,
+    // so unquantised vertices are compared.
     options.vertices = GlbOptions::Vertices::Float;
     auto const write = [&](Given given) {
         return [&, given] { return glb_of(placed_plants(plants, meshes, given), options); };
@@ -95,7 +97,7 @@ RC_GTEST_PROP(GlbProperties, QuantizedVerticesAreNearTheRealOnes, ())
 {
     auto plant = *mesh::random_plants();
     RC_PRE(!plant.axes.empty());
-    plant.organs.clear(); // A single organ would be read as a part of the surfaces.
+    plant.organs.clear(); // An organ that occurs once would be read as a part of the surfaces.
     auto const mesh = mesh::make_mesh(plant);
     PlacedMesh const placed { .mesh = PlantToMesh { .plant = &plant } };
     auto const bytes
@@ -107,7 +109,8 @@ RC_GTEST_PROP(GlbProperties, QuantizedVerticesAreNearTheRealOnes, ())
     for (auto const& surface : mesh.surfaces)
         for (auto const& position : surface.positions_mm)
             box.add(position.cast<double>());
-    // Half a quantisation step of a box that may be two radii larger, plus the rounding of floats.
+    // Tolerance: half a quantisation step, plus the rounding of floats. The box that is quantised
+    // may be larger than the mesh's by two radii of an axis.
     auto const tolerance_mm
         = static_cast<float>(((box.max_mm - box.min_mm).maxCoeff() + 80) / 65532 * 0.9 + 1e-3);
     for (std::size_t s = 0; s < mesh.surfaces.size(); ++s) {

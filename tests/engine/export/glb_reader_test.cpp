@@ -17,7 +17,7 @@
 namespace tractus::exports {
 namespace {
 
-// Returns a file of a JSON text without a binary part.
+// Returns the bytes of a .glb file with a JSON text and without a binary chunk.
 std::string glb_of_json(std::string json)
 {
     json.resize((json.size() + 3) / 4 * 4, ' ');
@@ -71,7 +71,7 @@ TEST(GlbReader, ReadsInstancesBackInEitherForm)
         ASSERT_TRUE(read) << read.error().message;
         ASSERT_EQ(read->organs.size(), 1u);
         ASSERT_EQ(read->organs[0].instances.size(), mesh.organs[0].instances.size());
-        // Nodes may come in any order, so the sum of the instances' effects on a point is compared.
+        // Nodes may come in any order. So the comparison uses the sum of all instances of a point.
         auto const sum = [](mesh::InstancedMesh const& organ) {
             Vec3 total = Vec3::Zero();
             for (auto const& instance : organ.instances)
@@ -112,7 +112,8 @@ TEST(GlbReader, ReadsMaterialsBack)
     auto const& leaf = read->materials[read->organs[0].prototype.material];
     EXPECT_EQ(leaf.name, "leaf");
     EXPECT_EQ(leaf.kind, Material::Kind::Leaf);
-    // The colour is lighter than it was, because the usual picture of veins is darker than white.
+    // The colour was made lighter when it was written, because the default picture of veins is
+    // darker than white.
     Vec3 const light
         = linear_color(leaf.base_color).cwiseQuotient(linear_color(mesh.materials[1].base_color));
     EXPECT_NEAR(light.minCoeff(), light.maxCoeff(), 1e-3);
@@ -121,8 +122,8 @@ TEST(GlbReader, ReadsMaterialsBack)
     EXPECT_FLOAT_EQ(leaf.translucency, 0.4f);
 }
 
-// The transform scales first, then rotates, then translates; a quarter turn takes u to -v in glTF's
-// coordinates, in which v grows downwards.
+// The transform first scales, then rotates, and then translates. In glTF's texture coordinates, in
+// which v grows downwards, a quarter turn takes u to -v.
 TEST(GlbReader, PlacesPicturesAsTheirTransformSays)
 {
     tinygltf::Material material;
@@ -139,7 +140,7 @@ TEST(GlbReader, PlacesPicturesAsTheirTransformSays)
     auto const place = texture_transform(material);
     EXPECT_LT((place * Vec2f(1, 0) - Vec2f(0.5f, 0.25f - 2)).norm(), 1e-6f);
     EXPECT_LT((place * Vec2f(0, 1) - Vec2f(0.5f + 3, 0.25f)).norm(), 1e-6f);
-    // An index of a texture that does not exist.
+    // The texture with this index does not exist.
     material.pbrMetallicRoughness.baseColorTexture.index = 0;
     EXPECT_TRUE(texture_transform(material).isApprox(Eigen::Affine2f::Identity()));
 }
@@ -187,7 +188,7 @@ TEST(GlbReader, ReadsEveryPictureAndHowMuchItCounts)
     EXPECT_EQ(textures.base_color->bytes, "\xff\xd8 of a JPEG file");
     EXPECT_EQ(textures.normal->bytes, "normal");
     EXPECT_EQ(textures.roughness->bytes, "roughness");
-    // The file has one picture for both, not two equal ones.
+    // The file has one picture for both textures, not two equal ones.
     EXPECT_EQ(textures.occlusion, textures.roughness);
     EXPECT_EQ(textures.translucency->bytes, "passes");
     EXPECT_FLOAT_EQ(textures.normal_strength, 0.5f);
@@ -258,7 +259,7 @@ TEST(GlbReader, NeverReachesForOtherFiles)
     EXPECT_FALSE(read);
 }
 
-// Each case must end in a valid mesh or in an error.
+// Reading a damaged file must give a valid mesh or an error.
 TEST(GlbReader, SurvivesDamagedFiles)
 {
     auto plant = mesh::single_axis(2, 5, 1);
@@ -272,11 +273,12 @@ TEST(GlbReader, SurvivesDamagedFiles)
     std::size_t read_count = 0;
     for (int i = 0; i < 2500; ++i) {
         std::string bytes = glb;
-        if (i % 5 == 0) // Truncates the file, with a header that agrees.
+        // Truncates the file. For some files, its header is then made to agree with the new length.
+        if (i % 5 == 0)
             bytes.resize(20 + random.next_u32() % (glb.size() - 20));
         for (std::uint32_t k = 0; k <= random.next_u32() % 4; ++k) {
-            // Mostly changes digits to digits in the JSON part, since other damage is found at
-            // once.
+            // Two thirds of the changes are in the JSON part, and digits are replaced by digits,
+            // since other damage is found at once.
             auto const at = random.next_u32()
                 % (i % 3 == 0 ? bytes.size()
                               : std::min<std::size_t>(bytes.size(), 20 + json_bytes));
@@ -296,7 +298,7 @@ TEST(GlbReader, SurvivesDamagedFiles)
         for (auto const& organ : mesh->organs)
             mesh::expect_sound(organ.prototype);
     }
-    EXPECT_GT(read_count, 100u); // Some of the damage must not be found at once.
+    EXPECT_GT(read_count, 100u); // Some damaged files must still be readable.
 }
 
 } // namespace

@@ -24,7 +24,7 @@ std::uint32_t u32_at(std::string const& bytes, std::size_t offset)
     return value;
 }
 
-// A stream that accepts some bytes and then fails, as a full disk does.
+// A stream that accepts some bytes and then fails, like a full disk.
 class FullDisk : public std::stringbuf {
 public:
     explicit FullDisk(std::streamsize room)
@@ -60,7 +60,7 @@ TEST(GlbWriter, HeadersSayTheSizes)
 
 TEST(GlbWriter, WritesMetresAndYUp)
 {
-    // The trunk is 200 mm high, plus a dome of 10 mm.
+    // The trunk is 200 mm high, plus a dome with a radius of 10 mm.
     auto const json = json_of(glb_of(mesh::make_mesh(mesh::single_axis(4, 10, 10))));
     auto const& positions = json["accessors"][0];
     EXPECT_NEAR(positions["min"][1].get<double>(), 0, 1e-9);
@@ -100,7 +100,8 @@ TEST(GlbWriter, EveryPlantIsOneMeshThatAnyReaderKnows)
     EXPECT_EQ(json["meshes"].size(), 2u);
     EXPECT_EQ(json["materials"].size(), 2u);
     for (auto const& made : json["meshes"]) {
-        ASSERT_EQ(made["primitives"].size(), 2u); // Primitives of bark and of leaves.
+        // One primitive is the bark, the other one the leaves.
+        ASSERT_EQ(made["primitives"].size(), 2u);
         std::size_t indices = 0;
         for (auto const& primitive : made["primitives"])
             indices += json["accessors"][primitive["indices"].get<std::size_t>()]["count"]
@@ -208,11 +209,12 @@ TEST(GlbWriter, SharesWhatPlantsHaveInCommon)
     auto const json = json_of(glb_of(plants, kInstanced));
     EXPECT_EQ(json["materials"].size(), 2u);
     EXPECT_EQ(json["images"].size(), 4u);
-    EXPECT_EQ(json["meshes"].size(), 4u); // Meshes of three plants and of the leaf.
+    EXPECT_EQ(json["meshes"].size(), 4u); // Three plants and one leaf.
     EXPECT_EQ(json["scenes"][0]["nodes"].size(), 3u);
     auto const& last = json["nodes"][json["scenes"][0]["nodes"][2].get<std::size_t>()];
     EXPECT_EQ(last["name"], "c");
-    EXPECT_DOUBLE_EQ(last["translation"][2], -2); // The direction away from the user is -z.
+    // In glTF, the direction away from the user is -z.
+    EXPECT_DOUBLE_EQ(last["translation"][2], -2);
 }
 
 TEST(GlbWriter, MakesPlantsOneAtATime)
@@ -233,7 +235,7 @@ TEST(GlbWriter, TriesAgainWhenLaterPlantsNeedMoreJsonThanTheFirst)
 {
     mesh::Mesh const small = mesh::make_mesh(mesh::single_axis(1, 1, 1));
     mesh::Mesh large = mesh::make_mesh(mesh::sample_tree(1));
-    for (int i = 0; i < 20; ++i) { // Twenty organ shapes that all differ.
+    for (int i = 0; i < 20; ++i) { // Twenty organ shapes, all different.
         large.organs.push_back(large.organs[0]);
         large.organs.back().prototype.positions_mm[0].x() += static_cast<float>(i + 1);
     }
@@ -265,7 +267,7 @@ TEST(GlbWriter, CoarserLevelsStandBesideTheScene)
         EXPECT_EQ(node["extras"]["MSFT_screencoverage"], nlohmann::json({ 0.2, 0.05, 0.0 }));
         auto const& levels = node["extensions"]["MSFT_lod"]["ids"];
         ASSERT_EQ(levels.size(), 2u);
-        for (auto const& level : levels) { // Levels have the position of the plant.
+        for (auto const& level : levels) { // Each level must have the position of the plant.
             auto const& coarser = json["nodes"][level.get<std::size_t>()];
             EXPECT_EQ(coarser["translation"], node["translation"]);
         }
@@ -278,7 +280,8 @@ TEST(GlbWriter, CoarserLevelsStandBesideTheScene)
         EXPECT_EQ(material["alphaMode"], "MASK");
     }
     EXPECT_EQ(json["extensionsUsed"].size(), 4u);
-    EXPECT_EQ(json["extensionsRequired"].size(), 1u); // The extension for instanced leaves.
+    // The only required extension is that for instanced leaves.
+    EXPECT_EQ(json["extensionsRequired"].size(), 1u);
 }
 
 TEST(GlbWriter, WritesWhatTheWindNeeds)
@@ -290,7 +293,7 @@ TEST(GlbWriter, WritesWhatTheWindNeeds)
         std::span(&placed, 1),
         { .organs = GlbOptions::Organs::Instanced, .vertices = GlbOptions::Vertices::Quantized });
     auto const json = json_of(glb);
-    nlohmann::json attributes; // Attributes of the tubes, and of the leaves.
+    nlohmann::json attributes; // Attributes of the tubes, and of the leaves as triangles.
     nlohmann::json of_leaves;
     for (auto const& mesh : json["meshes"])
         if (mesh["primitives"][0]["attributes"].contains("_BEND"))
@@ -308,7 +311,7 @@ TEST(GlbWriter, WritesWhatTheWindNeeds)
     EXPECT_EQ(*std::min_element(bends.begin(), bends.end()), 0);
     EXPECT_EQ(*std::max_element(bends.begin(), bends.end()), 1);
 
-    // Base of a leaf's branch, in metres with +y up.
+    // The pivot of a leaf is the base of its branch, in metres with +y upwards.
     auto const pivots = floats_of(glb, of_leaves["_PIVOT"], 3);
     auto const levels = floats_of(glb, of_leaves["_LEVEL"], 1);
     ASSERT_EQ(levels.size(), plant.organs.size());
@@ -348,7 +351,7 @@ TEST(GlbWriter, OrgansThatAreNodesHaveTheWindInTheirExtras)
     auto const nodes
         = json_of(glb_of(std::span(&placed, 1), { .organs = GlbOptions::Organs::Nodes }));
     auto const json = json_of(glb);
-    nlohmann::json attributes; // Attributes of the same leaves as instances.
+    nlohmann::json attributes; // Attributes of the same leaves when they are written as instances.
     for (auto const& node : json["nodes"])
         if (node.contains("extensions"))
             attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
@@ -386,11 +389,11 @@ TEST(GlbWriter, BarkHasItsFurrowsColourReliefAndOcclusion)
     ASSERT_TRUE(bark.contains("occlusionTexture"));
     EXPECT_EQ(bark["occlusionTexture"], bark["pbrMetallicRoughness"]["metallicRoughnessTexture"]);
     EXPECT_TRUE(bark.contains("normalTexture"));
-    EXPECT_EQ(json["images"].size(), 4u); // Images of bark, and the leaf's veins.
+    EXPECT_EQ(json["images"].size(), 4u); // Three images of the bark, and one of the leaf's veins.
     EXPECT_FALSE(json["materials"][1].contains("normalTexture"));
     for (auto const& primitive : json["meshes"][0]["primitives"])
         EXPECT_EQ(primitive["attributes"].contains("TANGENT"), primitive["material"] == 0);
-    // Without pictures, tangents are not needed.
+    // If no pictures are written, no tangents are needed.
     auto const plain = json_of(glb_of(mesh, { .textures = GlbOptions::Textures::None }));
     EXPECT_FALSE(plain["materials"][0].contains("normalTexture"));
     EXPECT_FALSE(plain["meshes"][0]["primitives"][0]["attributes"].contains("TANGENT"));
@@ -429,7 +432,7 @@ TEST(GlbWriter, WritesTheTexturesOfAMaterial)
 TEST(GlbWriter, LeavesPassLightWithoutAPicture)
 {
     auto mesh = mesh::make_mesh(mesh::sample_tree(1));
-    mesh.materials[0].translucency = 0.9f; // Bark passes none, whatever its number.
+    mesh.materials[0].translucency = 0.9f; // Bark passes no light, whatever its translucency is.
     mesh.materials[1].translucency = 0.5f;
     auto const json = json_of(glb_of(mesh, { .textures = GlbOptions::Textures::None }));
     EXPECT_FALSE(json["materials"][0].contains("extensions"));
@@ -442,7 +445,8 @@ TEST(GlbWriter, LeavesPassLightWithoutAPicture)
 
 TEST(GlbWriter, LeavesAreDoubleSidedAndColoursLinear)
 {
-    // Without pictures, since colours are lightened to compensate for dark pictures.
+    // The colours are written without pictures, since they would otherwise be lightened to
+    // compensate for dark pictures.
     auto const json = json_of(
         glb_of(mesh::make_mesh(mesh::sample_tree(1)), { .textures = GlbOptions::Textures::None }));
     for (auto const& material : json["materials"]) {

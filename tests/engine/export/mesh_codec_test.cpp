@@ -15,8 +15,8 @@ std::span<std::byte const> bytes_of(auto const& numbers)
     return std::as_bytes(std::span(numbers));
 }
 
-// Expects that elements of `words` words each, compressed by the program, are decompressed
-// correctly by the library.
+// Compresses elements of `words` words each, and expects that the library meshoptimizer
+// decompresses them correctly.
 void expect_back(std::vector<std::uint32_t> const& numbers, std::size_t words)
 {
     BulkVector<std::byte> compressed;
@@ -39,7 +39,8 @@ RC_GTEST_PROP(MeshCodec, GivesAttributesBack, ())
     expect_back(numbers, words);
 }
 
-// Random differences of every size, so that groups are encoded in every way.
+// The differences between elements are random and of every size, so that groups of bytes are
+// encoded in every way.
 RC_GTEST_PROP(MeshCodec, GivesSmoothAttributesBack, ())
 {
     auto const count = *rc::gen::inRange<std::size_t>(1, 1500);
@@ -80,8 +81,7 @@ TEST(MeshCodec, HoldsManyElementsThatAreAlike)
     EXPECT_EQ(find_flaw({ .count = numbers.size(), .stride = 4, .bytes = compressed }), nullptr);
 }
 
-// The format (EXT_meshopt_compression, appendix A) requires that the first byte contains the
-// version.
+// The first byte must contain the version of the format (EXT_meshopt_compression, appendix A).
 TEST(MeshCodec, WritesTheVersionsOfTheExtension)
 {
     std::vector<std::uint32_t> const numbers { 0, 1, 2 };
@@ -104,7 +104,7 @@ RC_GTEST_PROP(MeshCodec, RefusesWhatIsTruncated, ())
     RC_ASSERT(!decompress(elements, std::as_writable_bytes(std::span(back))));
 }
 
-// Damage that is not detected gives arbitrary numbers.
+// Decompressing damaged bytes must fail or give arbitrary numbers, but never crash.
 RC_GTEST_PROP(MeshCodec, SurvivesAnyBytes, ())
 {
     auto const mode

@@ -16,7 +16,8 @@ std::string svg_of(std::vector<Stroke> const& strokes, StrokeView view)
     return out.str();
 }
 
-// Returns a line that ends 10 to the right, 20 away and 30 up.
+// Returns one stroke from the origin to a point 10 mm to the right, 20 mm away from the user and 30
+// mm up.
 std::vector<Stroke> one_line()
 {
     return { stroke_of({ { 0, 0, 0 }, { 10, 20, 30 } }) };

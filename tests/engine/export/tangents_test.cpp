@@ -9,8 +9,8 @@
 namespace tractus::exports {
 namespace {
 
-// Returns a square of side 1 that faces up, with a texture like a picture lying on it, its first
-// row at the top: v decreases as y increases.
+// Returns a square of side 1 that faces up. Its texture lies on it like a picture with the first
+// row at the top, so v decreases as y increases.
 mesh::TriangleMesh square()
 {
     mesh::TriangleMesh mesh;
@@ -54,7 +54,8 @@ TEST(Tangents, AreAcrossTheNormalWhereTheTextureTellsNothing)
     }
 }
 
-// Around a tube, u increases counterclockwise seen from its tip, and v increases towards the tip.
+// Around a tube, u increases counterclockwise as seen from the tube's tip, and v increases towards
+// the tip.
 TEST(Tangents, RunRoundATube)
 {
     auto const mesh = mesh::make_mesh(mesh::single_axis(6, 40, 8));
@@ -68,7 +69,7 @@ TEST(Tangents, RunRoundATube)
         EXPECT_NEAR(tangent.dot(tube.normals[i]), 0, 1e-5);
         if (i == 0)
             continue;
-        // Skips all but neighbouring corners of a ring, which have equal v.
+        // Considers only neighbouring corners of the same ring, which have equal v.
         Vec2f const step = tube.texture_coordinates[i] - tube.texture_coordinates[i - 1];
         Vec3f const way_mm = tube.positions_mm[i] - tube.positions_mm[i - 1];
         if (step.y() != 0 || step.x() <= 0 || way_mm.norm() < 1e-3f)

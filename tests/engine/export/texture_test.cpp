@@ -21,7 +21,7 @@ std::uint8_t level(GreyPicture const& picture, int x, int y)
     return picture.pixels[static_cast<std::size_t>(y * picture.width + x)];
 }
 
-// Returns the mean difference between two columns.
+// Returns the mean difference between the pixels of two columns.
 double column_step(GreyPicture const& picture, int a, int b)
 {
     double sum = 0;
@@ -47,7 +47,7 @@ TEST(Texture, BarkTilesInBothDirections)
         columns += column_step(bark, i - 1, i) / (bark.width - 1);
         rows += row_step(bark, i - 1, i) / (bark.height - 1);
     }
-    EXPECT_GT(columns, 2); // The texture is not uniform.
+    EXPECT_GT(columns, 2); // The texture must not be uniform.
     EXPECT_LT(column_step(bark, bark.width - 1, 0), 2 * columns);
     EXPECT_LT(row_step(bark, bark.height - 1, 0), 2 * rows);
 }
@@ -77,7 +77,8 @@ TEST(Texture, WritesAPngThatUnpacksToItsPixels)
                          reinterpret_cast<Bytef const*>(png.data() + 41), size),
               Z_OK);
     EXPECT_EQ(rows,
-              std::string("\x02\x01\x02\x03\x02\x03\xfd\xfd", 8)); // Differences to the row above.
+              // Bytes of the second row as differences to the row above.
+              std::string("\x02\x01\x02\x03\x02\x03\xfd\xfd", 8));
     auto const sum = crc32(0, reinterpret_cast<Bytef const*>(png.data() + 37), size + 4);
     EXPECT_EQ(u32_be_at(png, 41 + size), sum);
 }

@@ -1,4 +1,5 @@
-// Writes .glb files of every kind into a folder, for the validator. Run: write_sample_glbs FOLDER
+// Writes .glb files of every kind into a folder, to test them with the glTF validator. Usage:
+// write_sample_glbs FOLDER
 #include "engine/base/file.h"
 #include "engine/export/glb_growth.h"
 #include "engine/export/glb_writer.h"
@@ -18,8 +19,8 @@
 namespace tractus::exports {
 namespace {
 
-// Returns a plant with all kinds of organs and materials, with polygons, zero radius, and sharp
-// turns.
+// Returns a plant with organs and materials of all kinds, polygons, tips of zero radius and sharp
+// bends.
 Plant odd_plant()
 {
     Plant plant = mesh::single_axis(6, 5, 0);
@@ -64,7 +65,7 @@ Plant odd_plant()
     return plant;
 }
 
-// Returns a tree with two coarser levels and a billboard.
+// Returns a tree with two coarser levels of detail and a billboard.
 PlacedMesh with_details(Plant const& plant)
 {
     PlacedMesh placed { .name = "far", .mesh = PlantToMesh { .plant = &plant } };
@@ -84,14 +85,14 @@ PlacedMesh with_details(Plant const& plant)
     return placed;
 }
 
-// Returns the line "FILE PLANTS TRIANGLES" with the writer's numbers, for programs that import the
-// file.
+// Returns the line "FILE PLANTS TRIANGLES" with the numbers that the writer reports. Programs that
+// import the file compare their numbers with these.
 std::string counts_line(std::string_view file, std::size_t plants, std::uint64_t triangles)
 {
     return fmt::format("{} {} {}\n", file, plants, triangles);
 }
 
-// Writes a growing tree, with wind and weight.
+// Writes an animation of a tree that grows and bends in the wind and under its weight.
 Result<void> write_growth(std::filesystem::path const& path, std::string& counts)
 {
     auto const plan = variation::plan_of(mesh::sample_tree(4), { .sag = 2 }, { 0.5, 0, 0 });
@@ -153,10 +154,10 @@ Result<void> write_samples(std::filesystem::path const& folder)
               .position_mm = { 3000.0 * static_cast<double>(seed), 0, 0 },
               .rotation_rad = static_cast<double>(seed),
               .mesh = [seed] { return mesh::make_mesh(mesh::sample_tree(seed)); } });
-    // Meshed while it is written.
+    // The mesh of this plant is made while it is written.
     PlacedMesh const streamed { .name = "odd", .mesh = PlantToMesh { .plant = &odd } };
     collection.push_back(streamed);
-    // More than 65,535 vertices, which need 32-bit indices.
+    // The mesh has more than 65,535 vertices, so it needs 32-bit indices.
     PlacedMesh const fine { .mesh = [] {
         return mesh::make_mesh(mesh::sample_tree(9), { .min_sides = 40, .max_sides = 64 });
     } };

@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include <vector>
 
-// Compares random programs for C's preprocessor with the output of gcc.
+// Compares the results of preprocessing random programs with the output of gcc.
 
 namespace tractus::lsystem {
 namespace {
@@ -40,18 +40,18 @@ std::string tokens(std::string const& text)
     return result;
 }
 
-// Independent programs that are processed in one run of gcc, since its start takes longer than its
-// work.
+// A set of independent programs that gcc preprocesses in one run, since starting gcc takes longer
+// than its work.
 class Programs {
 public:
     void add(std::string const& program)
     {
-        // Marks the beginning of the program's results.
+        // This line marks the beginning of the program's results in gcc's output.
         std::string text = fmt::format("@@ {}\n", lines_.size());
         for (auto const* name : { "A", "B", "C", "D", "f", "g", "h" })
             text += fmt::format("#undef {}\n", name);
         auto const line = line_count_ + std::count(text.begin(), text.end(), '\n') + 1;
-        // Resets the line number, whatever earlier programs set.
+        // Sets the line number again, whatever earlier programs have set.
         text += fmt::format("#line {} \"model.l\"\n", line + 1);
         lines_.push_back(line);
         programs_.push_back(program);
@@ -60,7 +60,7 @@ public:
         text_ += text;
     }
 
-    // Compares the programs in which gcc found no error, and returns their number.
+    // Compares the programs in which gcc found no error, and returns the number of these programs.
     int compare_with_gcc() const
     {
         auto const folder
@@ -110,9 +110,9 @@ private:
     }
 
     std::string text_;
-    std::ptrdiff_t line_count_ = 0; // Lines in the text so far.
+    std::ptrdiff_t line_count_ = 0; // Number of lines in the text so far.
     std::vector<std::string> programs_;
-    std::vector<std::ptrdiff_t> lines_; // Number of lines before each program.
+    std::vector<std::ptrdiff_t> lines_; // Number of lines in the text before each program.
 };
 
 std::mt19937& random_numbers()
@@ -135,7 +135,7 @@ std::string one_of(std::initializer_list<std::string> texts)
     return one_of(std::vector(texts));
 }
 
-// Macros: four without parameters, A to D, and three with one, two and any number of them.
+// Macros with parameters: one, two, and any number of them. The macros A to D have none.
 struct Signature {
     std::string name;
     std::vector<std::string> parameters;
@@ -146,7 +146,7 @@ std::vector<Signature> const kFunctions { { "f", { "x" } },
 
 class RandomTokens {
 public:
-    // Makes tokens for the body of a macro with these parameters.
+    // Generates tokens for the body of a macro with the given parameters.
     explicit RandomTokens(std::vector<std::string> parameters, bool is_in_body = true)
         : parameters_(std::move(parameters))
         , is_in_body_(is_in_body)
@@ -233,7 +233,7 @@ std::string random_program()
         if (number_below(5) == 0)
             program += "#undef " + one_of({ "A", "B", "f", "u" }) + '\n';
         auto line = RandomTokens({}, false).text(0, true);
-        for (auto& c : line) // Continues a call on the next line.
+        for (auto& c : line) // Breaks the line, also within the call of a macro.
             if (c == ' ' && number_below(12) == 0)
                 c = '\n';
         program += line + ";\n";
@@ -284,7 +284,7 @@ TEST(CPreprocessor, ComputesConditionsAsGcc)
     EXPECT_GT(programs.compare_with_gcc(), kProgramCount);
 }
 
-// Generates nested conditional parts, with definitions in all branches.
+// Generates nested conditional parts of a program, with definitions in all of their branches.
 class RandomParts {
 public:
     std::string lines(int depth)
@@ -303,7 +303,7 @@ private:
         return one_of({ "#", "#", "  #", "# ", "#\t", "/* a */ #", "# /* a */ " });
     }
 
-    // Returns what may follow a directive, up to the end of its line.
+    // Returns a random text that may follow a directive, up to the end of its line.
     static std::string end_of_line()
     {
         return one_of({ "\n", "\n", "\n", " // a\n", " /* a */\n", " /* a\n#else\n*/\n" });

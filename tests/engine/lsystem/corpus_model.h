@@ -8,7 +8,8 @@
 
 namespace tractus::lsystem {
 
-// Compiles FOLDER/NAME.l with the view of the same name beside it; `view` gives another name.
+// Compiles the model in the file `path`. Its view is `view`, or if that is empty, the file beside
+// the model with the same name.
 inline Result<Model> compile_file(std::filesystem::path const& path, std::string const& view = {})
 {
     auto const view_path = view.empty() ? std::filesystem::path(path).replace_extension(".v")

@@ -23,7 +23,7 @@ inline std::string without_blanks(std::string text)
     return text;
 }
 
-// Compares strings; numbers in parentheses may differ by 1e-5 of their value.
+// Compares two strings of modules. Numbers in parentheses may differ by 1e-5 of their value.
 inline ::testing::AssertionResult same_strings(std::string const& found,
                                                std::string const& expected)
 {

@@ -15,11 +15,12 @@
 namespace tractus::lsystem {
 namespace {
 
-// Parameter: a classical L-system with known counts and hashes after some numbers of steps.
+// The parameter is the name of a classical L-system, for which counts and hashes after several
+// steps are known.
 class CountedSystem : public ::testing::TestWithParam<std::string> { };
 
-// Compares non-parametric strings by hash, short parametric ones in full, and long ones by the sum
-// of F.
+// Compares a derived string with the expected one. Strings without parameters are compared by hash.
+// Short parametric strings are compared in full, and long ones by the sum of the parameters of F.
 void compare_strings(Model const& model, ModuleString const& string, nlohmann::json const& expected)
 {
     auto text = to_string(model, string);
@@ -45,7 +46,8 @@ void compare_strings(Model const& model, ModuleString const& string, nlohmann::j
     }
 }
 
-// Compares the numbers of segments and polygons that the turtle draws of a string.
+// Compares the numbers of segments and polygons that the turtle draws for a string with the
+// expected ones.
 void compare_drawing(Model const& model, ModuleString const& string, nlohmann::json const& expected)
 {
     if (!expected.contains("segments"))
@@ -151,8 +153,8 @@ std::vector<std::string> const kCountedSystems { "algae",
 INSTANTIATE_TEST_SUITE_P(All, CountedSystem, ::testing::ValuesIn(kCountedSystems),
                          [](auto const& tested) { return tested.param; });
 
-// Checks a linear relation between the numbers of symbols: coefficients by symbol, and the constant
-// that the sum must equal.
+// Checks a linear relation between the numbers of symbols: their sum, weighted with a coefficient
+// for each symbol, must equal a constant.
 void check_relation(std::map<std::string, std::size_t> const& counts,
                     nlohmann::json const& relation)
 {
@@ -199,7 +201,8 @@ TEST(CountedSystems, AreAllCompared)
     EXPECT_TRUE(left.empty()) << *left.begin();
 }
 
-// The ' of three bushes is printed in the book, and changes nothing in cpfg.
+// Three of the bushes contain a ' as printed in the book. In cpfg it changes nothing, so it must
+// not cause a warning.
 TEST_P(CountedSystem, HasNoFalseWarnings)
 {
     auto const model = compile_file(shipped("lsystem_counts") / (GetParam() + ".l"));
@@ -211,8 +214,8 @@ TEST_P(CountedSystem, HasNoFalseWarnings)
     }
 }
 
-// Writes a system as the book prints it: labels, one dash in the arrow, single = and & in
-// conditions, // for two rolls, ' for a colour and $ for rolling level.
+// Writes an L-system as the book prints it: with labels, one dash in the arrow, and single = and &
+// in conditions. It has // for two rolls, ' for a change of colour and $ for rolling level.
 std::string as_in_the_book(nlohmann::json const& system)
 {
     std::string text;

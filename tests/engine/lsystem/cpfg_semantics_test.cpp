@@ -9,8 +9,8 @@
 namespace tractus::lsystem {
 namespace {
 
-// Derives with the context table and without it: an additional rule with a parameter, which never
-// applies, prevents the table's use.
+// Derives a model with and without the context table, and expects equal results. An additional rule
+// with a parameter, which never applies, prevents the use of the table.
 std::string derived_both_ways(std::string const& model, int steps = 1)
 {
     auto const fast = derived(model, steps);
@@ -53,7 +53,8 @@ TEST(LocalVariables, KeepTheirLastValue)
     EXPECT_EQ(derived("Axiom: A(7)A(0)A(0)\nA(x) : {if (x > 0) {y = x;}} 1 --> B(y)"),
               "B(7)B(7)B(7)");
     EXPECT_EQ(derived("Axiom: AAA\nA : 1 {n = n + 1;} --> B(n)"), "B(1)B(2)B(3)");
-    // Values also persist from step to step, and from rules whose conditions failed.
+    // Variables keep their values from step to step. Values that a rule has set are kept even if
+    // its condition then fails.
     EXPECT_EQ(derived("Axiom: A\nA : 1 {n = n + 1;} --> B(n)A", 3), "B(1)B(2)B(3)A");
     EXPECT_EQ(derived("Axiom: A(3)A(1)\nA(x) : {y = y + x;} y > 3 --> B(y)\nA(x) --> C(x)"),
               "C(3)B(4)");

@@ -119,11 +119,12 @@ TEST(Statements, StopALoopThatDoesNotEnd)
               "condition ever becomes 0");
 }
 
-// Returns the output that a model prints.
+// Returns the text that a model prints while it is derived.
 std::string printed(std::string const& axiom_and_rules, int steps = 1)
 {
     auto const model = compiled(with_header(axiom_and_rules, steps));
-    for (auto const& warning : model.warnings) // Short examples have letters without a rule.
+    // Short examples have letters without a rule, which cause a warning.
+    for (auto const& warning : model.warnings)
         EXPECT_NE(warning.find(" has no effect"), std::string::npos) << warning;
     std::string result;
     DeriveOptions options;
@@ -191,7 +192,7 @@ TEST(Stochastic, HasTheGivenFrequencies)
     for (int i = 0; i < 10'000; ++i)
         axiom += 'A';
     auto const string = derived(axiom + "\nA --> B : 1\nA --> C : 2\nA --> D : 1");
-    // The standard deviations are 43 and 50 of 10,000.
+    // The standard deviations of these counts are 43 and 50.
     EXPECT_NEAR(static_cast<double>(std::count(string.begin(), string.end(), 'B')), 2500, 200);
     EXPECT_NEAR(static_cast<double>(std::count(string.begin(), string.end(), 'C')), 5000, 220);
     EXPECT_NEAR(static_cast<double>(std::count(string.begin(), string.end(), 'D')), 2500, 200);

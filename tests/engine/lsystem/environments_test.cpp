@@ -11,7 +11,7 @@
 namespace tractus::lsystem {
 namespace {
 
-// Modules ?E with five parameters at given positions.
+// An environment that can be asked about modules ?E with five parameters at given positions.
 class Asking {
 public:
     explicit Asking(std::string const& choice)
@@ -60,16 +60,17 @@ TEST(LightEnvironment, CastsShadeInAPyramidBelow)
                                    { 2.5, 1.5, 2.5 },
                                    { 0.5, 9.5, 0.5 } },
                                  { 1, 0, 0, 0, 0, 0 });
-    EXPECT_FLOAT_EQ(found[0][0], 1); // A module's own shade does not count.
+    EXPECT_FLOAT_EQ(found[0][0], 1); // A module is not shaded by itself.
     EXPECT_FLOAT_EQ(found[1][0], 0.9F);
     EXPECT_FLOAT_EQ(found[2][0], 0.9F);
     EXPECT_FLOAT_EQ(found[3][0], 1);
     EXPECT_FLOAT_EQ(found[4][0], 0.95F);
     EXPECT_FLOAT_EQ(found[5][0], 1);
-    EXPECT_GT(found[3][2], 0.8F); // The light increases away from the shade.
+    // The gradient points away from the shade, where there is more light.
+    EXPECT_GT(found[3][2], 0.8F);
 }
 
-// Compares with the definition, by summing the shades one by one.
+// The light must agree with its definition, the sum of the shades of all modules.
 TEST(LightEnvironment, AgreesWithSummingEachShade)
 {
     Asking light("light:cell=2 shade=0.05 decay=1.5 depth=4 full=3");
@@ -112,15 +113,15 @@ TEST(SpaceEnvironment, GivesABallToTheFirstThatAsks)
     auto const first = space.ask(0, { { 0, 0, 0 }, { 1.5, 0, 0 }, { 2, 0, 0 }, { 0, 0, 3 } });
     EXPECT_EQ(first[0][0], 1);
     EXPECT_EQ(first[1][0], 0);
-    EXPECT_EQ(first[2][0], 1); // Balls that touch do not overlap.
+    EXPECT_EQ(first[2][0], 1); // Balls that only touch do not overlap.
     EXPECT_EQ(first[3][0], 1);
     auto const later = space.ask(1, { { 0, 0.5, 0 }, { 0, 0, 0 }, { 0, 9, 0 }, { 0, 6.9, 0 } },
                                  { 1, 1, 2, 0.05F });
-    EXPECT_EQ(later[0][0], 0); // The place was taken in the previous step by the next module.
-    EXPECT_EQ(later[1][0], 1); // The module keeps the place that it took in the previous step.
+    EXPECT_EQ(later[0][0], 0); // In the previous step, the module at this place was the next one.
+    EXPECT_EQ(later[1][0], 1); // The module keeps the place that it was given in the previous step.
     EXPECT_EQ(later[2][0], 1);
     EXPECT_EQ(later[3][0], 1);
-    // Step 0 begins another derivation, so all places are free.
+    // Step 0 begins another derivation, in which all places are free again.
     EXPECT_EQ(space.ask(0, { { 0.5, 0, 0 } })[0][0], 1);
     EXPECT_EQ(space.ask(1, { { NAN, 0, 0 } })[0][0], 0);
 }
@@ -146,7 +147,8 @@ TEST(WaterEnvironment, SharesAVoxelAndRunsDry)
     Asking water("water:uptake=0.4,diffusion=0");
     auto const first = water.ask(
         0, { { 0.2, -0.5, 0.2 }, { 0.8, -0.5, 0.2 }, { 5, -0.5, 0 }, { 0, 1, 0 } }, { 1, 3, 1, 1 });
-    EXPECT_FLOAT_EQ(first[0][0], 0.25F); // Share of all the water.
+    // The water is shared in proportion to the demands: 1 of 4 parts.
+    EXPECT_FLOAT_EQ(first[0][0], 0.25F);
     EXPECT_FLOAT_EQ(first[1][0], 0.75F);
     EXPECT_FLOAT_EQ(first[2][0], 0.4F);
     EXPECT_FLOAT_EQ(first[3][0], 0);
@@ -162,7 +164,8 @@ TEST(WaterEnvironment, SpreadsAndLosesNothing)
     Vec3 const place { 0.5, -20.5, 0.5 };
     EXPECT_FLOAT_EQ(water.ask(0, { place })[0][0], 1);
     double const again = water.ask(1, { place })[0][0];
-    EXPECT_NEAR(again, 0.9, 1e-6); // Each of the six neighbours receives 0.15.
+    // The voxel gets back 0.9, since diffusion of 0.15 fills it from six neighbours.
+    EXPECT_NEAR(again, 0.9, 1e-6);
     EXPECT_FLOAT_EQ(water.ask(2, { { 0.5, -1.5, 0.5 } })[0][0], 1);
     EXPECT_FLOAT_EQ(water.ask(0, { place })[0][0], 1);
 }
@@ -174,7 +177,7 @@ TEST(Environments, AreChosenByTheView)
     EXPECT_EQ(model.view.environment.name, "light");
     EXPECT_EQ(to_string(model, *derive(model)), "F?E(1)[+F(2)?E(1)]");
     EXPECT_EQ(derived(rules), "F?E(5)[+F(2)?E(5)]");
-    // An environment given by the program overrides the view's.
+    // An environment given in the options replaces that of the view.
     DeriveOptions options;
     options.environment = make_environment(*parse_environment("terrain"));
     EXPECT_EQ(to_string(model, *derive(model, options)).substr(0, 6), "F?E(1)");
@@ -186,7 +189,7 @@ TEST(Environments, AreChosenByTheView)
     EXPECT_EQ(refused.error().message, "no answer");
 }
 
-// Environments are reset for each derivation.
+// An environment is reset before each derivation.
 TEST(Environments, GiveTheSamePlantEachTime)
 {
     auto const model = compiled(with_header("Axiom: A?E(1,1)\nA > ?E(x,r) : x>0 --> "

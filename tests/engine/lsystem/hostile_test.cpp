@@ -9,7 +9,7 @@
 namespace tractus::lsystem {
 namespace {
 
-// A model that uses most of the language.
+// Text of a model that uses most features of the language.
 std::string const kModel = R"(#define STEP 0.5 /* growth */
 #define half(x) ((x)/2)
 Lsystem: 1
@@ -35,7 +35,7 @@ C(x) --> #(0.1)G(x*func(1,x)+curveGAL(1)*stop(x))@Gs|^\@Ge
 endlsystem
 )";
 
-// A model with sub-L-systems, shared variables, and printed output.
+// Text of a model with sub-L-systems, shared variables and printed output.
 std::string const kSubsystems = R"(Lsystem: 1
 derivation length: 4
 define: { array a[2] = {4,5}; }
@@ -72,7 +72,7 @@ std::string const kView
       "organ: l leaf kind=blade material=2 length=2 width=1 lobes=0.2 lobe_count=3\nradii: pipe 2 "
       "0.05\n";
 
-// Changes, removes, duplicates or moves a few pieces of the text.
+// Changes, removes, duplicates or moves up to six random pieces of the text.
 std::string mutated(std::string text, Random& random)
 {
     static constexpr std::string_view kPieces = "()[]{}<>:;,.*%@~?!#&|^\\/+-=\"\n\t 0919eAFfxmn";
@@ -111,7 +111,7 @@ TEST(HostileModels, DoNoHarm)
     int plants = 0;
     for (int i = 0; i < 10'000; ++i)
         plants += run_whole_pipeline(mutated(sound, random));
-    // Some texts survive and most do not, so both cases are tested.
+    // Most damaged texts fail and some still give a plant, so both cases are tested.
     EXPECT_GT(plants, 500);
     EXPECT_LT(plants, 9500);
 }
@@ -128,7 +128,7 @@ TEST(HostileModels, DoNoHarmWithSubLSystems)
     EXPECT_LT(plants, 9500);
 }
 
-// Tests the files that views refer to.
+// Tests damaged texts of the files that a view refers to.
 TEST(HostileFiles, DoNoHarm)
 {
     struct Case {
@@ -167,7 +167,7 @@ TEST(HostileFiles, DoNoHarm)
 
 TEST(HostileModels, CannotIncludeWithoutEnd)
 {
-    // Each of fifty files includes the next one twice.
+    // Fifty files, each of which includes the next one twice.
     auto const include = [](std::string const& name) -> Result<std::string> {
         auto const number = std::stoi(name);
         auto const line = "#include \"" + std::to_string(number + 1) + "\"\n";

@@ -12,8 +12,9 @@
 namespace tractus::lsystem {
 namespace {
 
-// Contents of a rule, an L-system and a model, without their notation. Parameters of successors are
-// integers; those of contexts and predecessors have names chosen by the printer.
+// The structures below are the contents of a rule, an L-system and a model, without their notation.
+// Parameters of modules in successors are integers. Parameters in contexts and predecessors have
+// names that the printer chooses.
 struct PlainModule {
     char symbol = 'A';
     std::vector<int> parameters;
@@ -22,10 +23,10 @@ struct PlainModule {
 };
 
 struct PlainRule {
-    // Values of formal parameters are 0.
+    // Parameters in `left`, `predecessor` and `right` are only names, stored as 0.
     std::vector<PlainModule> left, predecessor, right, successor;
     bool has_condition = false;
-    int weight = 0; // Weight of a stochastic rule; 0: none.
+    int weight = 0; // Weight of a stochastic rule; 0: the rule is not stochastic.
 
     bool operator==(PlainRule const&) const = default;
 };
@@ -35,9 +36,9 @@ struct PlainSystem {
     bool ring = false;
     std::vector<PlainModule> axiom;
     std::string ignored;
-    std::vector<int> array; // Empty if there is none.
+    std::vector<int> array; // Values of a defined array; empty if the L-system has none.
     std::vector<PlainRule> rules, decomposition, homomorphism;
-    int depth = 1; // Depth of decomposition and homomorphism.
+    int depth = 1; // Maximum depth of decomposition and homomorphism.
 
     bool operator==(PlainSystem const&) const = default;
 };
@@ -103,7 +104,7 @@ PlainSystem random_system(int id)
     return system;
 }
 
-// Returns optional blanks.
+// Returns random blanks, or none.
 std::string blank()
 {
     return *rc::gen::element<std::string>("", " ", "\t", "  ");
@@ -170,7 +171,7 @@ std::string print(PlainSystem const& system)
     return text + "endlsystem\n";
 }
 
-// Converts compiled modules back to plain ones.
+// Converts compiled modules back to plain modules.
 std::vector<PlainModule> read_back(Model const& model, std::vector<KindId> const& kinds)
 {
     std::vector<PlainModule> modules;
@@ -239,7 +240,7 @@ RC_GTEST_PROP(LanguageProperty, LSystemsPrintAndParse, ())
     auto const model = compile_model(source);
     if (!model)
         RC_FAIL(model.error().message + "\n" + source.text);
-    // Random letters mean nothing, and may look like names.
+    // Only these warnings are allowed: random letters have no effect, and some look like names.
     for (auto const& warning : model->warnings)
         RC_ASSERT(warning.find("%(x)") != std::string::npos
                   || warning.find("no effect") != std::string::npos
@@ -251,7 +252,7 @@ RC_GTEST_PROP(LanguageProperty, LSystemsPrintAndParse, ())
         auto const& compiled_system
             = i == 0 ? static_cast<LSystem const&>(*model) : model->subsystems[i - 1];
         auto found = read_back(*model, compiled_system);
-        // Ignored symbols are known only if they occur somewhere.
+        // The compiler knows an ignored symbol only if the symbol occurs in a rule or the axiom.
         for (auto const symbol : found.ignored)
             RC_ASSERT(systems[i].ignored.find(symbol) != std::string::npos);
         found.ignored = systems[i].ignored;
@@ -259,7 +260,7 @@ RC_GTEST_PROP(LanguageProperty, LSystemsPrintAndParse, ())
     }
 }
 
-// An expression tree: a number, or an operation on one or two others.
+// An expression tree. Each node is a number, or an operation on one or two operands.
 struct Expression {
     double number = 0;
     std::string text; // Text of the operator.
@@ -313,7 +314,7 @@ double value(Expression const& expression)
     return compute(expression.op, left, expression.right ? value(*expression.right) : left);
 }
 
-// Prints an expression with the fewest parentheses.
+// Prints an expression with the minimum number of parentheses.
 std::string print(Expression const& expression, int level)
 {
     if (!expression.left)
@@ -329,8 +330,8 @@ RC_GTEST_PROP(LanguageProperty, ExpressionsKeepTheirTree, ())
 {
     auto const expression = random_expression(4);
     auto const text = print(*expression, 0);
-    // The expression is tried as a constant, which is computed when the model is compiled, and with
-    // a parameter, which is computed by the machine.
+    // The expression is compiled twice. As a constant, the compiler computes it; with a parameter,
+    // the machine computes it while rules are applied.
     auto const model = compiled(with_header("Axiom: A(" + text + ")B(0)\nB(zero) : { x = zero + ("
                                             + text + "); } 1 --> B(x)"));
     auto const string = derive(model);

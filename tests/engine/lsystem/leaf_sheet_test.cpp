@@ -7,8 +7,8 @@
 namespace tractus::lsystem {
 namespace {
 
-// Returns a sheet with two leaves: a triangle, and one twice as long. `size` is the size of the
-// picture files.
+// Returns a sheet with two leaves: a triangle, and a triangle twice as long. `size` is the number
+// of bytes in its picture file after the signature.
 LeafSheet sheet_of(std::size_t size = 9)
 {
     LeafSheet sheet;
@@ -43,7 +43,7 @@ TEST(LeafSheet, IsReadAsItWasWritten)
 TEST(LeafSheet, WritesBase64AsTheStandardHasIt)
 {
     auto sheet = sheet_of();
-    sheet.color = leaf_page("foob"); // Example of RFC 4648, section 10.
+    sheet.color = leaf_page("foob"); // The text is an example of RFC 4648, section 10.
     sheet.normal = leaf_page("fooba");
     auto const text = print_leaf_sheet(sheet);
     EXPECT_NE(text.find("color Zm9vYg==\nnormal Zm9vYmE=\n"), std::string::npos) << text;
@@ -102,7 +102,8 @@ TEST(LeafOfAView, StandsForAnOrgansBlade)
     auto const& leaves = view->organs.at(0).leaves;
     ASSERT_EQ(leaves.size(), 2u);
     EXPECT_EQ(leaves[1].kind, OrganShape::Kind::Leaf);
-    EXPECT_EQ(leaves[1].length_mm, 10); // The blade of 5, twice as long.
+    // The organ's blade is 5 long, and this leaf is twice as long as a blade.
+    EXPECT_EQ(leaves[1].length_mm, 10);
     EXPECT_EQ(leaves[1].material, 2);
     auto const& material = view->materials.at(2);
     EXPECT_EQ(material.base_color, Vec3f(0.25f, 0.5f, 0.125f));

@@ -9,10 +9,11 @@
 namespace tractus::lsystem {
 namespace {
 
-// Returns a time limit that is exceeded at the third query, so that no test depends on a clock.
+// Returns a time limit that counts as exceeded when it is asked for the third time, so that no test
+// depends on a clock.
 TimeLimit soon()
 {
-    auto const asked = std::make_shared<std::atomic<int>>(0); // Shared by copies of the function.
+    auto const asked = std::make_shared<std::atomic<int>>(0); // Number of queries.
     return { [asked] { return ++*asked >= 3; }, 60 };
 }
 
@@ -42,7 +43,7 @@ TEST(TimeLimit, EndsLoopsInRulesAndBlocks)
     EXPECT_EQ(error_of_time("Axiom: A\nA : {x=1; while (x) {x=1;}} 1 --> B"), message("step 1"));
     EXPECT_EQ(error_of_time("Start: {x=1; do {x=1;} while (x);}\nAxiom: A"), message("the start"));
     EXPECT_EQ(error_of_time("EndEach: {x=1; while (x) {x=1;}}\nAxiom: A", 5), message("step 1"));
-    // Each loop is short, and only all of them together take long.
+    // Each loop is short. Only the sum of all loops exceeds the limit.
     EXPECT_EQ(error_of_time("Axiom: A(30)\ndecomposition\nmaximum depth: 100\n"
                             "A(n) : {i=0; while (i<1000) {i=i+1;}} n>0 --> A(n-1)A(n-1)"),
               message("step 1"));
@@ -115,7 +116,7 @@ TEST(MemoryLimit, StopsOneModuleThatBecomesMany)
               "limit of memory");
 }
 
-// Endless recursion of rules within one module must be stopped by a limit.
+// A limit must stop endless recursion of homomorphism rules within a single module.
 TEST(DrawingLimits, HoldWithinOneModule)
 {
     auto const model = compiled(with_header("Axiom: A\nhomomorphism\nmaximum depth: 100000\n"
@@ -141,7 +142,7 @@ TEST(DrawingLimits, HoldWithinOneModule)
               "raise the limit of time");
 }
 
-// Returns a line of /proc/self/status in bytes; 0 if it cannot be read.
+// Returns the value of a line in /proc/self/status in bytes; 0 if it cannot be read.
 std::size_t status_bytes(std::string const& key)
 {
     std::ifstream status("/proc/self/status");
@@ -151,7 +152,7 @@ std::size_t status_bytes(std::string const& key)
     return 0;
 }
 
-// All memory used by drawing counts, including arrays that grow by copying.
+// All memory used for drawing must count, including arrays that grow by copying.
 TEST(DrawingLimits, HoldForTheMemoryOfTheProcess)
 {
     constexpr std::size_t kLimit = std::size_t { 160 } << 20;
@@ -160,7 +161,8 @@ TEST(DrawingLimits, HoldForTheMemoryOfTheProcess)
                                             0));
     auto const string = derive(model);
     ASSERT_TRUE(string);
-    std::ofstream("/proc/self/clear_refs") << 5 << std::flush; // Resets the peak memory.
+    // Resets the peak memory of this process.
+    std::ofstream("/proc/self/clear_refs") << 5 << std::flush;
     auto const before = status_bytes("VmRSS:");
     if (before == 0 || status_bytes("VmHWM:") > before + (before >> 4) + (kLimit >> 4))
         GTEST_SKIP() << "the system does not tell the peak of the memory from here on";
@@ -169,7 +171,7 @@ TEST(DrawingLimits, HoldForTheMemoryOfTheProcess)
     ASSERT_FALSE(plant);
     EXPECT_NE(plant.error().message.find("needs more than 160 MB"), std::string::npos);
     EXPECT_LE(status_bytes("VmHWM:"), before + kLimit + (kLimit >> 3));
-    // The limit is not enforced long before it is reached.
+    // Memory must be used up to near the limit: drawing must not end long before.
     EXPECT_GE(status_bytes("VmHWM:"), before + (kLimit >> 2));
 }
 
@@ -184,7 +186,7 @@ TEST(DrawingLimits, HoldForWhatIsPlanned)
     EXPECT_NE(plant.error().message.find("needs more than 2 MB"), std::string::npos);
 }
 
-// Rules that produce no modules, so only their own memory counts.
+// The rules produce no new modules, so only the memory of the rules themselves counts.
 TEST(MemoryLimit, CountsRulesThatRewriteEachOthersModules)
 {
     DeriveOptions options;

@@ -27,7 +27,7 @@ std::string refused(std::string const& text)
     return made ? "no error" : made.error().message;
 }
 
-// Draws an axiom; 90 degrees are the angle, and a tenth of the length is the thickness.
+// Draws an axiom of LParser, with an angle of 90 degrees and a thickness of a tenth of the length.
 Plant drawn_by_lparser(std::string const& axiom)
 {
     auto const made = imported("0\n90\n10\n" + axiom + "\n");
@@ -41,7 +41,7 @@ Plant drawn_by_lparser(std::string const& axiom)
     return *std::move(plant);
 }
 
-// The lengths of all segments, sorted.
+// Returns the lengths of all segments, sorted.
 std::vector<double> lengths_of(Plant const& plant)
 {
     std::vector<double> lengths;
@@ -54,8 +54,8 @@ std::vector<double> lengths_of(Plant const& plant)
     return lengths;
 }
 
-// The bush of The Algorithmic Beauty of Plants, figure 1.25, as LParser's users write it: > is the
-// book's /.
+// The bush is figure 1.25 of The Algorithmic Beauty of Plants, as users of LParser write it: >
+// stands for the / of the book.
 TEST(LParser, GrowsTheBooksBush)
 {
     auto const made = imported("# A bush\n7 # recursion\n22.5 # angle\n80\n#\nA\n"
@@ -92,7 +92,8 @@ TEST(LParser, BranchesInheritAndGiveBackFactors)
     EXPECT_NEAR(thick.node_radius_mm[0], 5, 1e-4);
     EXPECT_NEAR(thick.node_radius_mm[1], 7, 1e-4);
     EXPECT_NEAR(thick.node_radius_mm[2], 7, 1e-4);
-    // Twice half a right angle is one, and the branch's own angle is its own.
+    // :(0.5) halves the angle of 90 degrees, so two turns are 90 degrees. The angle set in the
+    // branch only holds there.
     auto const turned = drawn_by_lparser(":(0.5)[;(4)+F]++F");
     ASSERT_EQ(turned.segment_count(), 2u);
     EXPECT_NEAR(turned.node_position_mm[1].z(), -100, 1e-3);
@@ -100,7 +101,8 @@ TEST(LParser, BranchesInheritAndGiveBackFactors)
     EXPECT_NEAR(turned.node_position_mm[3].x(), -100, 1e-3);
 }
 
-// Rewrites text as LParser does: letter by letter; a number stays behind what replaces its letter.
+// Rewrites text letter by letter, as LParser does. A number in parentheses stays behind the text
+// that replaces its letter.
 std::string rewritten(std::string text, std::map<char, std::string> const& rules, int steps)
 {
     for (int step = 0; step < steps; ++step) {
@@ -117,7 +119,7 @@ std::string rewritten(std::string text, std::map<char, std::string> const& rules
     return text;
 }
 
-// Counts letters outside parentheses.
+// Returns the count of each letter outside parentheses.
 std::map<std::string, std::size_t> letters_in(std::string const& text)
 {
     std::map<std::string, std::size_t> result;
@@ -153,7 +155,7 @@ TEST(LParser, RewritesAsLParserDoes)
             EXPECT_EQ(found == counts.end() ? 0 : found->second, wanted[letter])
                 << letter << " after " << steps;
         }
-        std::size_t all = 1; // The module that sets the factors.
+        std::size_t all = 1; // The first module sets the factors.
         for (auto const& [letter, count] : wanted)
             all += letter == "[" || letter == "]" ? 2 * count : count;
         EXPECT_EQ(string->size(), all) << steps;
@@ -179,7 +181,7 @@ TEST(LParser, SaysWhatItCannotRead)
     auto const drooping = imported("4\n20\n15\nFtF\n");
     EXPECT_EQ(drooping.warnings.size(), 1u);
     EXPECT_TRUE(compiled(drooping.text).warnings.empty());
-    // Cut anywhere, it is an error or a model.
+    // If the text is cut off anywhere, the result must be an error or a valid model.
     std::string const text = "4\n20\n15\nF(2)A#\nA=[+(30)F]'A\n@\n";
     for (std::size_t size = 0; size < text.size(); ++size)
         if (auto const made = read_lparser_model("tree.ls", text.substr(0, size)))

@@ -113,7 +113,7 @@ TEST(Model, GivesFunctionsItLacksTheValuesThatModelsExpect)
                                 "vvScale(1), play(\"bell\"), inblob(1,0,0,0), stop(1)+1)\n"
                                 "endlsystem\n");
     EXPECT_EQ(to_string(model, *derive(model)), "F(7,2,0,0,0,0,2)");
-    // The warnings: one for the window, whatever the query, and one for blobs.
+    // One warning is for the window, whatever is asked about it, and one is for blobs.
     ASSERT_EQ(model.warnings.size(), 2u);
     EXPECT_EQ(model.warnings[1],
               "model.l:2:68: inblob() is not supported; its value is 0, as outside of all blobs");
@@ -124,7 +124,7 @@ TEST(Model, RefusesFilesWithOneWarning)
     auto const model = compiled("Lsystem: 1\nStart: {f = fopen(\"x\", \"w\"); fprintf(f, "
                                 "\"%f\", 1); fscanf(f, \"%f\", &y); fclose(f);}\nAxiom: "
                                 "F(f)\nendlsystem\n");
-    ASSERT_EQ(model.warnings.size(), 2u); // The second warning is about y.
+    ASSERT_EQ(model.warnings.size(), 2u); // The second warning is about the variable y.
     EXPECT_EQ(model.warnings[0],
               "model.l:2:13: models read and write no files here: fopen() gives -1, and fprintf, "
               "fscanf, fflush and fclose do nothing");
@@ -187,8 +187,8 @@ TEST(Messages, NameTheWordOfAStatementThatWasMeant)
     EXPECT_EQ(error_in("y x = 4;"), "model.l:4:9: found 'x', expected ';'");
 }
 
-// A definition that ends in a turtle symbol continues over the axiom, so the error appears on a
-// later line.
+// A definition whose last character is a backslash continues with the next line, which is the
+// axiom. So the error is found on a later line.
 TEST(Messages, SayWhatThePreprocessorSawBefore)
 {
     EXPECT_EQ(compile_error("Lsystem: 1\n#define TURN +\\\nAxiom: TURN F\nA --> B\nendlsystem\n"),
@@ -198,7 +198,7 @@ TEST(Messages, SayWhatThePreprocessorSawBefore)
               "as \\(a)");
 }
 
-// The text does not belong to the L-system, whatever it begins with.
+// Text after the L-system does not belong to it, whatever character the text begins with.
 TEST(Messages, WarnOfWhatFollowsTheSystem)
 {
     for (auto const* const rest : { "more\n", "  more\n", "\tmore --> F\n" }) {

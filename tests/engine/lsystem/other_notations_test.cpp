@@ -10,7 +10,7 @@
 namespace tractus::lsystem {
 namespace {
 
-// Returns a model's warnings without "model.l:", one in each line.
+// Returns the warnings for rules, one in each line, without the file name "model.l:".
 std::string warned(std::string const& rules)
 {
     std::string text;
@@ -43,14 +43,15 @@ TEST(OtherNotations, LettersWithoutEffectAreWarnedOfOnce)
 TEST(OtherNotations, LettersWithARoleAreNotWarnedOf)
 {
     for (auto const* const rules :
-         { "Axiom: A\nA --> FB\nB --> B",               // Replaced, by itself.
-           "Axiom: A\nA --> B",                         // The state in which A rests.
-           "Axiom: MA\nM < A --> FA",                   // A context.
-           "Axiom: MA\nM < A --> FAX",                  // It parts modules that see each other.
-           "ignore: X\nAxiom: XA\nA --> FA",            // Ignored on purpose.
-           "Axiom: A\nA --> ~XF@vF@Gs@Gc@DiF?P(0,0,0)", // Names of organs and other symbols.
-           "Axiom: 'F\n' --> F",                        // A rule's own '.
-           "Axiom: ?(1)F$\nF --> F",                    // A call of an L-system.
+         { "Axiom: A\nA --> FB\nB --> B",    // B is replaced by itself.
+           "Axiom: A\nA --> B",              // B is the state in which A rests.
+           "Axiom: MA\nM < A --> FA",        // M is a context.
+           "Axiom: MA\nM < A --> FAX",       // X separates modules that see each other.
+           "ignore: X\nAxiom: XA\nA --> FA", // X is ignored on purpose.
+           // X, v, G and others are names of organs or parts of other symbols.
+           "Axiom: A\nA --> ~XF@vF@Gs@Gc@DiF?P(0,0,0)",
+           "Axiom: 'F\n' --> F",     // The symbol ' has a rule of its own.
+           "Axiom: ?(1)F$\nF --> F", // ?(1) calls an L-system.
            "Axiom: A\nA --> FX\nhomomorphism\nX --> F" })
         EXPECT_EQ(warned(with_header(rules)), "") << rules;
 }
@@ -66,7 +67,7 @@ TEST(OtherNotations, NamesOfSeveralLettersAreWarnedOf)
               "call it L, for example\n");
     expect_begins(warned(with_header("Axiom: Fl\nFl --> Fl+Fr+\nFr --> -Fl-Fr")),
                   "4:1: Fl is read as the modules F and l");
-    // Single letters that stand together, and modules that are replaced together.
+    // These are single letters that stand together, or modules that are replaced together.
     for (auto const* const rules : { "Axiom: Xab\nX --> Fab\na --> b\nb --> a",
                                      "Axiom: AB\nAB --> BAF\nA --> B\nB --> A", "Axiom: FFFfffgg" })
         EXPECT_EQ(warned(with_header(rules)), "") << rules;
@@ -90,7 +91,8 @@ TEST(OtherNotations, LabelsAreWarnedOf)
     }
     expect_begins(compile_error(with_header("Axiom: A(1)\np1 : A(t) : t > 0 --> A(t-1)")),
                   std::string("model.l:") + label);
-    // A rule for two modules, with a variable in its condition.
+    // A rule for the two modules p1, with a variable in its condition. It must not be taken for a
+    // label.
     EXPECT_EQ(warned(with_header("Start: {n = 1;}\nAxiom: pF1p\np1 : n > 0 --> F")).find("label"),
               std::string::npos);
 }
@@ -115,7 +117,7 @@ TEST(OtherNotations, ChanceWithoutASeedIsWarnedOf)
     expect_begins(warned(with_header(rules)),
                   "4:1: rules have probabilities, but there is no seed");
     EXPECT_EQ(warned(with_header("Seed: 0\n" + rules)), "");
-    // The seed that the warning names keeps the plant.
+    // With the seed that the warning suggests, the plant stays the same.
     EXPECT_EQ(derived("Seed: 0\n" + rules, 9), derived(rules, 9));
 }
 
@@ -128,7 +130,7 @@ TEST(OtherNotations, UndefinedNamesComeLastAndAreCounted)
         << text;
 }
 
-// Derives a model in the book's notation.
+// Returns the string derived from a model that is written in the book's notation.
 std::string derived_of_book(std::string const& text, int steps)
 {
     auto const model = compiled(read_book_model(text).text);
@@ -165,7 +167,7 @@ TEST(BookNotation, KeepsTheNumbersOfLines)
 
 TEST(BookNotation, GivesNamesALetter)
 {
-    // Figure 1.10 a: the dragon curve. The turtle draws both kinds of edges.
+    // Figure 1.10 a, the dragon curve, in which the turtle draws both kinds of edges.
     auto const model
         = compiled(read_book_model("w : Fl\np1 : Fl -> Fl+Fr+\np2 : Fr -> -Fl-Fr\n").text);
     EXPECT_TRUE(model.warnings.empty()) << model.warnings.front();
@@ -185,13 +187,13 @@ TEST(BookNotation, ReadsProbabilitiesAtArrows)
     EXPECT_TRUE(model.rules.rules.front().has_probability);
 }
 
-// Text that is no book's does no harm, however it is cut.
+// A text must do no harm if it is cut off anywhere, or is not in the book's notation at all.
 TEST(BookNotation, SurvivesCutsAndNoise)
 {
     std::string const text = "#ignore : +-\nn=5, \u03b4=22.5\u00b0\n\u03c9 : A(1)\n"
                              "p1 : B < A_1(t) > C : t\u22653 \u2192.5 F[//'$F]A_1(t)\n/* end";
     for (std::size_t size = 0; size <= text.size(); ++size) {
-        // An error or "no error", and never a crash.
+        // The result is an error or the text "no error"; the program must not crash.
         EXPECT_FALSE(compile_error(read_book_model(text.substr(0, size)).text).empty());
         auto const reversed = std::string(text.rbegin(), text.rend()).substr(0, size);
         EXPECT_FALSE(compile_error(read_book_model(reversed).text).empty());

@@ -8,7 +8,8 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
-// A string must draw the same plant however it is split, and with any number of threads.
+// Tests that a string is drawn as the same plant however it is split into pieces, and with any
+// number of threads.
 
 namespace tractus::lsystem {
 namespace {
@@ -18,7 +19,7 @@ std::string text(Vec3 const& v)
     return fmt::format("{:a},{:a},{:a}", v.x(), v.y(), v.z());
 }
 
-// Returns the full contents of a plant, to the last bit.
+// Returns the full contents of a plant as text, exact to the last bit.
 std::string dump(TurtlePlant const& drawn)
 {
     auto const& plant = drawn.plant;
@@ -52,7 +53,8 @@ std::string dump(TurtlePlant const& drawn)
     return result;
 }
 
-// Returns the plant drawn in pieces of the given length, or the error.
+// Returns the plant that is drawn in pieces, as text, or the error. `long_branch` is the minimum
+// number of modules of a branch that is drawn as a piece.
 std::string drawn_in_pieces(Model const& model, ModuleString const& string, int threads,
                             std::size_t long_branch, std::size_t max_parts = 1'000'000)
 {
@@ -77,7 +79,7 @@ material: 2 red kind=petal color=0.9,0.1,0.1
 organ: l leaf kind=blade material=1 length=2 width=1
 )";
 
-// Returns modules, mostly with closed brackets, so that most strings can be split.
+// Returns the text of modules. Most of its brackets are closed, so that most strings can be split.
 std::string closed(std::vector<std::string> const& parts)
 {
     std::string text;
@@ -96,8 +98,8 @@ rc::Gen<std::string> any_bracket()
     return rc::gen::element<std::string>("[", "[", "[", "]", "]", "]");
 }
 
-// Random modules of all kinds that pieces treat differently, including unbalanced brackets and
-// braces.
+// The strings have random modules of all kinds that pieces treat differently, and unbalanced
+// brackets and braces.
 RC_GTEST_PROP(Pieces, DrawTheSamePlant, ())
 {
     auto const symbol = rc::gen::element<std::string>(
@@ -119,7 +121,7 @@ RC_GTEST_PROP(Pieces, DrawTheSamePlant, ())
     RC_ASSERT(drawn_in_pieces(model, string, 4, length) == expected);
 }
 
-// Returns the planned pieces; no value if the string cannot be planned or is too short.
+// Returns the planned pieces of a string; no value if it is too short or cannot be planned.
 std::optional<std::vector<PlannedPiece>> plan(Model const& model, ModuleString const& string,
                                               std::size_t long_branch)
 {
@@ -127,7 +129,7 @@ std::optional<std::vector<PlannedPiece>> plan(Model const& model, ModuleString c
     return plan_segments(model, string, {}, index, parameter_range(string));
 }
 
-// Random modules whose segments can be counted before they are drawn.
+// The strings have random modules whose segments can be counted before drawing.
 RC_GTEST_PROP(Pieces, DrawTheSamePlantWhereSegmentsAreCounted, ())
 {
     auto const zeros = *rc::gen::element<std::string>("F(0)", "F(0.1)", "A(0)");
@@ -148,7 +150,7 @@ RC_GTEST_PROP(Pieces, DrawTheSamePlantWhereSegmentsAreCounted, ())
     RC_ASSERT(drawn_in_pieces(model, string, 4, length) == expected);
 }
 
-// Returns a tree with leaves, whose pieces are drawn on several threads.
+// Returns a model of a tree with leaves, whose pieces are drawn by several threads.
 Model tree(int steps)
 {
     return compiled(with_header("Axiom: A(1)\n"
@@ -160,7 +162,8 @@ Model tree(int steps)
                     kPiecesView);
 }
 
-// A parameter that is not finite disables the fast path for common symbols.
+// In the second plant, a module with an infinite parameter precedes the string. It disables the
+// fast path for common symbols.
 RC_GTEST_PROP(Turtle, DrawsCommonSymbolsAsItDrawsAll, ())
 {
     auto const part = rc::gen::element<std::string>(
@@ -223,7 +226,7 @@ TEST(Pieces, AreCountedBeforeTheyAreDrawn)
     EXPECT_EQ(pieces->front().segment_count, plant.segment_count());
 }
 
-// The result of these symbols cannot be counted without drawing them.
+// The segments that these symbols draw cannot be counted without drawing them.
 TEST(Pieces, AreNotCountedWhereSymbolsDoMore)
 {
     for (std::string const symbol : { "@Gs", "@D(2)", "@M(1,2,3)", "@bo", "{(1)", "%", "@", "H" }) {
@@ -236,7 +239,7 @@ TEST(Pieces, AreNotCountedWhereSymbolsDoMore)
     EXPECT_TRUE(plan(model, derive(model).value(), 2));
 }
 
-// The homomorphism modifies a global variable, so modules must be drawn in their order.
+// The homomorphism changes a global variable, so the modules must be drawn in their order.
 TEST(Pieces, KeepTheOrderOfGlobalVariables)
 {
     auto const model = compiled(with_header("Start: {n = 0;}\nAxiom: A\nA --> FB[+A]A\n"

@@ -10,7 +10,8 @@
 namespace tractus::lsystem {
 namespace {
 
-// Returns sorted rows of segments: from, to, the radius at the base, and that at an axis's tip.
+// Returns a sorted row for each segment: its two ends, the radius at its base, and the radius at
+// the tip of an axis.
 std::vector<std::array<double, 8>> segments(Plant const& plant)
 {
     std::vector<std::array<double, 8>> result;

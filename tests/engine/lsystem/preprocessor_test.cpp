@@ -8,7 +8,7 @@
 namespace tractus::lsystem {
 namespace {
 
-// Returns the text for the parser, without blanks and empty lines.
+// Returns the preprocessed text, without blanks and empty lines.
 std::string preprocessed(std::string const& text)
 {
     auto const source = preprocess("model.l", text, {});
@@ -30,7 +30,7 @@ bool is_on(std::string const& expression, std::string const& before = {})
 
 TEST(Preprocessor, WarnsWhereACommentCutsAProduction)
 {
-    // The Algorithmic Beauty of Plants, figure 1.25, as printed.
+    // The text is figure 1.25 of The Algorithmic Beauty of Plants, as printed.
     auto const bush = preprocess("bush.l",
                                  "Axiom: A\nA --> [&FL!A]/////'[&FL!A]///////'[&FL!A]\n"
                                  "F --> S/////F\nS --> FL\n",
@@ -134,7 +134,7 @@ TEST(Preprocessor, SaysWhereAConditionIsWrong)
     EXPECT_EQ(preprocessed("#error too old\n"), "model.l:1:1: #error too old");
 }
 
-// As in C, conditions must begin and end in the same file.
+// A conditional part must begin and end in the same file, as in C.
 TEST(Preprocessor, ConditionsEndInTheirFile)
 {
     for (auto const* const directive : { "#endif", "#else", "#elif 1" }) {
@@ -159,7 +159,7 @@ TEST(Preprocessor, JoinsTokens)
                            "glue(X)"),
               "XX1X");
     EXPECT_EQ(preprocessed("#define AB A ## B\nAB"), "AB");
-    EXPECT_EQ(preprocessed("A --> ##F"), "A-->##F"); // Two symbols of the turtle.
+    EXPECT_EQ(preprocessed("A --> ##F"), "A-->##F"); // ## stands for two turtle symbols.
     EXPECT_NE(preprocessed("#define W ##F\n").find("write # #"), std::string::npos);
     EXPECT_EQ(derived("#define organ(n) N ## n\n#define N1 F(2)\nAxiom: organ(1)", 0), "F(2)");
 }
@@ -171,7 +171,7 @@ TEST(Preprocessor, MakesStrings)
     EXPECT_EQ(preprocessed("#define wide #(3)\nwide"), "#(3)");
 }
 
-// Examples 3 and 7 of the C standard (C11, 6.10.3.5).
+// The examples are 3 and 7 of the C standard (C11, 6.10.3.5).
 TEST(Preprocessor, ReadsResultsAgain)
 {
     EXPECT_EQ(
@@ -221,7 +221,7 @@ TEST(Preprocessor, KeepsTokensApart)
         return result ? result->text : result.error().message;
     };
     EXPECT_EQ(text("#define id(a) a\nid(x)y id(2)x 2id(x) id(F)(1)\n"), "\nx y 2 x 2id(x) F(1)\n");
-    // A single number according to the C standard.
+    // According to the C standard, 1e-X is a single number, so X in it is not replaced.
     EXPECT_EQ(text("#define X 3\n1e-X 1-X\n"), "\n1e-X 1-3\n");
 }
 
@@ -262,14 +262,14 @@ TEST(Preprocessor, SaysWhatLineSays)
               "model.l:1:1: found #line x, expected a line's number, and perhaps \"FILE\"");
     EXPECT_NE(preprocessed("#line 40 made.l\n").find("found #line 40 made.l"), std::string::npos);
     EXPECT_NE(preprocessed("#line 4000000000\n").find("found #line"), std::string::npos);
-    EXPECT_EQ(preprocessed("# 40 A\n#40F\n"), "#40A#40F"); // The turtle's # symbol.
+    EXPECT_EQ(preprocessed("# 40 A\n#40F\n"), "#40A#40F"); // Here # is a symbol of the turtle.
     std::string many;
     for (int i = 0; i < 2000; ++i)
         many += "#line 1 \"" + std::to_string(i) + "\"\n";
     EXPECT_NE(preprocessed(many).find("more than 1000"), std::string::npos);
 }
 
-// After an included file, line numbers are again those of the including file.
+// At the end of an included file, line numbers are again those of the file that includes it.
 TEST(Preprocessor, ForgetsAtTheEndOfAFileWhatLineSaid)
 {
     auto const include
@@ -299,7 +299,7 @@ TEST(Preprocessor, LeavesStringsAlone)
     EXPECT_EQ(preprocessed("#define b 1\n\"a//b\" \"/*b\\\"*/\" b//c"), "\"a//b\"\"/*b\\\"*/\"1");
     EXPECT_EQ(preprocessed("A \" B // c\nD"), "A\"BD"); // A single quote does not begin a string.
     EXPECT_EQ(derived("Start: { printf(\"// %g /* \", 1); }\nAxiom: A // b", 0), "A");
-    std::string quotes; // Quotes that do not end each other.
+    std::string quotes; // A text of many escaped quotes, none of which ends a string.
     for (int i = 0; i < 100'000; ++i)
         quotes += "\\\"";
     EXPECT_EQ(preprocessed(quotes), quotes);
@@ -321,7 +321,7 @@ TEST(Preprocessor, NamesTheDirectiveThatWasMeant)
     EXPECT_EQ(preprocessed("#if 1\n#esle\n#endif\n"),
               "model.l:2:1: found '#esle', expected '#else', perhaps");
     EXPECT_EQ(preprocessed("#if 0\n#defin X 3\n#iff\n#endif\n"), "");
-    // The turtle's # symbol.
+    // In these lines, # is a symbol of the turtle.
     for (std::string const line : { "#F", "#FFF", "#(2)F", "#fF(3)", "#iffF", "#fi", "#els(3)" })
         EXPECT_EQ(preprocessed(line), line);
 }
@@ -338,7 +338,8 @@ TEST(Preprocessor, BoundsWhatHostileMacrosCost)
         chain += "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + "\n";
     EXPECT_NE(preprocessed(chain + "A300\n").find("nested deeper"), std::string::npos);
     EXPECT_EQ(preprocessed(chain + "A150\n"), "x");
-    std::string empty = "#define A0\n"; // A macro that doubles without producing text.
+    // Macros that double their number of calls without producing text.
+    std::string empty = "#define A0\n";
     for (int i = 1; i < 60; ++i)
         empty += "#define A" + std::to_string(i) + " A" + std::to_string(i - 1) + " A"
             + std::to_string(i - 1) + "\n";

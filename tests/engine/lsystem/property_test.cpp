@@ -12,11 +12,12 @@
 namespace tractus::lsystem {
 namespace {
 
-// The seed is fixed, unless the environment variable sets other parameters.
+// Fixes the seed of the property tests, unless the environment variable RC_PARAMS sets other
+// parameters.
 [[maybe_unused]] bool const has_parameters
     = setenv("RC_PARAMS", "seed=1 max_success=500", 0) == 0; // NOLINT(concurrency-mt-unsafe)
 
-// Generates random modules of a few kinds, with mostly closed branches.
+// Generates a string of random modules of a few kinds, with mostly closed branches.
 rc::Gen<std::string> random_string(std::string const& symbols)
 {
     return rc::gen::map(
@@ -29,7 +30,7 @@ rc::Gen<std::string> random_string(std::string const& symbols)
         });
 }
 
-// Generates a rule with or without a context of one module on each side.
+// Generates the text of a rule, which may have a context of one module on each side.
 rc::Gen<std::string> random_rule_text()
 {
     auto const context = [] { return rc::gen::element<std::string>("", "", "A", "B", "C", "+"); };
@@ -50,7 +51,8 @@ std::string derived_by(int threads, Model const& model, DeriveOptions const& opt
     return arena.execute([&] { return to_string(model, derive(model, options).value()); });
 }
 
-// A rule with a parameter, which never applies, prevents the use of the context table.
+// The context table must give the same result as the search for contexts. A rule with a parameter,
+// which never applies, prevents the use of the table.
 RC_GTEST_PROP(LSystemProperty, ContextTableAgreesWithTheSearch, ())
 {
     auto const rules = *rc::gen::container<std::vector<std::string>>(random_rule_text());
@@ -70,7 +72,7 @@ RC_GTEST_PROP(LSystemProperty, ContextTableAgreesWithTheSearch, ())
         RC_ASSERT(to_string(tabled, *string) == to_string(searched, *expected));
 }
 
-// Includes unbalanced brackets, and brackets that contexts ignore.
+// The strings include unbalanced brackets, and brackets that contexts ignore.
 RC_GTEST_PROP(LSystemProperty, PiecesAgreeOnTheNeighboursAcrossThem, ())
 {
     auto const rules = *rc::gen::container<std::vector<std::string>>(random_rule_text());
@@ -91,7 +93,7 @@ RC_GTEST_PROP(LSystemProperty, PiecesAgreeOnTheNeighboursAcrossThem, ())
     RC_ASSERT(derived_by(4, model, options) == expected);
 }
 
-// Rules of all kinds, with every string split into pieces.
+// Uses rules of all kinds, and splits every string into pieces.
 RC_GTEST_PROP(LSystemProperty, ParallelAgreesWithSerial, ())
 {
     auto const rule = rc::gen::element<std::string>(
@@ -108,7 +110,7 @@ RC_GTEST_PROP(LSystemProperty, ParallelAgreesWithSerial, ())
         text += '\n' + line;
     auto const model = compiled(with_header(text, *rc::gen::inRange(1, 5)));
     auto const serial = derive(model);
-    RC_PRE(serial.has_value()); // Only cases within the limits are used.
+    RC_PRE(serial.has_value()); // Uses only cases that stay within the limits.
     auto const expected = to_string(model, *serial);
     DeriveOptions options;
     options.piece = *rc::gen::inRange<std::size_t>(1, 12);
@@ -116,8 +118,8 @@ RC_GTEST_PROP(LSystemProperty, ParallelAgreesWithSerial, ())
     RC_ASSERT(derived_by(4, model, options) == expected);
 }
 
-// Rules whose modules become a known number of others: pieces are written directly to their
-// positions, and some are smaller than one memory copy.
+// The rules replace each module by a known number of modules. So pieces are written directly to
+// their positions, and some pieces are smaller than one memory copy.
 RC_GTEST_PROP(LSystemProperty, PiecesOfKnownSizesAreWrittenToTheirPlaces, ())
 {
     auto const module = rc::gen::element<std::string>("A(2)", "B(1)", "C", "D", "E", "F(1)",
@@ -140,7 +142,7 @@ RC_GTEST_PROP(LSystemProperty, PiecesOfKnownSizesAreWrittenToTheirPlaces, ())
     RC_ASSERT(derived_by(4, model, options) == expected);
 }
 
-// Generates a module with two parameters that a rule computes from its own.
+// Generates a module whose two parameters a rule computes from those of its predecessor.
 rc::Gen<std::string> random_module()
 {
     auto const value = [] {
@@ -156,7 +158,7 @@ rc::Gen<std::string> random_module()
         });
 }
 
-// Returns stochastic rules of modules A, B and C; each has `condition`.
+// Returns stochastic rules for the modules A, B and C, each with `condition`.
 std::string rules_of_chance(std::vector<std::string> const& successors,
                             std::string const& condition)
 {
@@ -169,8 +171,9 @@ std::string rules_of_chance(std::vector<std::string> const& successors,
     return text;
 }
 
-// Rules with a condition, which always holds, are tried for one module after another. D's rule
-// draws random numbers itself; E's is searched for in either case; F's needs no program.
+// Without conditions, modules with the same rules are rewritten together. With a condition that
+// always holds, rules are tried for one module after another. D's rule draws random numbers itself,
+// E's rule has a condition in either case, and F's rule needs no program.
 RC_GTEST_PROP(LSystemProperty, ModulesRewrittenTogetherAreAsThoseRewrittenAlone, ())
 {
     std::vector<std::string> successors(*rc::gen::inRange<std::size_t>(3, 9));
@@ -203,7 +206,8 @@ RC_GTEST_PROP(LSystemProperty, ModulesRewrittenTogetherAreAsThoseRewrittenAlone,
     RC_ASSERT(derived_by(4, together, options) == to_string(alone, *expected));
 }
 
-// A preceding rule with the same effect, in some contexts only, must not change the result.
+// An additional rule precedes a rule with the same effect, but applies only in some contexts. It
+// must not change the result.
 RC_GTEST_PROP(LSystemProperty, ContextsThatChangeNothingChangeNothing, ())
 {
     auto const context = [] { return rc::gen::element<std::string>("", "A", "B", "C", "+"); };
@@ -222,7 +226,8 @@ RC_GTEST_PROP(LSystemProperty, ContextsThatChangeNothingChangeNothing, ())
         contexts += '\n' + predecessor + " --> " + successor;
     }
     auto const steps = *rc::gen::inRange(1, 4);
-    // Contexts are found by the table and, if a parameter prevents that, by the search.
+    // Without the additional text, the table finds contexts. A rule with a parameter makes the
+    // search find them.
     for (std::string const more : { "", "\nZ(x) --> Z(x)" }) {
         auto const one = compiled(with_header(plain + more, steps));
         auto const other = compiled(with_header(contexts + more, steps));
@@ -236,7 +241,7 @@ RC_GTEST_PROP(LSystemProperty, ContextsThatChangeNothingChangeNothing, ())
     }
 }
 
-// Branches kept by %(x) must be derived as if each were a string of its own.
+// A branch that %(x) keeps must be derived as if it were a string of its own.
 RC_GTEST_PROP(LSystemProperty, KeptBranchesDeriveByThemselves, ())
 {
     std::string rules = *rc::gen::element<std::string>("", "ignore: +-%\n", "consider: ABC%\n");
@@ -283,7 +288,7 @@ TEST(LSystemThreads, ParametersAndChanceDoNotDependOnTheirNumber)
     EXPECT_TRUE(derived_by(4, model, {}) == one);
 }
 
-// Neighbouring pieces that become empty or nearly so.
+// Neighbouring pieces may become empty, or nearly empty.
 TEST(LSystemThreads, PiecesMayBecomeNothing)
 {
     EXPECT_EQ(derived("Axiom: AAA\nA --> *"), "");
@@ -304,7 +309,8 @@ TEST(LSystemThreads, KnownSuccessorsDoNotDependOnTheirNumber)
     EXPECT_TRUE(derived_by(4, model, {}) == one);
 }
 
-// A module's rule affects later modules, even those whose own rules are plain arithmetic.
+// A rule that sets the seed must affect all later modules, even those whose own rules only do plain
+// arithmetic.
 TEST(LSystemThreads, SeedsThatARuleSetsHoldFromThereOn)
 {
     std::string const start

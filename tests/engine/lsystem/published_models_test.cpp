@@ -13,7 +13,7 @@
 namespace tractus::lsystem {
 namespace {
 
-// Parameter: the folder of a published model, for which the result of cpfg is known.
+// The parameter is the folder of a published model for which the result of cpfg is known.
 class PublishedModel : public ::testing::TestWithParam<std::string> { };
 
 nlohmann::json entry_of(std::string const& folder)
@@ -32,7 +32,7 @@ Result<Model> compile_entry(nlohmann::json const& entry)
                         entry["view"].is_string() ? entry["view"].get<std::string>() : "");
 }
 
-// Compiles a model without the files that it refers to.
+// Compiles a model without the files to which it refers.
 Result<Model> compile_alone(nlohmann::json const& entry)
 {
     auto const folder = corpus() / "lsystems" / entry["saved"].get<std::string>();
@@ -60,7 +60,8 @@ TEST_P(PublishedModel, DrawsWhatCpfgDraws)
 {
     REQUIRE_CORPUS();
     auto const entry = entry_of(GetParam());
-    // The reference for this model was drawn without its functions, which are in a separate file.
+    // The reference for this model was drawn without its functions, which are in a file of their
+    // own.
     auto const model = GetParam() == "10-manuals__11-CPFG__JumpingLamp" ? compile_alone(entry)
                                                                         : compile_entry(entry);
     ASSERT_TRUE(model) << model.error().message;
@@ -128,14 +129,14 @@ TEST(PublishedModels, AreAllComparedWithCpfg)
         left.insert(entry["saved"].get<std::string>());
     for (auto const& name : published_models())
         EXPECT_EQ(left.erase(name), 1u) << name;
-    // Models that draw random numbers, which have separate tests below.
+    // The models left out draw random numbers. They have tests of their own below.
     EXPECT_EQ(left,
               std::set<std::string>(
                   { "10-manuals__11-CPFG__RandomMoss", "10-manuals__11-CPFG__WeepingBirch" }));
 }
 
-// Compiles one of two models whose random numbers differ from cpfg's, so only what does not depend
-// on chance is compared.
+// Compiles one of two models that draw random numbers. The numbers of cpfg are different, so only
+// results that do not depend on chance are compared.
 Result<Model> compile_random(std::string const& folder, std::string const& name)
 {
     return compile_file(corpus() / "lsystems" / folder / name);
@@ -151,7 +152,7 @@ TEST(RandomMoss, HasTheLanguageOfItsRules)
         auto const string = derive(*model, { .steps = {}, .seed = seed });
         ASSERT_TRUE(string) << string.error().message;
         auto const counts = count_symbols(*model, *string);
-        // Each branch has one !, one comma and one turn; each step replaces an F by 3 or 5.
+        // Each branch has one !, one comma and one turn. Each step replaces an F by three or five.
         EXPECT_EQ(counts.at("["), counts.at("]"));
         EXPECT_EQ(counts.at("["), counts.at("!"));
         EXPECT_EQ(counts.at("["), counts.at(","));
@@ -169,7 +170,8 @@ TEST(WeepingBirch, ConservesItsInternodes)
     REQUIRE_CORPUS();
     auto const model = compile_random("10-manuals__11-CPFG__WeepingBirch", "fractal.l");
     ASSERT_TRUE(model) << model.error().message;
-    // Internodes are conserved until leaves begin: A(n) becomes one F and two A that share n - 1.
+    // The number of internodes to come is conserved until leaves begin: A(n) becomes one F, and two
+    // A that share n - 1.
     for (int steps = 0; steps <= 5; ++steps) {
         auto const string = derive(*model, { .steps = steps, .seed = 1 });
         ASSERT_TRUE(string) << string.error().message;
@@ -186,11 +188,12 @@ TEST(WeepingBirch, ConservesItsInternodes)
     }
     auto const string = derive(*model);
     ASSERT_TRUE(string) << string.error().message;
-    // The result of cpfg has 162,254 modules.
+    // The string derived by cpfg has 162,254 modules.
     EXPECT_NEAR(static_cast<double>(string->size()), 162254, 10000);
 }
 
-// Warnings of other notations' habits, and of chance without a seed, are false in cpfg's models.
+// In cpfg's models, warnings about the habits of other notations, or about chance without a seed,
+// would be wrong.
 TEST_P(PublishedModel, IsNotTakenForAnotherNotation)
 {
     REQUIRE_CORPUS();

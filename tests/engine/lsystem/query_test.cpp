@@ -31,7 +31,7 @@ TEST(Queries, GiveTheTurtlesPositionAndFrame)
     expect_near(parameters_of("Axiom: FF+(90)F[&(90)?P(9,9,9)?H(9,9,9)]?L(9,9,9)?U(9,9,9)"),
                 { 90, 90, -1, 2, 0, 0, 0, -1, 0, -1, 0, 0, 0, -1 });
     expect_near(parameters_of("Axiom: FF?P(9)?P(9,9,9,9)"), { 0, 0, 2, 0, 9 });
-    // The quaternion rotates x, y and z into heading, left and up.
+    // The quaternion must rotate the x, y and z axes to heading, left and up.
     auto const q = parameters_of("Axiom: ?Q(9,9,9,9)");
     Quat const turn(Eigen::Vector4d(q[0], q[1], q[2], q[3]));
     EXPECT_LT((turn * Vec3::UnitX() - Vec3::UnitY()).norm(), 1e-6);
@@ -73,7 +73,7 @@ TEST(Queries, AreFilledInLargePlants)
     EXPECT_NEAR(last[0], 0, 1e-3f);
     EXPECT_EQ(last[1], 131072.0f);
 
-    // Branches, generalised cylinders and patches are open throughout.
+    // Nearly the whole string is inside of open branches, a generalised cylinder and a patch.
     auto const rich = compiled(with_header("Axiom: [[@PS(1)@Gs[@Gc(2)A]F]F]?P(0,0,0)\nA --> AA\n"
                                            "homomorphism\nA --> F(1)@Gc(2)[+F(1)~l@Gc(2)]@PD(1)",
                                            16));
@@ -88,7 +88,7 @@ TEST(Queries, AreModulesLikeOthersWithoutAQuestion)
     EXPECT_EQ(derived("Axiom: ?\n? --> ???", 1), "???");
 }
 
-// Limits growth to a box: modules outside get 0.
+// An environment that limits growth to a box: it gives 0 to modules outside.
 void prune(std::span<EnvironmentQuery const> queries)
 {
     for (auto const& query : queries) {
@@ -112,12 +112,13 @@ TEST(Environment, PrunesGrowthInABox)
     };
     auto const pruned = derive(model, options);
     ASSERT_TRUE(pruned) << pruned.error().message;
-    EXPECT_EQ(calls, 13); // The environment is also asked about the axiom.
+    // The environment is asked in each of the 12 steps, and also about the axiom.
+    EXPECT_EQ(calls, 13);
     auto const plant = interpret(model, *pruned, { .unit_mm = 1 });
     ASSERT_TRUE(plant) << plant.error().message;
     EXPECT_GT(plant->segment_count(), 50u);
     for (auto const& node : plant->node_position_mm) {
-        EXPECT_LE(std::abs(node.x()), 5); // One step may lead out of the box.
+        EXPECT_LE(std::abs(node.x()), 5); // A single step may lead out of the box.
         EXPECT_LE(node.z(), 7);
     }
     auto const wild = derive(model);
@@ -162,8 +163,8 @@ TEST(Cuts, EndTheDrawingOnlyIfTheViewSaysSo)
     EXPECT_EQ(drawn("F[FF%FF]F", "interpretation past %: off\n").segment_count(), 4u);
 }
 
-// As in cpfg, the branch moves to the string's end in the step after the cut, and stays at its
-// position.
+// As in cpfg, in the step after a cut the branch moves to the end of the string. It stays at its
+// position in space.
 TEST(KeptCuts, GoToTheStringsEnd)
 {
     std::string const rules = "Axiom: F[+(90)F(2)A]F(3)\nA --> %(7)F(4)B\nB --> F(1)B";
@@ -175,7 +176,7 @@ TEST(KeptCuts, GoToTheStringsEnd)
     check_plant(plant);
     ASSERT_EQ(plant.axes.size(), 3u);
     auto const& axis = plant.axes[2];
-    EXPECT_EQ(axis.parent_segment, kNone); // The branch has fallen off.
+    EXPECT_EQ(axis.parent_segment, kNone); // The branch has fallen off its parent.
     auto const nodes = plant.positions(axis);
     EXPECT_LT((nodes.front() - Vec3(-20, 0, 10)).norm(), 1e-9);
     EXPECT_LT((nodes.back() - Vec3(-70, 0, 10)).norm(), 1e-9);
@@ -183,33 +184,34 @@ TEST(KeptCuts, GoToTheStringsEnd)
 
 TEST(KeptCuts, EndBeforeTheNextOneAndInsideOfPlainOnes)
 {
-    // The first cut keeps A, the second B; each continues separately.
+    // The first cut keeps A, and the second keeps B. Each of these continues separately.
     EXPECT_EQ(derived("Axiom: F%(1)AF%(2)BF\nA --> C\nB --> D"), "F%(1,0)CF%(2,1)DF");
     EXPECT_EQ(derived("Axiom: [F%AF%(2)BF]F\nB --> D"), "[F]F%(2,0)DF");
     EXPECT_EQ(derived("Axiom: [F%A[%(2)B]F]F\nB --> D"), "[F]F");
-    // A rule for the cut module is applied like any other.
+    // A rule for the module of the cut is applied like any other rule.
     EXPECT_EQ(derived("Axiom: F%(1)A\n%(x) --> G(x+1)"), "FG(2)A");
 }
 
-// Modules behind a %(…) are separate: contexts do not extend beyond it.
+// The modules behind a %(x) are separate from those before it: contexts do not extend across the
+// cut.
 TEST(KeptCuts, EndContexts)
 {
     std::string const rules = "\nA < B --> C\nA > B --> D\nA < F > B --> G";
     EXPECT_EQ(derived("Axiom: AB%(1,0)AB" + rules), "DC%(1,0)DC");
     EXPECT_EQ(derived("Axiom: A%(1,0)BA%(2,1)FB" + rules), "A%(1,0)BA%(2,1)FB");
-    // Contexts are those before the cut.
+    // In the step of the cut, modules still have the contexts from before the cut.
     EXPECT_EQ(derived("Axiom: A[%(1)B]B" + rules), "D[]C%(1,0)B");
     EXPECT_EQ(derived("ignore: %\nAxiom: A%(1,0)B" + rules), "A%(1,0)B");
 }
 
-// Turtles keep their numbering from step to step.
+// The turtles of branches that were cut off must keep their numbers from step to step.
 TEST(KeptCuts, StayApartOverManySteps)
 {
     EXPECT_EQ(derived("Axiom: A(0)\nA(i) --> F[%(i)L]A(i+1)", 3),
               "F[]F[]F[%(2)L]A(3)%(0,0)L%(1,1)L");
 }
 
-// Returns the string after some steps, with a turtle that stops at cuts.
+// Returns the string after some steps, derived with a turtle that stops at cuts.
 std::string derived_up_to_cuts(std::string const& axiom_and_rules, int steps = 0)
 {
     auto const model
@@ -217,8 +219,8 @@ std::string derived_up_to_cuts(std::string const& axiom_and_rules, int steps = 0
     return to_string(model, derive(model).value());
 }
 
-// As in cpfg, a cut removes its branch in the following step; until then, the modules behind it are
-// interpreted like all others.
+// As in cpfg, a cut removes its branch in the following step. Until then, queries behind the cut
+// are answered like all others.
 TEST(QueriesBehindCuts, AreAnsweredUntilTheyGo)
 {
     std::string const axiom = "Axiom: [F%F?P(9,9,9)[F?P(9,9,9)]%F?P(9,9,9)]F?P(9,9,9)";
@@ -232,14 +234,14 @@ TEST(QueriesBehindCuts, KeepTheirValuesWhereTheTurtleStopsAtCuts)
               "F[F%F[F?P(9,9,9)]?P(9,9,9)]F?P(0,2,0)%F?P(9,9,9)");
     EXPECT_EQ(derived_up_to_cuts("Axiom: A%F?P(9,9,9)\nignore: %F\nA > ?P(x,y,z) --> B(y)", 1),
               "B(9)");
-    // A sub-L-system is cut up to its end.
+    // A cut in a sub-L-system ends at the end of the sub-L-system.
     auto const model = compiled(with_header("Axiom: F?(2)F%F?P(9,9,9)$F?P(9,9,9)", 0)
                                     + "Lsystem: 2\nA --> A\nendlsystem\n",
                                 "interpretation past %: off\n");
     EXPECT_EQ(to_string(model, derive(model).value()), "F?(2)F%F?P(9,9,9)$F?P(0,3,0)");
 }
 
-// A cut takes effect while its string is rewritten, so rules still see the modules behind it.
+// A cut takes effect only while its string is rewritten. So rules still see the modules behind it.
 TEST(QueriesBehindCuts, AreSeenByContextsInTheStepOfTheCut)
 {
     EXPECT_EQ(derived("Axiom: FA%F?P(9,9,9)\nignore: %F\nA > ?P(x,y,z) --> B(y)"), "FB(2)");
@@ -247,8 +249,8 @@ TEST(QueriesBehindCuts, AreSeenByContextsInTheStepOfTheCut)
     EXPECT_EQ(derived("Axiom: A[F%?P(9,9,9)]\nA > [F%?P(x,y,z)] --> B(y)"), "B(1)[F]");
 }
 
-// An apex that leaves its bounds becomes a cut, and what it produced in the same step is removed
-// with it.
+// When an apex leaves its bounds, a rule makes a cut of it. The modules that it produced in the
+// same step are removed with it.
 TEST(QueriesBehindCuts, GoWithWhatARuleCutsOff)
 {
     std::string const rules = "Axiom: FA\nA --> [+(90)B]F?P(9,9,9)A\nB --> F?P(9,9,9)B\n"
@@ -262,13 +264,14 @@ TEST(QueriesBehindCuts, GoWithWhatARuleCutsOff)
     EXPECT_EQ(derived(rules, 6), "F[+(90)F?P(-1,1,0)FX]F?P(0,2,0)[+(90)F?P(-1,2,0)FX]FX");
 }
 
-// Modules cut off by %(x) move to the string's end, and stay at their position.
+// Modules that %(x) cuts off move to the end of the string, but stay at their position in space.
 TEST(QueriesBehindCuts, AreAnsweredWhereTheKeptBranchIs)
 {
     std::string const rules = "Axiom: F[-(90)F%(5)FA?P(9,9,9)[F?P(9,9,9)]]F?P(9,9,9)\nA --> FA";
     EXPECT_EQ(derived(rules, 0), "F[-(90)F%(5)FA?P(2,1,0)[F?P(3,1,0)]]F?P(0,2,0)");
     EXPECT_EQ(derived(rules, 2), "F[-(90)F]F?P(0,2,0)%(5,0)FFFA?P(4,1,0)[F?P(5,1,0)]");
-    // Even if the turtle stops at plain cuts: those end at the next cut that keeps its branch.
+    // That also holds if the turtle stops at plain cuts: the part that a plain cut hides ends at
+    // the next %(x).
     EXPECT_EQ(derived_up_to_cuts("Axiom: F%F?P(9,9,9)%(1)F?P(9,9,9)"),
               "F%F?P(9,9,9)%(1)F?P(0,2,0)");
     EXPECT_EQ(derived_up_to_cuts("Axiom: F%F?P(9,9,9)%(1)F?P(9,9,9)", 1), "F%(1,0)F?P(0,2,0)");
@@ -281,7 +284,7 @@ TEST(QueriesBehindCuts, AreCutOnlyByTheStringItself)
     };
     EXPECT_EQ(answered("AF?P(9,9,9)", "A --> F%F"), "AF?P(0,3,0)");
     EXPECT_EQ(answered("F%F?P(9,9,9)", "% --> F"), "F%F?P(0,3,0)");
-    // A rule draws the query instead.
+    // The homomorphism replaces ?P, so there is no query to answer.
     EXPECT_EQ(answered("F?P(9,9,9)?H(9,9,9)", "?P(x,y,z) --> F"), "F?P(9,9,9)?H(0,1,0)");
     EXPECT_EQ(answered("F?P(9,9,9)?P(9,9,9)", "P(x,y,z) --> F"), "F?P(0,1,0)?P(0,1,0)");
 }
@@ -298,12 +301,13 @@ TEST(QueriesBehindCuts, AskTheEnvironmentUntilTheyGo)
         return Result<void>();
     };
     EXPECT_EQ(to_string(model, derive(model, options).value()), "F");
-    // Only the axiom's query; later there are none.
+    // Only the axiom has a query.
     EXPECT_EQ(asked, std::vector<std::size_t> { 1 });
 }
 
-// If a cut branch contains another cut, cpfg leaves unbalanced brackets: it ends a cut part at the
-// next %(x) inside, at any depth. Here each part is kept separately, from the outermost on.
+// A branch that is cut off may contain another cut. cpfg then leaves unbalanced brackets, since it
+// ends a part at the next %(x) inside, at any depth. Here each part is kept separately, from the
+// outermost part on.
 TEST(KeptCuts, KeepWhatBranchesOfTheCutOnesKeep)
 {
     EXPECT_EQ(derived("Axiom: F[F%(1)F[+(90)F%(2)F?P(9,9,9)]F?P(9,9,9)]F?P(9,9,9)"),

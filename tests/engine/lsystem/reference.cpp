@@ -62,7 +62,8 @@ ReferenceString ReferenceRewriter::step(ReferenceString const& string, int numbe
     return out;
 }
 
-// Appends the successor of the module at a position; returns how many modules it has consumed.
+// Appends the successor of the module at `at` to `out`. Returns the number of modules that the rule
+// has consumed.
 std::size_t ReferenceRewriter::rewrite(ReferenceString const& string, std::size_t at,
                                        ReferenceString& out)
 {
@@ -86,7 +87,7 @@ std::size_t ReferenceRewriter::rewrite(ReferenceString const& string, std::size_
     return 1;
 }
 
-// Appends the module, or the result of applying rules to it recursively.
+// Appends the module to `out`, or the result of applying `rules` to it recursively.
 void ReferenceRewriter::expand(RuleSet const& rules, ReferenceString const& string,
                                std::size_t left, std::size_t right, ReferenceModule const& module,
                                int depth, ReferenceString& out)
@@ -107,8 +108,9 @@ ReferenceString ReferenceRewriter::drawn(ReferenceString const& string)
     return out;
 }
 
-// Finds a rule. Contexts are searched leftwards from before `left` and rightwards from `right` on;
-// if that is kNoPosition, from behind the predecessor on.
+// Finds the rule to apply to `predecessor`. Its left context ends before `left`, and its right
+// context begins at `right`. If `right` is kNoPosition, the right context begins behind the
+// predecessor.
 Rule const* ReferenceRewriter::find(RuleSet const& rules, ReferenceString const& string,
                                     std::size_t left, std::size_t right,
                                     ReferenceString const& predecessor)
@@ -183,7 +185,8 @@ bool ReferenceRewriter::matches_context(std::vector<KindId> const& context, Look
     return true;
 }
 
-// Returns the next module that may match a context, before or behind `from`.
+// Returns the position of the next module before or behind `from` that may match a context; no
+// value if there is none.
 std::optional<std::size_t> ReferenceRewriter::next(ReferenceString const& string, std::size_t from,
                                                    Looks looks, bool names_bracket,
                                                    int& rounds) const
@@ -303,7 +306,7 @@ std::vector<ReferenceSegment> draw_reference(Model const& model, ReferenceString
             saved.pop_back();
         } else if (symbol == '!' || symbol == '#') {
             turtle.diameter = parameter_or(turtle.diameter);
-        } else if (symbol == 'v') { // The only module here that begins with @.
+        } else if (symbol == 'v') { // This is the only module here whose name begins with @.
             Vec3 const level = Vec3::UnitZ().cross(turtle.heading);
             if (level.norm() >= 1e-9)
                 turtle.left = level.normalized();

@@ -12,10 +12,10 @@
 
 namespace tractus::lsystem {
 
-// A reference implementation of the language, as short as possible: no tables, no indices, no
-// parallel pieces, one module after the other. The program's optimised implementation is compared
-// with it. Compiled rule programs are executed by the program's own machine; sub-L-systems, queries
-// and persistent cuts are not covered.
+// A reference implementation of the language, as short as possible. It has no tables, indices or
+// parallel pieces, and rewrites one module after the other. The program's optimised implementation
+// is compared with it. It executes compiled rules with the program's own machine, and supports
+// neither sub-L-systems, nor queries, nor persistent cuts.
 
 struct ReferenceModule {
     KindId kind = 0;
@@ -27,10 +27,10 @@ class ReferenceRewriter {
 public:
     ReferenceRewriter(Model const& model, std::uint64_t seed);
 
-    // Derives a string; no value if it exceeds the number of modules.
+    // Derives a string from the axiom; no value if the string would exceed `most_modules`.
     std::optional<ReferenceString> derive(int steps, std::size_t most_modules);
 
-    // Returns the string after applying deterministic homomorphism rules.
+    // Returns the string after applying the homomorphism rules, which must be deterministic.
     ReferenceString drawn(ReferenceString const& string);
 
 private:
@@ -65,8 +65,9 @@ struct ReferenceSegment {
     double diameter = 0;
 };
 
-// Returns the segments that F, G, f, g, + - & ^ \ / | [ ] !(w) #(w) and @v draw, in turtle units
-// and in the order of the string. `angle_deg` and `width` are those of the view.
+// Returns the segments that a string draws, in turtle units and in the order of the string. The
+// symbols may be F, G, f, g, + - & ^ \ / | [ ] !(w) #(w) and @v. `angle_deg` and `width` are those
+// of the view.
 std::vector<ReferenceSegment> draw_reference(Model const& model, ReferenceString const& string,
                                              double angle_deg, double width);
 

@@ -9,7 +9,8 @@
 #include <tuple>
 #include <vector>
 
-// Compares all ways in which the program rewrites and draws with the reference implementation.
+// Compares all ways in which the program rewrites and draws strings with the reference
+// implementation.
 
 namespace tractus::lsystem {
 namespace {
@@ -36,7 +37,8 @@ std::string text_of(Model const& model, ModuleString const& string)
     return to_string(model, modules);
 }
 
-// Derives the model in every way: whole, and in pieces of some length.
+// Derives the model as a whole and in pieces of length `piece`, and compares the strings with the
+// reference.
 void compare(std::string const& text, int steps, std::size_t piece)
 {
     constexpr std::size_t kMax = 2000;
@@ -84,7 +86,8 @@ std::string string_of_plain_modules(std::size_t most)
     return all_of(some(any_of({ "A", "B", "C", "+", "-", "[", "]", "[", "]", "A[B]", "%" }), most));
 }
 
-// Rules without parameters and with contexts of one module use a table, all others do not.
+// Rules that have no parameters and contexts of one module use the context table. All other rules
+// do not.
 RC_GTEST_PROP(Reference, RulesWithContextsAgree, ())
 {
     std::string text = *any_of({ "", "", "ring L-system\n" })
@@ -102,8 +105,8 @@ RC_GTEST_PROP(Reference, RulesWithContextsAgree, ())
     compare(text, *rc::gen::inRange(1, 5), *rc::gen::inRange<std::size_t>(1, 20));
 }
 
-// Rules of one kind, with programs, stochastic choice, conditions and blocks, including those
-// executed for many modules at once.
+// The rules of each case have one form: with programs, stochastic choice, conditions or blocks.
+// Some are executed for many modules at once.
 RC_GTEST_PROP(Reference, RulesWithProgramsAgree, ())
 {
     static Texts const rules {
@@ -164,8 +167,8 @@ std::vector<Numbers> segments_of(Plant const& plant)
     return in_some_order(std::move(segments));
 }
 
-// The turtle draws common symbols in a fast path, branches on other threads, and counted segments
-// directly to their positions.
+// The turtle draws common symbols in a fast path and branches in other threads. If it can count
+// segments, it writes them directly to their positions.
 RC_GTEST_PROP(Reference, SegmentsAgree, ())
 {
     static Texts const symbols { "F",  "F",      "F(0.5)", "F(0)",  "f",     "G(2)",    "g",

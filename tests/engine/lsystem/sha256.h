@@ -8,12 +8,12 @@
 
 namespace tractus::lsystem {
 
-// Returns the SHA-256 hash (FIPS 180-4) as hexadecimal digits, for comparing strings that are too
-// long to store.
+// Returns the SHA-256 hash of a message (FIPS 180-4) as hexadecimal digits. Tests compare strings
+// by it that are too long to store.
 inline std::string sha256(std::string message)
 {
-    // The first 32 bits of the fractional parts of the cube roots of the first 64 primes, and of
-    // the square roots of the first 8: FIPS 180-4, sections 4.2.2 and 5.3.3.
+    // First 32 bits of the fractional parts of cube roots (of the first 64 primes), and below of
+    // square roots (of the first 8 primes): FIPS 180-4, sections 4.2.2 and 5.3.3.
     static constexpr std::array<std::uint32_t, 64> kRound {
         0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4,
         0xab1c5ed5, 0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe,

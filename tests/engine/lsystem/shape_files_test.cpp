@@ -32,7 +32,7 @@ TEST(Contours, AreWalkedAtEqualSteps)
     EXPECT_EQ(stripe.name, "section");
     EXPECT_FALSE(stripe.closed);
     ASSERT_EQ(stripe.points.size(), Contour::kSteps + 1);
-    // The end points are tripled, so the curve reaches both.
+    // Each end point is given three times, so the curve reaches it.
     EXPECT_LT((stripe.points.front() - Vec3f(0, -6, 0)).norm(), 1e-5f);
     EXPECT_LT((stripe.points.back() - Vec3f(0, 6, 0)).norm(), 1e-5f);
     for (std::size_t i = 1; i < stripe.points.size(); ++i)
@@ -49,7 +49,7 @@ TEST(Contours, BeginOnTheXAxisAndTurnToY)
     EXPECT_GT(outline.points[0].x(), 1);
     EXPECT_EQ(outline.points.front(), outline.points.back());
     EXPECT_GT(outline.points[5].y(), 0);
-    // The spline of a square has four-fold symmetry.
+    // The spline of the square has a four-fold symmetry.
     EXPECT_LT((outline.points[Contour::kSteps / 4] - Vec3f(0, outline.points[0].x(), 0)).norm(),
               1e-4f);
     auto const backwards = contour("cver 1 2\nname: x\npoints: 4 4\ntype: cr\n"
@@ -70,7 +70,8 @@ TEST(Contours, NameThePlaceOfAnError)
               "section.con:3: expected a control point 'x y z [multiplicity]'");
 }
 
-// Returns a flat square patch from y = 0 to 3 with the contact in the middle of its lower edge.
+// Returns the file of a flat square patch from y = 0 to 3. Its contact point is in the middle of
+// its lower edge.
 std::string square_surface(std::string const& frame, std::string const& neighbors = "L: ~ R: ~")
 {
     std::string text = "0 3 0 3 0 0\nPRECISION S: 5 T: 5\nCONTACT POINT  X: 1.5 Y: 0 Z: 0\n"
@@ -92,11 +93,13 @@ TEST(Surfaces, StandInTheTurtlesFrame)
     ASSERT_TRUE(upright) << upright.error().message;
     ASSERT_EQ(upright->patches.size(), 1u);
     auto const& patch = upright->patches[0];
-    EXPECT_EQ(patch.control[0], Vec3(-3, 6, 0)); // Size 3 is scaled to 6.
+    EXPECT_EQ(patch.control[0], Vec3(-3, 6, 0)); // The size of 3 is scaled to 6.
     EXPECT_EQ(patch.control[15], Vec3(3, 0, 0));
     EXPECT_EQ(upright->end_point, Vec3(0, 6, 0));
-    EXPECT_GT(patch.normal_at(0.5, 0.5).z(), 0); // The patch's front is the turtle's upper side.
-    // If it is modelled with its length along -x, the y direction becomes the right.
+    // The front of the patch is on the turtle's upper side.
+    EXPECT_GT(patch.normal_at(0.5, 0.5).z(), 0);
+    // If the surface is modelled with its length along -x, its y direction points to the turtle's
+    // right.
     auto const lying = parse_surface(
         "leaf.s", square_surface("HEADING  X: -1 Y: 0 Z: 0\nUP  X: 0 Y: 0 Z: -1\n"), 3);
     ASSERT_TRUE(lying) << lying.error().message;
@@ -182,7 +185,7 @@ TEST(TriangleSurfaces, LieInTheFrameOfOrgans)
     ASSERT_EQ(surface->patches.size(), 2u);
     auto const& patch = surface->patches[0];
     EXPECT_EQ(patch.at(0, 0), Vec3(0, 0, 0));
-    EXPECT_EQ(patch.at(1, 0), Vec3(-10, 0, 0)); // The point is on the left.
+    EXPECT_EQ(patch.at(1, 0), Vec3(-10, 0, 0)); // The point is on the left of the patch.
     EXPECT_EQ(patch.at(0, 1), Vec3(0, 20, -5));
     EXPECT_EQ(patch.at(1, 1), Vec3(0, 20, -5));
     EXPECT_EQ(surface->end_point, Vec3::Zero());
@@ -205,7 +208,8 @@ TEST(ColorFiles, BecomeColorsOfTheView)
 {
     auto const map = color_map_statements("plant.map", std::string("\0\0\0\xff\x80\0", 6));
     ASSERT_TRUE(map) << map.error().message;
-    // Record: number, transparency, ambient, diffuse, emitted, reflected, shininess.
+    // A record of a material: number, transparency, ambient, diffuse, emitted, reflected,
+    // shininess.
     std::string const record("\x05\x33"
                              "\x10\x10\x10"
                              "\xff\0\x33"
@@ -219,7 +223,7 @@ TEST(ColorFiles, BecomeColorsOfTheView)
         "model.v", "material: 0 soil kind=solid color=0.5,0.4,0.3\n" + *materials + *map, {});
     ASSERT_TRUE(view) << view.error().message;
     ASSERT_EQ(view->materials.size(), 3u);
-    // The explicit material overrides the one in the file, in either order.
+    // The material in the view overrides the one in the file, whichever comes first.
     EXPECT_EQ(view->materials.at(0).name, "soil");
     auto const& orange = view->materials.at(1);
     EXPECT_LT((orange.base_color - Vec3f(1, 0.502f, 0)).norm(), 1e-3f);
@@ -228,7 +232,8 @@ TEST(ColorFiles, BecomeColorsOfTheView)
     EXPECT_LT((red.base_color - Vec3f(1, 0.2f, 0.2f)).norm(), 1e-3f);
     EXPECT_EQ(red.kind, Material::Kind::Leaf);
     EXPECT_NEAR(red.translucency, 0.2, 1e-3);
-    EXPECT_NEAR(red.roughness, std::sqrt(0.02), 1e-3); // Roughness for an exponent of 98.
+    // The shininess exponent of 98 gives this roughness.
+    EXPECT_NEAR(red.roughness, std::sqrt(0.02), 1e-3);
 }
 
 TEST(ColorFiles, SayWhatTheyShouldBe)
@@ -241,7 +246,7 @@ TEST(ColorFiles, SayWhatTheyShouldBe)
               "a.mat: found 2 bytes, expected materials: records of 15 bytes");
 }
 
-// Reads every surface and contour of the published models.
+// Every surface and contour in the published models must be readable.
 TEST(PublishedShapes, AreRead)
 {
     REQUIRE_CORPUS();

@@ -9,7 +9,7 @@
 
 namespace tractus::lsystem {
 
-// Compiles valid rules.
+// Compiles rules, which must be valid.
 inline Model compiled(std::string const& rules, std::string const& view = {})
 {
     ModelSource source;
@@ -20,14 +20,14 @@ inline Model compiled(std::string const& rules, std::string const& view = {})
     return model ? *std::move(model) : Model {};
 }
 
-// Returns the rules with the header and footer that every model needs.
+// Returns rules with the header and the last line that every model needs.
 inline std::string with_header(std::string const& axiom_and_rules, int steps = 1)
 {
     return "Lsystem: 1\nderivation length: " + std::to_string(steps) + "\n" + axiom_and_rules
         + "\nendlsystem\n";
 }
 
-// Returns the string derived from the axiom.
+// Returns the string that is derived from the axiom in `steps` steps.
 inline std::string derived(std::string const& axiom_and_rules, int steps = 1,
                            std::uint64_t seed = 1)
 {
@@ -37,7 +37,7 @@ inline std::string derived(std::string const& axiom_and_rules, int steps = 1,
     return string ? to_string(model, *string) : std::string();
 }
 
-// Returns the error of compiling invalid rules, or an invalid view.
+// Returns the error message for invalid rules, or for an invalid view.
 inline std::string compile_error(std::string const& rules, std::string const& view = {})
 {
     ModelSource source;
@@ -50,7 +50,7 @@ inline std::string compile_error(std::string const& rules, std::string const& vi
     return model.error().message;
 }
 
-// Returns the plant drawn by a string of turtle symbols, with units of 1 mm.
+// Returns the plant that a string of turtle symbols draws, with a turtle unit of 1 mm.
 inline Plant drawn(std::string const& axiom, std::string const& view = {})
 {
     auto const model = compiled(with_header("Axiom: " + axiom, 0), view);

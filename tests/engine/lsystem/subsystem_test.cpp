@@ -6,7 +6,7 @@
 namespace tractus::lsystem {
 namespace {
 
-// Returns a model with a main L-system and one sub-L-system, number 2.
+// Returns the text of a model with a main L-system and one sub-L-system, which has the number 2.
 std::string two_systems(std::string const& main, std::string const& sub, int steps = 1)
 {
     return with_header(main, steps) + "\nLsystem: 2\n" + sub + "\nendlsystem\n";
@@ -15,14 +15,15 @@ std::string two_systems(std::string const& main, std::string const& sub, int ste
 std::string derived_text(std::string const& text)
 {
     auto const model = compiled(text);
-    for (auto const& warning : model.warnings) // Short examples have letters without a rule.
+    // Short examples have letters without a rule, which cause a warning.
+    for (auto const& warning : model.warnings)
         EXPECT_NE(warning.find(" has no effect"), std::string::npos) << warning;
     auto const string = derive(model);
     EXPECT_TRUE(string) << string.error().message;
     return string ? to_string(model, *string) : std::string();
 }
 
-// Returns the output printed by blocks and rules, in order.
+// Returns the text that blocks and rules print, in order.
 std::string printed_by(std::string const& text)
 {
     auto const model = compiled(text);
@@ -62,7 +63,7 @@ TEST(Subsystems, AreCalledAndEndedByRules)
 {
     auto const text
         = two_systems("Axiom: A\nA --> ?(2)A(3)$", "A(n) : n>0 --> BA(n-1)\nA(n) --> $C", 6);
-    // The call appears in the first step; the A behind the new $ belongs to the main L-system.
+    // The call appears in the first step. The A behind its $ belongs to the main L-system.
     EXPECT_EQ(derived_text(text), "?(2)BBB$C$");
 }
 
@@ -172,7 +173,7 @@ TEST(Subsystems, LeaveModelsWithoutThemAlone)
               "model.l:4:1: what follows endlsystem is not read, since it is no 'Lsystem:'");
 }
 
-// Printed once, in the order of the string.
+// Each text must be printed only once, in the order of the string.
 TEST(Subsystems, PrintWhatTheirHomomorphismsPrint)
 {
     auto const model = compiled("Lsystem: 1\nderivation length: 0\nAxiom: B?(2)A(1)$B\n"

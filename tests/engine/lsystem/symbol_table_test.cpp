@@ -1,4 +1,5 @@
-// Tests every turtle symbol in cpfg's manual: what it draws, and where it leads.
+// Tests every turtle symbol in the manual of cpfg: what the symbol draws, and where it leads the
+// turtle.
 #include "tests/engine/lsystem/small_model.h"
 
 #include <array>
@@ -11,16 +12,16 @@
 namespace tractus::lsystem {
 namespace {
 
-// A row's symbols are followed by one more F of length 1 with the tip `tip`, which shows the
-// turtle's position, orientation and scale. The counts do not include that F.
+// A row of the table. Its symbols are followed by one more F of length 1, whose tip is `tip`. This
+// F shows the turtle's position, orientation and scale. The counts do not include it.
 struct Row {
     char const* symbols;
     Vec3 tip { 0, 0, 1 };
     std::size_t segments = 0;
     std::size_t organs = 0;
     std::size_t polygons = 0;
-    float radius = 0.5f;       // Radius of the final F.
-    char const* color = "one"; // Colour of the final F.
+    float radius = 0.5f;       // Radius of the additional F.
+    char const* color = "one"; // Colour of the additional F.
 };
 
 std::string const kSymbolsView
@@ -33,10 +34,11 @@ std::string const kSymbolsView
 std::string const kTropismView = kSymbolsView + "tropism: T: 1,0,0 A: 0 I: 1 E: 0 S: 0.5\n";
 
 double const kHalf = std::sqrt(0.5);
-Vec3 const kBent { std::sin(0.5), 0, std::cos(0.5) }; // Half a radian towards +x.
+// Direction after a turn by half a radian towards +x.
+Vec3 const kBent { std::sin(0.5), 0, std::cos(0.5) };
 
 std::vector<Row> const kRows {
-    // Steps, with and without a segment.
+    // Steps of the turtle, with and without a segment.
     { "F", { 0, 0, 2 }, 1 },
     { "F(3)", { 0, 0, 4 }, 1 },
     { "f", { 0, 0, 2 } },
@@ -70,7 +72,8 @@ std::vector<Row> const kRows {
     { ",", { 0, 0, 1 }, 0, 0, 0, 0.5f, "zero" },
     { ";(2)", { 0, 0, 1 }, 0, 0, 0, 0.5f, "two" },
     { ",(0)", { 0, 0, 1 }, 0, 0, 0, 0.5f, "zero" },
-    // Polygons and cylinders: four segments between two control points by default.
+    // Polygons and generalised cylinders. By default, there are four segments between two control
+    // points.
     { "{F+F+F}", { -1, 0, -1 }, 0, 0, 1 },
     { "{.f.+f.+f.}", { -1, 0, -1 }, 0, 0, 1 },
     { "{G.+F.+F.}", { -1, 0, -1 }, 0, 0, 1 },
@@ -90,7 +93,7 @@ std::vector<Row> const kRows {
     { "@c(2)", { 0, 0, 1 }, 0, 1 },
     { "@bo(2)", { 0, 0, 1 }, 32 },
     { "@bc(2)", { 0, 0, 1 }, 32 },
-    // Position and frame, in the model's space: y is up, z points to the viewer.
+    // Position and frame, in the coordinates of the model: y points up, and z towards the viewer.
     { "@M(1,2,3)", { 1, -3, 3 } },
     { "@M(1,2)", { 1, 0, 3 } },
     { "@R(0,0,2)", { 0, -1, 0 } },
@@ -117,7 +120,7 @@ std::vector<Row> const kRows {
     { "ABC(1,2,3)$" },
 };
 
-// Returns a surface defined by the turtle, which needs sixteen points.
+// Returns symbols that define a surface with sixteen points in the string itself.
 std::string surface_symbols()
 {
     std::string result = "@PS(1)";
@@ -147,7 +150,7 @@ TEST(TurtleSymbols, DrawWhatTheTableSays)
 {
     for (auto const& row : kRows) {
         expect_row(row, kTropismView);
-        // Without tropisms, common symbols use the fast path.
+        // Without tropisms, the turtle draws common symbols in a fast path.
         if (std::string_view(row.symbols).find("@T") == std::string_view::npos)
             expect_row(row, kSymbolsView);
     }
@@ -160,7 +163,7 @@ std::vector<std::string> warnings_about(std::string const& symbols)
     auto const model = compiled(with_header("Axiom: F" + symbols + "F", 0), kSymbolsView);
     auto const result = interpret_with_warnings(model, derive(model).value());
     EXPECT_TRUE(result) << result.error().message;
-    // The rest of the string must still be drawn.
+    // The rest of the string must be drawn in any case.
     EXPECT_TRUE(result && result->plant.segment_count() == 2) << symbols;
     return result ? result->warnings : std::vector<std::string>();
 }
@@ -182,7 +185,7 @@ TEST(TurtleSymbols, AreLeftOutWithOneSentence)
     };
     for (auto const& [symbols, warning] : cases)
         EXPECT_EQ(warnings_about(symbols), std::vector<std::string> { warning });
-    // Symbols for cpfg's ray tracer, or for other programs, must give no warning.
+    // Symbols for cpfg's ray tracer, or for other programs, must cause no warning.
     EXPECT_TRUE(warnings_about("@mo(1,2,3)@I(\"a\",2)@J(1,2,3)@Z@Y").empty());
     for (auto const& row : kRows) {
         auto const model

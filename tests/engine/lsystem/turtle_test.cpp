@@ -40,7 +40,7 @@ TEST(Turtle, TurnsInItsFrame)
 {
     expect_near(tip(drawn("+(90)F")), { -1, 0, 0 });
     expect_near(tip(drawn("-(90)F")), { 1, 0, 0 });
-    expect_near(tip(drawn("&(90)F")), { 0, 1, 0 }); // Down is away from the user.
+    expect_near(tip(drawn("&(90)F")), { 0, 1, 0 }); // Down is the direction away from the user.
     expect_near(tip(drawn("^(90)F")), { 0, -1, 0 });
     expect_near(tip(drawn("/(90)+(90)F")), { 0, 1, 0 });
     expect_near(tip(drawn("\\(90)+(90)F")), { 0, -1, 0 });
@@ -100,7 +100,8 @@ TEST(Turtle, UsesThePipeModelWhereTheViewSaysSo)
 
 TEST(Turtle, RollsUntilItsLeftIsHorizontal)
 {
-    // The heading is +x, rolled by 50 degrees; @v turns the upper side up, so ^ leads up.
+    // The heading is +x, and the turtle is rolled by 50 degrees. @v turns its upper side up, so ^
+    // then leads upwards.
     expect_near(tip(drawn("-(90)/(50)@v^(90)F")), { 0, 0, 1 });
     expect_near(tip(drawn("&(90)\\(20)@v^(90)F")), { 0, 0, 1 });
 }
@@ -114,15 +115,18 @@ TEST(Turtle, ReadsVectorsInTheModelsSpace)
 
 TEST(Turtle, BendsTowardsTropisms)
 {
-    // With heading -x and T up: |H x T| = 1 and elasticity 0.3 give a rotation of 0.3 radians.
+    // The heading is -x and T points up. |H x T| = 1 and an elasticity of 0.3 give a rotation of
+    // 0.3 radians.
     expect_near(tip(drawn("+(90)F", "tropism: T: 0,1,0 E: 0.3\n")),
                 { -std::cos(0.3), 0, std::sin(0.3) });
     expect_near(tip(drawn("+(90)@Ts(1,0.3)F", "tropism: T: 0,1,0\n")),
                 { -std::cos(0.3), 0, std::sin(0.3) });
-    // The older tropism bends after the step, by an angle whose sine here is the elasticity.
+    // The older tropism bends the turtle after the step, by an angle whose sine is the elasticity
+    // here.
     expect_near(tip(drawn("+(90)FF", "tropism direction: 0,1,0\ninitial elasticity: 0.3\n")),
                 { -1 - std::sqrt(1 - 0.09), 0, 0.3 });
-    // With an angle of 90 degrees to T, a turtle heading along T turns away by the elasticity.
+    // The tropism tends to an angle of 90 degrees to T. A turtle that heads along T turns away by
+    // the elasticity, in radians.
     auto const away = tip(drawn("F", "tropism: T: 0,1,0 A: 90 E: 0.2\n"));
     EXPECT_NEAR(std::acos(away.z()), 0.2, 1e-9);
 }
@@ -136,9 +140,9 @@ TEST(Turtle, PlacesOrgansInTheirFrame)
     auto const& organ = plant.organs[0];
     EXPECT_EQ(organ.segment, 0u);
     expect_near(organ.position_mm, { 0, 0, 1 });
-    // The organ's y axis points along the heading.
+    // The y axis of the organ points along the heading.
     expect_near(organ.orientation * Vec3::UnitY(), { -1, 0, 0 });
-    // The organ's z axis points to the turtle's upper side.
+    // The z axis of the organ points to the turtle's upper side.
     expect_near(organ.orientation * Vec3::UnitZ(), { 0, -1, 0 });
     EXPECT_EQ(organ.scale, Vec3f(2, 2, 2));
     auto const& shape = plant.organ_shapes[organ.shape];
@@ -208,7 +212,7 @@ std::vector<std::string> warnings_of(std::string const& axiom, std::string const
 TEST(Turtle, CarriesItsSidesWhereATropismBends)
 {
     auto const view = "tropism: T: 0,1,0 E: 0.3\n";
-    // With pitch and roll, the roll is lost when the tropism bends the turtle.
+    // The turtle has both pitch and roll. When the tropism bends it, the roll is lost.
     auto const lost = drawn("&(90)F/(40)F^(90)G", view);
     EXPECT_NEAR(tip(lost).x(), 0, 1e-9);
     // With @Tf, the roll is kept when the tropism bends the turtle.
@@ -220,7 +224,8 @@ TEST(Turtle, CarriesItsSidesWhereATropismBends)
 
 TEST(Turtle, RollsItsUpperSideTowardsATorque)
 {
-    // The heading is away from the viewer, the upper side to the right; the torque points up.
+    // The heading is away from the viewer, and the upper side is on the right. The torque points
+    // up.
     auto const before = tip(drawn("&(90)\\(90)F^(90)F"));
     auto const after = tip(drawn("&(90)\\(90)F^(90)F", "torque: T: 0,1,0 E: 0.4\n"));
     EXPECT_GT(after.z(), before.z() + 0.2);
@@ -248,7 +253,8 @@ TEST(Turtle, DrawsFlatDiscsAndCircles)
     auto const& organ = disc.organs[0];
     EXPECT_EQ(organ.scale.x(), 4);
     EXPECT_LT(organ.scale.y(), 0.01f);
-    // The disc's front is the upper side, which faces up when the turtle heads away.
+    // The front of the disc is the turtle's upper side. It faces up when the turtle heads away from
+    // the viewer.
     expect_near(organ.orientation * Vec3::UnitY(), { 0, 0, 1 });
     auto const ring = drawn("!(0.2)&(90)@bc(4)@bo(2)");
     ASSERT_EQ(ring.axes.size(), 2u);
@@ -293,7 +299,7 @@ TEST(Turtle, LeavesOutLabelsAndTexturesWithOneWarning)
     EXPECT_EQ(warnings, expected);
 }
 
-// Returns sixteen points of a square patch, three units wide, defined by the turtle.
+// Returns symbols that define a square patch of sixteen points, three units wide.
 std::string patch_symbols(std::string const& number)
 {
     std::string result;
@@ -310,7 +316,8 @@ TEST(Turtle, DrawsSurfacesOfItsOwn)
     auto const points = patch_symbols("1");
     auto const plant = drawn("@PS(1)" + points + "@PD(1)f(9)+(90)@PS(1)" + points + "@PD(1)");
     ASSERT_EQ(plant.organs.size(), 2u);
-    EXPECT_EQ(plant.organ_shapes.size(), 1u); // Equal shapes, which differ only in their position.
+    // The two organs differ only in their positions, so they share one shape.
+    EXPECT_EQ(plant.organ_shapes.size(), 1u);
     auto const& shape = plant.organ_shapes[0];
     EXPECT_EQ(shape.kind, OrganShape::Kind::Surface);
     ASSERT_EQ(shape.patches.size(), 1u);
@@ -321,8 +328,8 @@ TEST(Turtle, DrawsSurfacesOfItsOwn)
     EXPECT_EQ(warnings_of("@PS(1)@PC(1,4,0)").size(), 1u);
 }
 
-// Returns a model with a square surface, two units wide and four long, whose end point is the
-// middle of its far edge.
+// Returns a model with a square surface, two units wide and four long. The end point of the surface
+// is the middle of its far edge.
 Model with_surface(std::string const& axiom, std::string const& view = {})
 {
     ModelSource source;
@@ -352,7 +359,7 @@ TEST(Turtle, DrawsSurfacesOfTheView)
     ASSERT_TRUE(plant) << plant.error().message;
     check_plant(*plant);
     ASSERT_EQ(plant->organs.size(), 2u);
-    ASSERT_EQ(plant->organ_shapes.size(), 2u); // One shape for each material.
+    ASSERT_EQ(plant->organ_shapes.size(), 2u); // There is one shape for each material.
     auto const& leaf = plant->organ_shapes[plant->organs[0].shape];
     EXPECT_EQ(plant->materials[leaf.material].name, "green");
     EXPECT_FALSE(leaf.has_back);
@@ -360,7 +367,7 @@ TEST(Turtle, DrawsSurfacesOfTheView)
     EXPECT_EQ(leaf.patches[0].control[3], Vec3(10, 40, 0));
     EXPECT_TRUE(plant->organ_shapes[plant->organs[1].shape].has_back);
     EXPECT_EQ(plant->organs[1].scale, Vec3f(1, 2, 3));
-    // The turtle continues at the surface's end point, twice as far at scale 2.
+    // The turtle continues at the end point of the surface, which is twice as far away at scale 2.
     expect_near(tip(*plant), { -90, 0, 10 });
 }
 
@@ -381,20 +388,21 @@ TEST(Turtle, PrintsWhatTheHomomorphismPrints)
 
 TEST(Turtle, DrawsGeneralisedCylinders)
 {
-    // A quarter turn: a Hermite curve with tangents of 1.2 times the distance.
+    // The generalised cylinder makes a quarter turn: a Hermite curve whose tangents are 1.2 times
+    // as long as the distance.
     auto const plant = drawn("!(2)@Gs f(10)+(90)f(10)!(4)@Ge(8)");
     ASSERT_EQ(plant.axes.size(), 1u);
     EXPECT_EQ(plant.axes[0].segment_count, 8u);
     expect_near(tip(plant), { -10, 0, 10 });
     auto const nodes = plant.positions(plant.axes[0]);
     double const length = 1.2 * std::sqrt(200);
-    // Expected: p(1/2) = (p + q) / 2 + (tangent - tangent') / 8
+    // Expected middle of the Hermite curve: p(1/2) = (p + q) / 2 + (tangent - tangent') / 8
     expect_near(nodes[4], { -5 + length / 8, 0, 5 + length / 8 });
     EXPECT_FLOAT_EQ(plant.node_radius_mm[0], 1);
     EXPECT_FLOAT_EQ(plant.node_radius_mm[4], 1.5);
     EXPECT_FLOAT_EQ(plant.node_radius_mm[8], 2);
     EXPECT_TRUE(plant.node_section.empty());
-    // @Gt shortens the tangents; by default there are four rings.
+    // @Gt shortens the tangents. By default there are four rings.
     auto const tight = drawn("@Gt(0.5,0.1)@Gs f(10)+(90)f(10)@Ge");
     EXPECT_EQ(tight.axes[0].segment_count, 4u);
     double const in = 0.5 * std::sqrt(200);
@@ -406,7 +414,8 @@ TEST(Turtle, BranchesGeneralisedCylinders)
 {
     auto const plant = drawn("F@Gs f(4)@Gc(2)[+(45)f(4)@Ge(2)F]-(45)f(4)@Ge(2)");
     ASSERT_EQ(plant.axes.size(), 4u);
-    EXPECT_EQ(plant.axes[1].segment_count, 4u); // The axis has both pieces outside the brackets.
+    // The axis consists of both pieces outside the brackets.
+    EXPECT_EQ(plant.axes[1].segment_count, 4u);
     EXPECT_EQ(plant.axes[1].parent_axis, 0u);
     // The branch starts on the second ring of the first piece.
     EXPECT_EQ(plant.axes[2].parent_segment, 2u);
@@ -417,7 +426,7 @@ TEST(Turtle, BranchesGeneralisedCylinders)
 TEST(Turtle, DrawsPathsAlongControlPoints)
 {
     auto const square = "f(6)+(90)f(6)+(90)f(6)+(90)f(6)";
-    // A Hermite curve passes through its points.
+    // A Hermite curve passes through its control points.
     auto const open = drawn("{(1,3)." + std::string(square) + "}(1)");
     ASSERT_EQ(open.axes.size(), 1u);
     EXPECT_EQ(open.axes[0].segment_count, 12u);
@@ -425,7 +434,7 @@ TEST(Turtle, DrawsPathsAlongControlPoints)
     auto const closed = drawn("{(2,3).f(6)+(90)f(6)+(90)f(6)}(2)");
     EXPECT_EQ(closed.axes[0].segment_count, 12u);
     expect_near(tip(closed), { 0, 0, 0 });
-    // A B-spline with four points has one piece, near them.
+    // A B-spline with four control points has one piece, which only comes near them.
     auto const spline = drawn("{(3,2).f(6)+(90)f(6)+(90)f(6)}(3)");
     EXPECT_EQ(spline.axes[0].segment_count, 2u);
     expect_near(spline.positions(spline.axes[0])[0], { -1, 0, 5 });
@@ -436,7 +445,7 @@ TEST(Turtle, DrawsPathsAlongControlPoints)
     EXPECT_EQ(warnings_of("}(1){(7)").size(), 2u);
 }
 
-// Returns the names of the segments' materials, in the order of the axes.
+// Returns the names of the materials of all segments, in the order of the axes.
 std::string colors_of(std::string const& axiom)
 {
     auto const plant = drawn(axiom,
@@ -456,7 +465,8 @@ TEST(Turtle, GivesCylindersTheColorOfEachControlPointBehindItsFirstRing)
     EXPECT_EQ(colors_of(";(1)@Gs f(4);(2)@Ge(4)"), "rggg");
     EXPECT_EQ(colors_of(";(1)@Gs;(2)f(4)@Gc(3)f(4);(3)@Ge(5)F"), "rgggbbbb b");
     EXPECT_EQ(colors_of(";(1)@Gs f(4)@Ge(3)"), "rrr");
-    EXPECT_EQ(colors_of(";(1)@Gs f(4);(2)@Ge(1)"), "r"); // The colour of the piece's first ring.
+    // The piece has the colour of its first ring.
+    EXPECT_EQ(colors_of(";(1)@Gs f(4);(2)@Ge(1)"), "r");
     EXPECT_EQ(colors_of(";(1)@Gs f(4);(2)@Ge"), "rggg"); // By default there are four rings.
 }
 
@@ -469,7 +479,8 @@ TEST(Turtle, GivesPathsTheColorsOfTheirControlPoints)
 {
     EXPECT_EQ(colors_of(";(1){(1,3).;(2)f(6)+(90);(3)f(6)}(1)"), "rgggbb");
     EXPECT_EQ(colors_of(";(1){(2,3).;(2)f(6)+(90);(3)f(6)}(2)"), "rgggbbbrr");
-    // A piece of a B-spline leads from the second of four points to the third.
+    // A B-spline with four control points has one piece, from near the second point to near the
+    // third.
     EXPECT_EQ(colors_of(";(1){(3,3).;(2)f(6)+(90);(3)f(6)+(90);(4)f(6)}(3)"), "gbb");
 }
 
@@ -498,7 +509,7 @@ TEST(Turtle, GivesCylindersContours)
     ASSERT_EQ(plant.node_section.size(), plant.node_position_mm.size());
     EXPECT_FALSE(has_contour(plant, plant.axes[0]));
     EXPECT_TRUE(has_contour(plant, plant.axes[1]));
-    EXPECT_FALSE(has_contour(plant, plant.axes[2])); // An F has a round section.
+    EXPECT_FALSE(has_contour(plant, plant.axes[2])); // The axis of an F has a round section.
     auto const* const sections = &plant.node_section[plant.axes[1].first_node];
     EXPECT_EQ(sections[1].contour, 1);
     EXPECT_EQ(sections[1].next_contour, 0);
@@ -513,7 +524,7 @@ TEST(Turtle, KeepsCylindersFiniteWhateverTheyAreTold)
 {
     auto const plant = with_contour("@Gr(89,1e30)@Gt(1e30,-1e30)!(1e30)@#(5)@Gs f(1e9)@Gc(1e30)"
                                     "@Gr(1)@Gr(0,-1e30,90,1e30)&(1)f(1e9)@Ge(-5)");
-    EXPECT_EQ(plant.axes.size(), 1u); // The plant must also pass check_plant().
+    EXPECT_EQ(plant.axes.size(), 1u); // drawn() has also checked the plant with check_plant().
     auto const model = with_surface("~l(1e30)~l(1e30,-1e30,0)F~l(0)F@PS(1)@PC(1,1e30,-1)@PD(1e30)");
     auto const surfaces = interpret(model, *derive(model));
     ASSERT_TRUE(surfaces) << surfaces.error().message;

@@ -66,7 +66,7 @@ TEST(View, ReadsMaterialsAndOrgans)
     EXPECT_EQ(view.organs[0].letter, 'p');
     EXPECT_EQ(shape.kind, OrganShape::Kind::Blade);
     EXPECT_EQ(shape.material, 2);
-    EXPECT_EQ(shape.length_mm, 3); // In turtle units, until a plant is made.
+    EXPECT_EQ(shape.length_mm, 3); // Lengths are in turtle units until a plant is made.
     EXPECT_EQ(shape.lobe_count, 4);
     EXPECT_NEAR(shape.curl_rad, radians(-20), 1e-12);
 }
@@ -131,7 +131,7 @@ TEST(Functions, PassThroughTheirEnds)
     EXPECT_NEAR(f.at(1), 1, 0.01);
     EXPECT_EQ(f.at(-5), f.at(0));
     EXPECT_EQ(f.at(5), f.at(1));
-    // With x = t, this is the Bézier cubic of the same points: (2 + 9 + 9 + 1) / 8 in the middle.
+    // With x = t, this is the Bézier curve of the same points. Its middle is (2 + 9 + 9 + 1) / 8.
     EXPECT_NEAR(f.at(0.5), 21.0 / 8, 0.01);
 }
 
@@ -157,7 +157,7 @@ std::string curve_error(std::string const& text)
 
 TEST(Curves, AreWalkedByLength)
 {
-    // A straight line whose points are dense at its beginning.
+    // A straight line whose control points are dense at its beginning.
     auto const line = curve("points: 4\ndim: 3\ntype: bezier\n0 0 1\n0 0 1\n0 1 1\n0 8 1\n");
     EXPECT_EQ(line.name, "path");
     for (double const share : { 0.0, 0.125, 0.5, 0.77, 1.0 })
@@ -172,14 +172,15 @@ TEST(Curves, BeginAndEndAsTheirTypeSays)
     auto const of_type = [&](std::string const& type) {
         return curve("points: 4\ntype: " + type + "\n" + square);
     };
-    // Expected: (0 + 4·6 + 6) / 6 = 5.
+    // Expected x at the beginning: (0 + 4·6 + 6) / 6 = 5.
     EXPECT_LT((of_type("bspline").at(0) - Vec3(5, 1, 0)).norm(), 1e-12);
     EXPECT_LT((of_type("bspline-endpoint").at(1) - Vec3(0, 6, 0)).norm(), 1e-12);
     EXPECT_LT((of_type("bspline-phantom").at(0) - Vec3(0, 0, 0)).norm(), 1e-12);
     EXPECT_LT((of_type("bspline-phantom").at(1) - Vec3(0, 6, 0)).norm(), 1e-12);
     auto const closed = of_type("bspline-closed");
     EXPECT_LT((closed.at(0) - closed.at(1)).norm(), 1e-12);
-    EXPECT_LT((closed.at(0.25) - Vec3(5, 5, 0)).norm(), 1e-4); // A quarter of the closed curve.
+    // A quarter of the length of the closed curve.
+    EXPECT_LT((closed.at(0.25) - Vec3(5, 5, 0)).norm(), 1e-4);
 }
 
 TEST(Curves, RepeatPointsAndSkipAnEditorsCurves)

@@ -13,7 +13,7 @@ namespace {
 
 using Pixel = std::array<std::uint8_t, 4>;
 
-// Returns a PNG file of one column, beginning at the top.
+// Returns a PNG file with a single column of pixels, from the top to the bottom.
 std::string column_of(std::vector<Pixel> const& pixels)
 {
     PixelRows rows { 1, static_cast<int>(pixels.size()), {} };
@@ -60,7 +60,7 @@ TEST(ViewTexture, StandsForTheColour)
     EXPECT_EQ(pixels_of(textures.base_color->bytes),
               (std::vector<Pixel> { kClear, kWhite, kBlack, kBlack }))
         << "v is 0 at the base";
-    // A third of white light in sRGB: 1.055 / 3^(1 / 2.4) - 0.055.
+    // A third of white light, in sRGB: 1.055 / 3^(1 / 2.4) - 0.055.
     for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(material.base_color[i], 0.6124f, 1e-3f);
 }

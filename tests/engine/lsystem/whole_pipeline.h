@@ -12,9 +12,10 @@
 
 namespace tractus::lsystem {
 
-// Does everything that can be done with a text that may be a model, with small limits. Zero bytes
-// separate rules, view and the text of any file that these refer to; without such a text the view
-// is a function. Returns true if the result is a plant; every plant is checked.
+// Compiles, derives, prints and draws a text that may be a model, with small limits. Zero bytes
+// separate the rules, the view, and the text of the files to which these refer. Without a text for
+// the files, each file is a function. Returns true if the result is a plant; every plant is
+// checked.
 inline bool run_whole_pipeline(std::string_view text)
 {
     auto const part = [&] {
@@ -32,8 +33,9 @@ inline bool run_whole_pipeline(std::string_view text)
         = compile_model(source, [&](std::string const&) -> Result<std::string> { return file; });
     if (!model)
         return false;
-    // The limit counts work instead of time, so that equal texts give equal results.
-    auto const looks = std::make_shared<std::atomic<int>>(0); // Shared by copies of the function.
+    // The limit counts how often it is asked instead of time, so that equal texts give equal
+    // results.
+    auto const looks = std::make_shared<std::atomic<int>>(0); // Number of queries.
     ModelLimits const limits { .max_modules = 2000,
                                .max_memory_bytes = std::size_t { 1 } << 20,
                                .time = { [looks] { return ++*looks > 200; }, 1 } };

@@ -31,7 +31,7 @@ RC_GTEST_PROP(AgedMeshProperties, IsTheWholeMeshOfTheWholePlant, ())
     auto const plant = *random_plants();
     AgedMesh const mesh(plant);
     RC_ASSERT(is_whole(mesh, vertices_at(mesh, plant)));
-    // Tubes and polygons are those of make_mesh(), followed by organs.
+    // The tubes and polygons must be those of make_mesh(). The organs follow them.
     auto const made = make_mesh(plant);
     for (auto const& surface : made.surfaces) {
         auto const& all = mesh.whole().surfaces;
@@ -51,7 +51,8 @@ RC_GTEST_PROP(AgedMeshProperties, IsTheWholeMeshOfTheWholePlant, ())
     RC_ASSERT(mesh.whole().organs.empty());
 }
 
-// For any other shape of the plant, numbers must stay finite and normals valid.
+// The mesh is moved to a random shape of the plant. Its numbers must stay finite and its normals
+// valid.
 RC_GTEST_PROP(AgedMeshProperties, TakesAnyOtherShapeOfThePlant, ())
 {
     auto const seed = *rc::gen::arbitrary<std::uint64_t>();
@@ -87,7 +88,8 @@ TEST(AgedMesh, ItsWholeIsSound)
     }
 }
 
-// The rotation is perpendicular to the axis: rings do not rotate about it.
+// The rotation is about a horizontal axis, perpendicular to the plant's axis, so rings do not
+// rotate about it.
 TEST(AgedMesh, LeansWithAnAxisThatLeans)
 {
     auto plant = single_axis(6, 10, 3);
@@ -133,7 +135,8 @@ TEST(AgedMesh, WhatHasNotGrownIsAPoint)
             ASSERT_LT((position - Vec3f(1, 2, 3)).norm(), 1e-3f);
 }
 
-// A pole of four segments of 50 mm, of which two and a half have grown, with half the thickness.
+// A pole of four segments of 50 mm. Two and a half of these have grown, with half their final
+// thickness.
 TEST(AgedMesh, GoesAsFarAndIsAsWideAsTheAxisIs)
 {
     auto const pole = single_axis(4, 8, 8);

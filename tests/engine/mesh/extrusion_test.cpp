@@ -7,7 +7,7 @@
 namespace tractus::mesh {
 namespace {
 
-// Returns a square of side 2 about the origin, beginning in the middle of its side at x = 1.
+// Returns a square of side 2 about the origin. It begins in the middle of its side at x = 1.
 Contour square()
 {
     Contour contour;
@@ -28,7 +28,7 @@ Contour square()
     return contour;
 }
 
-// Returns a ribbon with a width of 2 along y.
+// Returns an open contour, a ribbon with a width of 2 along y.
 Contour ribbon()
 {
     Contour contour;
@@ -40,8 +40,8 @@ Contour ribbon()
     return contour;
 }
 
-// Returns a straight axis of 100 mm with a node in the middle; its section is 10 mm times the
-// contour.
+// Returns a straight axis of 100 mm with a node in its middle. Its section is the contour, scaled
+// by 10 mm.
 Plant extruded(Contour const& contour)
 {
     Plant plant;
@@ -81,11 +81,11 @@ TEST(Extrusion, FillsAClosedOutline)
 TEST(Extrusion, GivesASheetTwoSides)
 {
     auto const mesh = mesh_of(extruded(ribbon()));
-    // Factors: sides, segments, triangles, strips.
+    // The factors are both sides of the ribbon, segments, triangles of a quad, and strips.
     EXPECT_EQ(mesh.triangle_count(), 2u * 2 * 2 * 16);
     EXPECT_EQ(open_edge_count(mesh), 0u);
     for (auto const& position : mesh.positions_mm)
-        EXPECT_NEAR(position.x(), 0, 1e-4f); // The ribbon lies across its normal, x.
+        EXPECT_NEAR(position.x(), 0, 1e-4f); // The ribbon lies across its normal, which is x.
 }
 
 TEST(Extrusion, TwistsWithItsSections)
@@ -97,14 +97,14 @@ TEST(Extrusion, TwistsWithItsSections)
     for (auto const& position : mesh.positions_mm)
         if (position.z() > 99)
             widest_mm = std::max<double>(widest_mm, position.x());
-    EXPECT_NEAR(widest_mm, 10 * std::sqrt(2), 1e-3); // A corner now points to x.
+    EXPECT_NEAR(widest_mm, 10 * std::sqrt(2), 1e-3); // Now a corner of the square points to x.
 }
 
 TEST(Extrusion, PassesFromOneOutlineToAnother)
 {
     auto plant = extruded(square());
     for (auto& section : plant.node_section)
-        section.next_contour = kNoContour; // No contour means a circle.
+        section.next_contour = kNoContour; // A section without a contour is a circle.
     plant.node_section[1].share = 0.5f;
     plant.node_section[2].share = 1;
     auto const mesh = mesh_of(plant);
@@ -129,7 +129,8 @@ TEST(Extrusion, HasTheSidesThatAreAskedFor)
         section.sides = 4;
     EXPECT_EQ(mesh_of(plant).triangle_count(), 2u * 2 * 2 * 4);
     auto const coarse = make_mesh(extruded(ribbon()), { .min_sides = 3, .max_sides = 8 });
-    EXPECT_EQ(coarse.triangle_count(), 2u * 2 * 2 * 8); // Half the fineness gives half the sides.
+    // Half the fineness gives half as many sides.
+    EXPECT_EQ(coarse.triangle_count(), 2u * 2 * 2 * 8);
 }
 
 TEST(Extrusion, SurvivesNodesThatCoincideAndMaterialsThatChange)

@@ -9,7 +9,7 @@
 namespace tractus::mesh {
 namespace {
 
-// The triangles of two joined meshes must be those of the mesh of both plants together.
+// Two joined meshes must have the triangles of a mesh that is made of both plants together.
 TEST(JoinMeshes, GivesTheMeshOfBothPlants)
 {
     Vec3 const moved_mm(500, -20, 0);

@@ -21,7 +21,7 @@ Mesh mesh_at(Plant const& plant, double share)
     return make_mesh(coarser_plant(plant, {}, share), coarser_options({}, share));
 }
 
-// Returns the volume of the frusta between nodes.
+// Returns the sum of the volumes of the frusta between successive nodes.
 double skeleton_volume_mm3(Plant const& plant)
 {
     double volume = 0;
@@ -36,12 +36,12 @@ double skeleton_volume_mm3(Plant const& plant)
     return volume;
 }
 
-// Returns the area of both sides of the leaves in the plant.
+// Returns the area of the leaves of the plant, counting both sides.
 double organ_area_mm2(Mesh const& mesh)
 {
     double area = 0;
     for (auto const& organ : mesh.organs)
-        // Leaves are nearly flat, perpendicular to their z.
+        // The leaves are nearly flat and perpendicular to their z axis.
         for (auto const& instance : organ.instances)
             area += double { surface_area(organ.prototype) } * instance.scale.x()
                 * instance.scale.y();
@@ -60,7 +60,8 @@ TEST(LevelOfDetail, HasTheShareOfTrianglesThatWasAskedFor)
 TEST(LevelOfDetail, NoTwigGoesThatCouldStay)
 {
     auto plant = sample_tree(1);
-    plant.organs.clear(); // Leaf cards may need far fewer triangles than allowed.
+    // Organs are removed, since their leaf cards may need far fewer triangles than allowed.
+    plant.organs.clear();
     auto const full = static_cast<double>(make_mesh(plant).triangle_count());
     int thinned = 0;
     for (double const share : kShares) {
@@ -99,7 +100,7 @@ TEST(LevelOfDetail, TubesOfFewSidesKeepTheVolumeOfRoundOnes)
         return volume_mm3(make_mesh(plant, options).surfaces.at(0));
     };
     double const round = kPi * 10 * 10 * 4 * 50;
-    EXPECT_NEAR(volume(3), round, 0.06 * round); // Includes the tip of the dome.
+    EXPECT_NEAR(volume(3), round, 0.06 * round); // The volume includes the dome at the tip.
     EXPECT_NEAR(volume(8), round, 0.06 * round);
 }
 
@@ -113,7 +114,8 @@ TEST(LevelOfDetail, TheTrunkStaysInItsPlaceAndAsThickAsItIs)
         auto const nodes = coarse.positions(now);
         EXPECT_EQ(nodes.front(), plant.positions(trunk).front());
         EXPECT_EQ(nodes.back(), plant.positions(trunk).back());
-        for (std::size_t i = 0; i < nodes.size(); ++i) { // Each node is one of the whole plant's.
+        // Each node must be a node of the plant in full detail.
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
             bool found = false;
             for (std::uint32_t k = 0; k <= trunk.segment_count; ++k)
                 found |= nodes[i] == plant.node_position_mm[trunk.first_node + k]

@@ -12,7 +12,7 @@
 namespace tractus::mesh {
 namespace {
 
-// Eight sides everywhere, so that triangles can be counted by hand.
+// All tubes have eight sides, so that triangles can be counted by hand.
 constexpr MeshOptions kEightSides { .min_sides = 8, .max_sides = 8, .subdivision = 0, .collar = 0 };
 
 double distance_to_axis(Plant const& plant, Axis const& axis, Vec3 const& point)
@@ -66,11 +66,12 @@ TEST(MakeMesh, HasTheVolumeOfATruncatedConeAndHalfABall)
 
 TEST(MakeMesh, MakesTheTrianglesThatAreCountedByHand)
 {
-    // Three segments with 8 quads each; a ring and an apex for the dome; a base of 6.
+    // Triangles: three segments of 8 quads each, a ring and an apex for the dome, and 6 for the
+    // base.
     EXPECT_EQ(make_mesh(single_axis(3, 10, 5), kEightSides).triangle_count(), 3 * 16 + 16 + 8 + 6u);
-    // With a pointed tip, the last segment is a cone of 8 triangles.
+    // If the tip is pointed, the last segment is a cone of 8 triangles.
     EXPECT_EQ(make_mesh(single_axis(3, 10, 0), kEightSides).triangle_count(), 2 * 16 + 8 + 6u);
-    // The lateral axis has no base of its own.
+    // A lateral axis has no base of its own.
     auto plant = small_plant();
     plant.organs.clear();
     EXPECT_EQ(make_mesh(plant, kEightSides).triangle_count(), (3 + 2) * 16 + 2 * (16 + 8) + 6u);
@@ -113,7 +114,7 @@ TEST(MakeMesh, IsSoundForATreeAndFacesOutwards)
         auto const mesh = make_mesh(plant);
         ASSERT_EQ(mesh.surfaces.size(), 1u);
         expect_sound(mesh.surfaces[0]);
-        // A few triangles in sharp bends may be inverted: they are inside the tube.
+        // In sharp bends, some triangles inside the tube may be inverted.
         EXPECT_LT(inside_out_count(mesh.surfaces[0]), mesh.surfaces[0].triangle_count() / 200);
     }
 }
@@ -127,7 +128,7 @@ TEST(MakeMesh, NormalsLeanWithTheTaper)
         auto const& position = tubes.positions_mm[i];
         auto const& normal = tubes.normals[i];
         if (position.z() < 1 || position.z() > 199)
-            continue; // Skips vertices of the base and the dome.
+            continue; // Skips the vertices of the base and the dome.
         EXPECT_NEAR(normal.z() / Vec2f(normal.x(), normal.y()).norm(), expected, 0.01);
         EXPECT_GT(normal.head<2>().dot(position.head<2>()), 0);
     }
@@ -266,7 +267,7 @@ TEST(MakeMesh, TextureIsSeamlessAndHasOneScale)
         EXPECT_EQ(tubes.positions_mm[first], tubes.positions_mm[first + 8]);
         EXPECT_EQ(tubes.texture_coordinates[first].x(), 0);
         EXPECT_EQ(tubes.texture_coordinates[first + 8].x(), 1);
-        // Each segment is 50 mm long, and the circumference is 20 pi.
+        // Each segment is 50 mm long, and the circumference is 20 pi mm.
         EXPECT_NEAR(tubes.texture_coordinates[first].y(),
                     static_cast<double>(ring) * 50 / (20 * kPi), 1e-5);
     }
@@ -293,7 +294,7 @@ TEST(MakeMesh, FillsConcavePolygons)
 {
     auto plant = single_axis(1, 1, 1);
     plant.materials.push_back({ .name = "leaf", .kind = Material::Kind::Leaf });
-    // An arrowhead in the plane y = 0, with an area of 1,000 mm², facing -y.
+    // An arrowhead in the plane y = 0 that faces -y, with an area of 1,000 mm².
     plant.polygon_vertices_mm = { { 0, 0, 0 }, { 50, 0, -20 }, { 0, 0, 40 }, { -50, 0, -20 } };
     plant.polygons = { { .first_vertex = 0, .vertex_count = 4, .material = 1 } };
     auto const mesh = make_mesh(plant);
@@ -308,7 +309,7 @@ TEST(MakeMesh, FillsConcavePolygons)
         magnitude += area_vector(polygon, i).norm() / 2;
     }
     EXPECT_NEAR(area.norm(), 2000, 1e-3);
-    EXPECT_NEAR(magnitude, 2000, 1e-3); // No triangle lies outside the outline.
+    EXPECT_NEAR(magnitude, 2000, 1e-3); // No triangle may lie outside the outline of the polygon.
     EXPECT_GT(area.dot(polygon.normals[0].cast<double>()), 0);
 }
 

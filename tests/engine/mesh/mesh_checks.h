@@ -9,8 +9,8 @@
 
 namespace tractus::mesh {
 
-// Expects a valid mesh: indices in range, arrays of equal size, finite numbers, normals of unit
-// length.
+// Expects a valid mesh: its indices are in range, its arrays have equal sizes, its numbers are
+// finite, and its normals have unit length.
 inline void expect_sound(TriangleMesh const& mesh)
 {
     ASSERT_EQ(mesh.normals.size(), mesh.positions_mm.size());
@@ -28,7 +28,7 @@ inline void expect_sound(TriangleMesh const& mesh)
     EXPECT_EQ(wrong, 0u);
 }
 
-// Returns a vector along a triangle's front normal, with the length of twice its area.
+// Returns the front normal of a triangle, with a length of twice the triangle's area.
 inline Vec3 area_vector(TriangleMesh const& mesh, std::size_t triangle)
 {
     auto const corner = [&](std::size_t k) -> Vec3 {
@@ -37,7 +37,7 @@ inline Vec3 area_vector(TriangleMesh const& mesh, std::size_t triangle)
     return (corner(1) - corner(0)).cross(corner(2) - corner(0));
 }
 
-// Returns the number of triangles whose front faces away from the normals at their corners.
+// Returns the number of triangles whose front faces against the normals at their corners.
 inline std::size_t inside_out_count(TriangleMesh const& mesh)
 {
     std::size_t count = 0;
@@ -51,8 +51,8 @@ inline std::size_t inside_out_count(TriangleMesh const& mesh)
     return count;
 }
 
-// Returns the number of edges that are not shared by exactly two triangles in opposite directions,
-// treating vertices at the same position as one. 0 for a closed surface.
+// Returns the number of edges that are not shared by exactly two triangles in opposite directions.
+// Vertices at the same position count as one. The number is 0 for a closed surface.
 inline std::size_t open_edge_count(TriangleMesh const& mesh)
 {
     using Place = std::array<float, 3>;
@@ -72,7 +72,7 @@ inline std::size_t open_edge_count(TriangleMesh const& mesh)
     return count;
 }
 
-// Returns the volume within a closed surface; positive if triangles face outwards.
+// Returns the volume within a closed surface, which is positive if its triangles face outwards.
 inline double volume_mm3(TriangleMesh const& mesh)
 {
     double volume = 0;
@@ -82,7 +82,7 @@ inline double volume_mm3(TriangleMesh const& mesh)
     return volume;
 }
 
-// True if all arrays are equal byte by byte.
+// True if all arrays of the two meshes are equal, byte by byte.
 inline bool same_triangles(TriangleMesh const& a, TriangleMesh const& b)
 {
     return a.material == b.material && a.positions_mm == b.positions_mm && a.normals == b.normals

@@ -9,7 +9,8 @@
 namespace tractus::mesh {
 namespace {
 
-// The seed is fixed, unless the environment variable sets other parameters.
+// Fixes the seed of the property tests, unless the environment variable RC_PARAMS sets other
+// parameters.
 [[maybe_unused]] bool const has_parameters
     = setenv("RC_PARAMS", "seed=1 max_success=60", 0) == 0; // NOLINT(concurrency-mt-unsafe)
 
@@ -52,7 +53,8 @@ RC_GTEST_PROP(MeshProperties, IsSound, ())
     RC_ASSERT(!::testing::Test::HasFailure());
 }
 
-// The buffer is longer than necessary, so that writing beyond the plan would be detected.
+// Each piece gets a buffer that is longer than planned, so that writing beyond the plan is
+// detected.
 RC_GTEST_PROP(MeshProperties, PiecesTakeTheRoomThatThePlanSays, ())
 {
     auto const plant = *random_plants();

@@ -138,7 +138,7 @@ TEST(OrganMesh, SurvivesExtremeParameters)
                               .curl_rad = 9 }));
 }
 
-// A rhombus cut along its midrib.
+// The leaf is a rhombus that is cut along its midrib.
 TEST(OrganMesh, BendsAndFoldsACutLeaf)
 {
     CutLeaf const cut { .corners = { { 0, 0 }, { 0.5, 0.5 }, { 0, 1 }, { -0.5, 0.5 } },
@@ -162,7 +162,7 @@ TEST(OrganMesh, BendsAndFoldsACutLeaf)
     EXPECT_NEAR(folded.positions_mm[3].z(), 20, 1e-4);
     EXPECT_EQ(inside_out_count(folded), 0u);
 
-    shape.curl_rad = kPi / 2; // A quarter of a circle.
+    shape.curl_rad = kPi / 2; // The leaf curls to a quarter of a circle.
     auto const bent = organ_mesh(shape);
     EXPECT_NEAR(bent.positions_mm[2].y(), 80 / (kPi / 2), 1e-4);
     EXPECT_NEAR(bent.positions_mm[2].z(), -80 / (kPi / 2), 1e-4);

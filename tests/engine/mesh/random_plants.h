@@ -8,9 +8,9 @@
 
 namespace tractus::mesh {
 
-// Returns a plant of `axis_count` axes of all kinds: straight, bent, of zero length, pointed, thick
-// on thin; with segments of several materials, polygons with and without area, and organs of two
-// shapes.
+// Returns a plant with `axis_count` axes of all kinds: straight, bent, of zero length, pointed, and
+// thick axes on thin ones. It has segments of several materials, polygons with and without area,
+// and organs of two shapes.
 inline Plant random_plant(std::uint64_t seed, std::uint32_t axis_count)
 {
     Random random({ .seed = seed });
@@ -55,15 +55,15 @@ inline Plant random_plant(std::uint64_t seed, std::uint32_t axis_count)
     return plant;
 }
 
-// Generates plants of up to a few hundred axes, more than one parallel piece of a surface.
+// Generates plants with up to a few hundred axes, so that a surface may have more than one parallel
+// piece.
 inline rc::Gen<Plant> random_plants()
 {
     return rc::gen::apply(random_plant, rc::gen::arbitrary<std::uint64_t>(),
                           rc::gen::inRange<std::uint32_t>(0, 400));
 }
 
-// Calls `work` with the given number of threads for parallel loops, independent of the number of
-// processors.
+// Calls `work` with `count` threads for parallel loops, whatever the number of processors is.
 template<typename Work> auto on_threads(int count, Work const& work)
 {
     tbb::global_control const limit(tbb::global_control::max_allowed_parallelism,

@@ -7,8 +7,8 @@
 
 namespace tractus::mesh {
 
-// An axis of equal segments that starts at `base_mm`, bends by a random angle at each node, and
-// tapers from `radius_mm` to `tip_radius_mm`.
+// Description of an axis with equal segments. It starts at `base_mm`, bends by a random angle at
+// each node, and tapers from `radius_mm` to `tip_radius_mm`.
 struct AxisSketch {
     Vec3 base_mm = Vec3::Zero();
     Vec3 direction = Vec3::UnitZ();
@@ -22,7 +22,7 @@ struct AxisSketch {
     std::uint32_t order = 0;
 };
 
-// Appends the axis and returns its id.
+// Appends the described axis to the plant and returns the axis's id.
 inline AxisId append_axis(Plant& plant, AxisSketch const& sketch, Random& random)
 {
     plant.axes.push_back({ static_cast<NodeId>(plant.node_position_mm.size()),
@@ -58,7 +58,7 @@ inline void add_sample_materials(Plant& plant)
         = { OrganShape { .material = 1, .length_mm = 130, .width_mm = 70, .petiole_mm = 25 } };
 }
 
-// Adds branches at all nodes of an axis except the first, with a fork at its end.
+// Adds branches at all nodes of an axis except its first, and a fork at its end.
 inline void add_sample_branches(Plant& plant, AxisId id, Random& random)
 {
     auto const parent = plant.axes[id];
@@ -90,7 +90,7 @@ inline void add_sample_branches(Plant& plant, AxisId id, Random& random)
     }
 }
 
-// Adds a leaf at each node of the axis except the first.
+// Adds a leaf at each node of an axis except its first.
 inline void add_sample_leaves(Plant& plant, Axis const& axis, Random& random)
 {
     for (std::uint32_t i = 1; i <= axis.segment_count; ++i) {
@@ -105,8 +105,8 @@ inline void add_sample_leaves(Plant& plant, Axis const& axis, Random& random)
     }
 }
 
-// Returns a broadleaf tree with three orders of branches, about 4 m high, with leaves at the nodes
-// of twigs; its trunk and limbs end in forks.
+// Returns a broadleaf tree about 4 m high, with three orders of branches. Its trunk and limbs end
+// in forks, and its twigs have leaves at their nodes.
 inline Plant sample_tree(std::uint64_t seed)
 {
     Random random({ .seed = seed });
@@ -128,7 +128,7 @@ inline Plant sample_tree(std::uint64_t seed)
     return plant;
 }
 
-// Returns a plant of one straight axis along +z.
+// Returns a plant with a single straight axis along +z.
 inline Plant single_axis(std::uint32_t segment_count, double radius_mm, double tip_radius_mm)
 {
     Random random({});

@@ -8,7 +8,8 @@
 namespace tractus::mesh {
 namespace {
 
-// Returns a patch over a rectangle in the organ's plane, x from `left` on, with a bulge of `bulge`.
+// Returns a patch over a rectangle in the organ's plane, whose least x is `left`. Its middle bulges
+// by `bulge`.
 BezierPatch patch(double left, double width, double length, double bulge)
 {
     BezierPatch result;
@@ -52,7 +53,7 @@ TEST(SurfaceMesh, IsFinerWhereItBendsAndWhenAsked)
     auto const count = [](double bulge, int subdivision) {
         return surface_mesh(surface({ patch(0, 10, 30, bulge) }), subdivision).triangle_count();
     };
-    EXPECT_EQ(count(0, 4), 2u); // A flat patch is one quadrangle.
+    EXPECT_EQ(count(0, 4), 2u); // A flat patch needs only one quadrangle.
     EXPECT_GT(count(12, 4), count(3, 4));
     EXPECT_GT(count(12, 8), count(12, 4));
     EXPECT_GT(count(12, 4), count(12, 2));
@@ -63,7 +64,8 @@ TEST(SurfaceMesh, SharesTheSeamsOfNeighbors)
 {
     auto left = patch(-10, 10, 30, 12);
     auto right = patch(0, 10, 30, 12);
-    right.control[5].z() = 20; // The seam stays, but the normals along it differ.
+    // The seam of the patches stays the same, but the normals along it differ.
+    right.control[5].z() = 20;
     auto const apart = surface_mesh(surface({ left, right }), 4);
     left.neighbors[BezierPatch::Right] = 1;
     right.neighbors[BezierPatch::Left] = 0;
@@ -75,8 +77,8 @@ TEST(SurfaceMesh, SharesTheSeamsOfNeighbors)
     EXPECT_EQ(apart.positions_mm.size() - joined.positions_mm.size(), strips + 1);
 }
 
-// Returns a row of two patches, the right one three times as wide, and above each another one of
-// half the length.
+// Returns a row of two patches, the right one three times as wide as the left one. Above each of
+// them is another patch of half its length.
 std::vector<BezierPatch> four_patches()
 {
     std::vector<BezierPatch> patches { patch(-5, 10, 20, 3), patch(5, 30, 20, 3),
@@ -84,7 +86,8 @@ std::vector<BezierPatch> four_patches()
     for (std::size_t i = 2; i < 4; ++i)
         for (auto& point : patches[i].control)
             point.y() += 20;
-    using enum BezierPatch::Side; // The rows begin at the tip.
+    // The neighbours are in the order of Side; rows of control points begin at the tip.
+    using enum BezierPatch::Side;
     patches[0].neighbors = { 2, BezierPatch::kNoPatch, BezierPatch::kNoPatch, 1 };
     patches[1].neighbors = { 3, BezierPatch::kNoPatch, 0, BezierPatch::kNoPatch };
     patches[2].neighbors = { BezierPatch::kNoPatch, 0, BezierPatch::kNoPatch, 3 };
@@ -92,7 +95,8 @@ std::vector<BezierPatch> four_patches()
     return patches;
 }
 
-// Returns texture coordinates: each patch has an equal share of the texture, whatever its size.
+// Returns texture coordinates of a point. Each patch has an equal share of the texture, whatever
+// its size.
 Vec2 on_four_patches(Vec3f const& at)
 {
     return { at.x() < 5 ? (at.x() + 5) / 20 : 0.5 + (at.x() - 5) / 60,
@@ -110,7 +114,8 @@ TEST(SurfaceMesh, LaysATextureOnPatches)
             1e-5);
 }
 
-// The orientation of the patches must not matter: rows and columns exchanged, or reversed.
+// The texture must not depend on the orientation of the patches, whose rows and columns may be
+// exchanged or reversed.
 TEST(SurfaceMesh, LaysATextureAsTheOrganLies)
 {
     auto patches = four_patches();

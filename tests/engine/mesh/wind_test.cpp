@@ -14,7 +14,7 @@
 namespace tractus::mesh {
 namespace {
 
-// A surface with its wind data.
+// A surface with the data that wind shaders need.
 struct WindySurface {
     TriangleMesh mesh;
     std::vector<WindVertex> wind;
@@ -35,7 +35,8 @@ WindySurface first_surface(Plant const& plant, WindKey const& key)
 
 TEST(Wind, BendRisesFromTheBaseOfAnAxisToItsTip)
 {
-    auto const [mesh, wind] = first_surface(single_axis(8, 20, 5), {}); // Along +z, 400 mm long.
+    // The axis leads along +z and is 400 mm long.
+    auto const [mesh, wind] = first_surface(single_axis(8, 20, 5), {});
     ASSERT_EQ(wind.size(), mesh.positions_mm.size());
     for (std::size_t i = 0; i < wind.size(); ++i) {
         EXPECT_EQ(wind[i].pivot_mm, Vec3f(0, 0, 0));
@@ -73,7 +74,7 @@ TEST(Wind, EachBranchOfEachPlantHasItsOwnPhase)
         return all;
     };
     auto const first = phases({ 1, 0 });
-    // Two of the 223 phases may agree by chance, since they have 24 bits.
+    // Phases have 24 bits, so two of the 223 may be equal by chance.
     EXPECT_GE(std::set(first.begin(), first.end()).size(), plant.axes.size() - 1);
     EXPECT_GE(*std::min_element(first.begin(), first.end()), 0);
     EXPECT_LT(*std::max_element(first.begin(), first.end()), 1);
@@ -110,7 +111,8 @@ TEST(Wind, OrgansMoveWithThePlaceWhereTheyStand)
     for (std::uint32_t i = 1; i < axis.segment_count; ++i)
         EXPECT_GT(wind(i).bend, wind(i - 1).bend);
     EXPECT_EQ(wind(axis.segment_count - 1).bend, 1);
-    EXPECT_EQ(wind_at(plant, kNone, {}).bend, 0); // An organ on the ground.
+    // The organ is on the ground, so it does not bend.
+    EXPECT_EQ(wind_at(plant, kNone, {}).bend, 0);
 }
 
 RC_GTEST_PROP(Wind, IsThereForEveryVertexWhateverThePlant, ())

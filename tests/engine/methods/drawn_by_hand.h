@@ -12,10 +12,10 @@
 
 namespace tractus {
 
-// Simulates how a hand draws a line: tremor, hooks, pieces, independent of how lines are
-// recognised. The numbers are measured on people at tablets: physiological tremor at 8 to 12 Hz,
-// drift below 1 Hz with twice its amplitude, a bell-shaped speed, 200 reports a second, hooks of
-// 0.5 to 3 mm.
+// Simulates how a hand draws a line, with tremor, hooks and interruptions. It shares nothing with
+// the code that recognises lines. Its numbers were measured on people at tablets: physiological
+// tremor at 8 to 12 Hz, drift below 1 Hz with twice the amplitude of the tremor, a bell-shaped
+// speed, 200 reports a second, and hooks of 0.5 to 3 mm.
 class Hand {
 public:
     explicit Hand(std::uint64_t seed)
@@ -31,13 +31,13 @@ public:
     std::size_t below(std::size_t count) { return random_() % count; }
     template<typename Range> void shuffle(Range& range)
     {
-        // Used instead of std::shuffle, whose result differs between libraries.
+        // std::shuffle is not used, since its result differs between libraries.
         for (std::size_t i = range.size(); i > 1; --i)
             std::swap(range[i - 1], range[below(i)]);
     }
 
-    // Returns a line as the pen reports it: at 60 to 160 mm/s, with a tremor of the given amplitude
-    // (root mean square of each coordinate).
+    // Returns a line as the pen reports it, drawn at 60 to 160 mm/s. `tremor_mm` is the root mean
+    // square of the tremor in each coordinate.
     std::vector<Vec3> draw(std::vector<Vec3> const& line, double tremor_mm)
     {
         constexpr double kReport_s = 0.005;
@@ -59,7 +59,7 @@ public:
         std::vector<Vec3> drawn;
         for (std::size_t i = 0; i < count; ++i) {
             double const t = static_cast<double>(i) / static_cast<double>(count - 1);
-            // The speed is mostly constant, and lower at both ends.
+            // The speed is nearly constant, and lower at both ends.
             double const bell = t * t * (3 - 2 * t);
             Vec3 point = along.at(0.6 * t + 0.4 * bell);
             for (int axis = 0; axis < 2; ++axis)
@@ -71,7 +71,8 @@ public:
         return drawn;
     }
 
-    // Adds a hook, where the pen slips aside as it is lifted or put down.
+    // Adds a hook at an end of the stroke, where the pen slips aside while it is put down or
+    // lifted.
     static void add_hook(std::vector<Vec3>& stroke, double length_mm, double turn_deg)
     {
         auto const n = stroke.size();
@@ -97,7 +98,7 @@ public:
         }
     }
 
-    // Returns the line in pieces, each of which begins slightly before or after the end of the
+    // Returns the line in `count` pieces. Each piece begins slightly before or after the end of the
     // previous one.
     std::vector<std::vector<Vec3>> pieces(std::vector<Vec3> const& line, int count)
     {
@@ -116,8 +117,8 @@ public:
         return result;
     }
 
-    // Returns a part of the line, between two shares of its length, displaced sideways; it begins
-    // and ends on the line.
+    // Returns the part of the line between two shares of its length, displaced sideways. The part
+    // begins and ends on the line.
     static std::vector<Vec3> part_aside(std::vector<Vec3> const& line, double from, double to,
                                         double aside_mm)
     {

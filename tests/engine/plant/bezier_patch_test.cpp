@@ -5,7 +5,7 @@
 namespace tractus {
 namespace {
 
-// Returns points of z = x^2 - y over a square, s along -y and t along x.
+// Returns control points of z = x^2 - y over a square, with s along -y and t along x.
 std::array<Vec3, 16> grid(double low, double high)
 {
     std::array<Vec3, 16> points;
@@ -41,17 +41,19 @@ TEST(BezierPatch, HasTheNormalOfItsTangents)
     EXPECT_GT(patch.normal_at(0.5, 0.5).z(), 0);
 }
 
-// All three bases reproduce quadratics up to a constant, so a known surface distinguishes them.
+// Each of the three bases reproduces quadratic functions up to a constant. The constant tells the
+// bases apart on a known surface.
 TEST(BezierPatch, TakesOtherBases)
 {
-    auto const points = grid(-3, 3); // The inner points are at -1 and 1.
+    auto const points = grid(-3, 3); // The inner control points are at -1 and 1.
     BezierPatch const cardinal { bezier_control(points, PatchBasis::Cardinal) };
     EXPECT_LT((cardinal.at(0, 0) - points[5]).norm(), 1e-12);
     EXPECT_LT((cardinal.at(1, 1) - points[10]).norm(), 1e-12);
     Vec3 const middle = cardinal.at(0.5, 0.75);
     EXPECT_LT((middle - Vec3(0.5, 0, 0.25)).norm(), 1e-12);
     BezierPatch const spline { bezier_control(points, PatchBasis::BSpline) };
-    // A uniform cubic B-spline of y = x^2 with steps of 2 is 4 / 3 above it.
+    // A uniform cubic B-spline with the control points of y = x^2, in steps of 2, is 4 / 3 above
+    // this curve.
     EXPECT_LT((spline.at(0.5, 0.75) - Vec3(0.5, 0, 0.25 + 4.0 / 3)).norm(), 1e-12);
     EXPECT_EQ(bezier_control(points, PatchBasis::Bezier), points);
 }

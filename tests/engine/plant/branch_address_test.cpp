@@ -13,7 +13,8 @@ TEST(BranchAddress, FindsEverySegmentAgain)
 {
     auto plant = variation::forking_tree(5, 3);
     variation::add_axis(plant,
-                        variation::straight({ 900, 0, 0 }, { 900, 0, 100 }, 4)); // A second stem.
+                        // The second stem of the plant.
+                        variation::straight({ 900, 0, 0 }, { 900, 0, 100 }, 4));
     AddressIndex const index(plant);
     for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
         EXPECT_EQ(index.find_segment(plant, index.address_of(plant, segment)),
@@ -36,7 +37,8 @@ TEST(BranchAddress, HoldsWhenThePlantChangesElsewhere)
     std::vector<SegmentId> const path { 1, 4, 7, 8 };
     auto const address = AddressIndex(plant).address_of(plant, path);
 
-    // A copy with a new branch low on the trunk, so that all numbers change.
+    // A copy of the plant with a new branch low on the trunk, so that all segments have other
+    // numbers.
     Plant changed;
     auto const trunk
         = variation::add_axis(changed, variation::straight({ 0, 0, 0 }, { 0, 0, 400 }, 4));
@@ -51,7 +53,7 @@ TEST(BranchAddress, HoldsWhenThePlantChangesElsewhere)
               (std::vector<SegmentId> { 1, 9, 12, 13 }));
 }
 
-// A branch with a key must be found at any position and with any number of segments.
+// A branch with a key must be found by it, whatever its position and number of segments are.
 TEST(BranchAddress, FollowsTheKeyOfAnAxis)
 {
     auto const plant = variation::hand_made_plant();

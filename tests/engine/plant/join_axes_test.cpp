@@ -8,8 +8,8 @@
 namespace tractus {
 namespace {
 
-// Returns a trunk of one segment that forks into a thin axis (listed first) and a thick, shorter
-// one that bears a twig with a leaf.
+// Returns a trunk of one segment that forks into a thin axis, which is listed first, and a shorter,
+// thick axis. The thick axis has a twig with a leaf.
 Plant forked_plant()
 {
     Plant plant;
@@ -53,7 +53,7 @@ TEST(JoinAxes, GoesOnIntoTheThickestAxisOfAFork)
     ASSERT_EQ(plant.axes.size(), 3u);
     EXPECT_EQ(plant.axes[0].segment_count, 3u);
     EXPECT_EQ(plant.positions(plant.axes[0]).back(), Vec3(0, 0, 20));
-    // At the shared node, the radius is that of the axis beginning there.
+    // The shared node has the radius of the axis that begins there.
     EXPECT_EQ(plant.node_radius_mm[1], 3);
 }
 
@@ -61,7 +61,7 @@ TEST(JoinAxes, CountsOrdersAnew)
 {
     auto const plant = join_axes(forked_plant());
     EXPECT_EQ(plant.axes[1].order, 1u);
-    EXPECT_EQ(plant.axes[2].order, 1u); // The twig is now on the trunk.
+    EXPECT_EQ(plant.axes[2].order, 1u); // The twig is now a branch of the trunk.
     EXPECT_EQ(plant.axes[2].parent_axis, 0u);
 }
 
@@ -96,7 +96,7 @@ TEST(JoinAxes, CopiesNothingWhereNothingIsToBeJoined)
     EXPECT_EQ(join_axes(std::move(plant)).node_position_mm.data(), nodes);
 }
 
-// Orders and numbers must be corrected even if they are out of order.
+// Axes that are listed in a wrong order must get new numbers and correct branching orders.
 TEST(JoinAxes, NumbersAnewWhatIsOutOfOrder)
 {
     auto plant = small_plant();

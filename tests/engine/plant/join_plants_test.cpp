@@ -6,7 +6,8 @@
 namespace tractus {
 namespace {
 
-// Returns a stem of two segments with a branch, a leaf, a polygon, two materials and a shape.
+// Returns a stem of two segments with a branch, a leaf, a polygon, two materials and an organ
+// shape.
 Plant leafy_plant()
 {
     Plant plant;
@@ -71,7 +72,7 @@ TEST(JoinPlants, MakesRoundWhatHasNoSections)
 TEST(JoinPlants, PutsAPartOnABranch)
 {
     auto plant = leafy_plant();
-    // A quarter turn from +z to +x, then a move to 1 mm beside the end of segment 2.
+    // The part is rotated from +z to +x, and moved to 1 mm beside the end of segment 2.
     PartPlace const place { .on = 2,
                             .turn = Quat(Eigen::AngleAxisd(kPi / 2, Vec3::UnitY())),
                             .moved_mm = { 6, 0, 15 } };

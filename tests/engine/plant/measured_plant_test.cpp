@@ -33,7 +33,7 @@ TEST(MeasuredPlant, PutsAxesTogether)
     ASSERT_EQ(plant->axes.size(), 3u);
     EXPECT_EQ(plant->axes[0].segment_count, 2u);
     EXPECT_EQ(plant->axes[1].parent_segment,
-              kNone); // The branch is on the base, where no segment ends.
+              kNone); // The branch begins at the base of the trunk, where no segment ends.
     EXPECT_EQ(plant->axes[2].parent_segment, 0u);
     EXPECT_EQ(plant->axes[2].order, 1u);
     expect_near(plant->node_position_mm[0], { 0, 0, 0 });
@@ -77,7 +77,8 @@ TEST(MeasuredPlant, RefusesWhatIsTooLargeTooFarAwayOrOnePoint)
 TEST(Qsm, ReadsTreeQsmsColumns)
 {
     auto const plant = parse_qsm("tree.txt",
-                                 "0.1\t1\t0 0 0\n"); // Blanks inside a column separated by tabs.
+                                 // Columns are separated by tabs, so blanks may be inside a column.
+                                 "0.1\t1\t0 0 0\n");
     EXPECT_FALSE(plant);
     auto const tree = parse_qsm("tree.txt",
                                 "radius (m)\tlength (m)\tstart_point\taxis_direction\tparent\n"
@@ -96,8 +97,8 @@ TEST(Qsm, ReadsTreeQsmsColumns)
     EXPECT_EQ(tree->node_radius_mm[3], 50);
 }
 
-// TreeQSM 2.3 writes no column names, and after the extension come: added, unmodified radius,
-// branch, order and position. An added cylinder begins each branch.
+// TreeQSM 2.3 writes no names of columns. After the column "extension" it has these columns: added,
+// unmodified radius, branch, order and position. Each branch begins with an added cylinder.
 TEST(Qsm, FollowsExtensionsWhateverColumnsComeBehindThem)
 {
     auto const tree = parse_qsm("tree.txt",
@@ -121,7 +122,7 @@ TEST(Qsm, ReadsNamedColumnsInAnyOrder)
                                 "9,3,0,0,1,1,0,1,0.03\n");
     ASSERT_TRUE(tree) << tree.error().message;
     ASSERT_EQ(tree->axes.size(), 2u);
-    // The thicker one continues the axis.
+    // The thicker of the two cylinders continues the axis.
     expect_near(tree->node_position_mm[2], { 1000, 0, 1000 });
 }
 
@@ -160,7 +161,7 @@ void append(std::string& bytes, auto value)
     bytes.append(raw, sizeof value);
 }
 
-// Returns a little-endian binary file, as on all supported machines.
+// Returns a binary PLY file of a tree in little-endian byte order, as on all supported machines.
 std::string binary_tree()
 {
     std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
@@ -233,7 +234,7 @@ TEST(PlySkeleton, SaysWhatIsWrong)
               "tree.ply: there are no edges in it: export the skeleton, not its surface or points");
 }
 
-// Files with bytes changed, removed or duplicated must give a valid plant or an error.
+// A file in which bytes are changed, removed or duplicated must give a valid plant or an error.
 TEST(MeasuredPlant, IsWholeWhateverComesIn)
 {
     std::string const graph = "CODE: FORM-A\nCLASSES:\nSYMBOL\tSCALE\n$\t0\nP\t1\nS\t2\nMTG:\n"

@@ -21,8 +21,8 @@ std::string graph_of(Plant const& plant)
     return out.str();
 }
 
-// Returns a plant with shapes and materials of all kinds, and organs at random positions, rotations
-// and scales, on any segment and on the ground.
+// Returns a plant with shapes and materials of all kinds. Its organs have random positions,
+// rotations and scales, and are on random segments or on the ground.
 Plant plant_with_organs(std::uint64_t seed, std::size_t organ_count)
 {
     Random random({ .seed = seed });
@@ -65,7 +65,7 @@ Plant plant_with_organs(std::uint64_t seed, std::size_t organ_count)
     return plant;
 }
 
-// Returns length, width, depth and petiole, in millimetres.
+// Returns the length, width, depth and petiole length of an organ, in millimetres.
 Eigen::Vector4d sizes_of(Plant const& plant, Organ const& organ)
 {
     auto const& shape = plant.organ_shapes[organ.shape];
@@ -74,7 +74,8 @@ Eigen::Vector4d sizes_of(Plant const& plant, Organ const& organ)
              shape.petiole_mm * scale.y() };
 }
 
-// Returns a point relative to the plant's base, which becomes the origin when a plant is read.
+// Returns a point relative to the base of the plant. The base becomes the origin when a plant is
+// read.
 Vec3 from_base(Plant const& plant, Vec3 const& point_mm)
 {
     return point_mm - plant.node_position_mm.front();
@@ -115,8 +116,8 @@ void check_same(Plant const& before, Organ const& one, Plant const& after, Organ
     RC_ASSERT(is_told || is_round(read.kind) == (found == Material::Kind::Solid));
 }
 
-// Returns the corresponding organ, found by its unique height, since organs are reordered by the
-// axes that bear them.
+// Returns the organ of `after` that corresponds to an organ of `before`. It is found by its height,
+// which is unique, since reading orders organs by their axes.
 Organ const& same_organ(Plant const& before, Organ const& organ, Plant const& after)
 {
     double const height_mm = from_base(before, organ.position_mm).z();
@@ -138,7 +139,7 @@ RC_GTEST_PROP(MtgOrgans, AreGivenBack, (std::uint64_t seed))
     RC_ASSERT(after.organs.size() == before.organs.size());
     for (auto const& organ : before.organs)
         check_same(before, organ, after, same_organ(before, organ, after));
-    // Writing and reading a second time must lose nothing.
+    // Writing and reading the plant again must not lose anything more.
     auto const again = parse_mtg("tree.mtg", graph_of(after));
     RC_ASSERT(again.has_value());
     RC_ASSERT(again->organs.size() == after.organs.size());
@@ -162,7 +163,7 @@ TEST(MtgOrgans, OfOneFormShareAShapeAndAreNotStretched)
     EXPECT_EQ(read->materials.size(), 2u);
 }
 
-// Reads a table of organs, whose columns follow the position.
+// Reads a plant with a table of organs. The columns follow those of the position.
 MtgPlant with_table(std::string const& lines,
                     std::string const& columns = "Length\tDirectionX\tDirectionY\tDirectionZ\t"
                                                  "Width\tDepth\tPetiole\tShape")
@@ -209,13 +210,13 @@ TEST(MtgOrgans, StandOnTheGroundWhereNoSegmentEnds)
 
 TEST(MtgOrgans, ThatCannotBePlacedAreCountedAndNamed)
 {
-    // An organ without direction and length.
+    // Leaf1 has neither direction nor length.
     auto const read = with_table("\t+Leaf1\t1\t0\t2\n"
-                                 "\t+Leaf2\t\t\t\t1\t0\t0\t1\n" // An organ without a position.
-                                 // An organ with an incomplete position.
+                                 "\t+Leaf2\t\t\t\t1\t0\t0\t1\n" // Leaf2 has no position.
+                                 // Leaf3 and Fruit1 have incomplete positions.
                                  "\t+Leaf3\t1\t\t2\t1\t0\t0\t1\n"
                                  "\t+Fruit1\t1\tNA\t2\t1\t0\t0\t1\n"
-                                 "\t+Fruit2\t1\t0\t2\t1\t0\t0\t0\n" // An organ without direction.
+                                 "\t+Fruit2\t1\t0\t2\t1\t0\t0\t0\n" // Fruit2 has no direction.
                                  "\t+L1\t1\t0\t2\t1\t0\t0\t1\n");
     EXPECT_EQ(read.plant.organs.size(), 1u);
     ASSERT_EQ(read.warnings.size(), 1u);
@@ -224,7 +225,8 @@ TEST(MtgOrgans, ThatCannotBePlacedAreCountedAndNamed)
               "3 Leaf, 2 Fruit");
 }
 
-// In other files, L and O may be internodes, and must be read as such.
+// Without these columns, L and O may be internodes in files of other programs, and must be read as
+// such.
 TEST(MtgOrgans, AreOnlyThoseOfFilesWithTheirColumns)
 {
     auto const read = with_table("^<L3\t\t0\t0\t3\n\t+O1\t1\t0\t2\n\t+Leaf1\t1\t0\t2\n", "diam");
@@ -245,7 +247,7 @@ TEST(MtgOrgans, AreLeftOutWhereTheirSizesAreNone)
     EXPECT_TRUE(read.plant.organs.empty());
     ASSERT_EQ(read.warnings.size(), 1u);
     EXPECT_NE(read.warnings[0].find(": 6 L"), std::string::npos) << read.warnings[0];
-    // Tiny organs must not get infinite scales; check_plant() verifies this.
+    // Very small organs must not get infinite scales, which check_plant() would find.
     auto const small = with_table("\t+L1\t1\t0\t2\t0\t0\t0\t1\t1e-300\t9\n"
                                   "\t+L2\t1\t0\t2\t-1\t0\t0\t1\t0\t0\t9\n");
     EXPECT_EQ(small.plant.organs.size(), 2u);

@@ -51,7 +51,7 @@ TEST(Mtg, WritesTheFormatsTable)
               "^<S3\t\t\t0\t0\t300\t100\t8\t12\n");
 }
 
-// A plant of three trunks, two of them without anything on them.
+// Returns a plant of three trunks, two of which have no branches.
 Plant plant_of_three_trunks()
 {
     auto plant = small_plant();
@@ -78,7 +78,7 @@ TEST(Mtg, WritesOnePlantOfAllTrunks)
     auto const read = parse_mtg("tree.mtg", text);
     ASSERT_TRUE(read) << read.error().message;
     check_plant(*read);
-    // Axes are numbered by their order.
+    // Axes are numbered in the order of their branching orders.
     ASSERT_EQ(read->axes.size(), 4u);
     for (AxisId i = 0; i < 3; ++i)
         EXPECT_EQ(read->axes[i].parent_segment, kNone) << i;
@@ -88,9 +88,9 @@ TEST(Mtg, WritesOnePlantOfAllTrunks)
     EXPECT_EQ(written(*parse_mtg("tree.mtg", written(*read))), written(*read));
 }
 
-// As openalea.mtg's reader does: tabs open and close brackets, ^ goes on from the entity above, and
-// / of the same or a coarser class climbs to the complex. Returns the number of entities that each
-// entity of class P has below it without a parent: its trunks.
+// Reads the text like openalea.mtg: tabs open and close brackets, ^ continues from the entity
+// above, and / with the same or a coarser class climbs to the complex. Returns the number of trunks
+// of each entity of class P: the entities below it that have no parent.
 std::vector<int> trunks_as_in_openalea(std::string const& text)
 {
     std::vector<int> trunks;
@@ -102,7 +102,7 @@ std::vector<int> trunks_as_in_openalea(std::string const& text)
         auto const indent = line.find_first_not_of('\t');
         auto const code = line.substr(indent, line.find('\t', indent) - indent);
         bool const goes_on = code.front() == '^';
-        // openalea refuses a line that is further to the right and begins with ^.
+        // openalea refuses a line that begins with ^ further to the right than the line above.
         EXPECT_FALSE(goes_on && indent > indents.back()) << line;
         while (indent < indents.back())
             indents.pop_back();
@@ -111,7 +111,8 @@ std::vector<int> trunks_as_in_openalea(std::string const& text)
         auto const entity = code.substr(goes_on ? 1 : 0);
         if (entity.starts_with("/P"))
             trunks.push_back(0);
-        if (entity.starts_with("/A")) // An axis with + or < has a parent.
+        // An axis that begins with + or < has a parent, so it is not a trunk.
+        if (entity.starts_with("/A"))
             ++trunks.back();
     }
     return trunks;
@@ -126,7 +127,7 @@ TEST(Mtg, HasOnePlantForOtherReaders)
 TEST(Mtg, ReadsWhatItWrites)
 {
     auto plant = small_plant();
-    // A second axis on the same segment, one on the lateral, and one on the ground.
+    // Adds a second axis on the same segment, an axis on the lateral, and an axis on the ground.
     auto const add = [&](SegmentId on, AxisId parent, std::uint32_t order, Vec3 const& from,
                          Vec3 const& to) {
         plant.axes.push_back({ .first_node = static_cast<NodeId>(plant.node_position_mm.size()),
@@ -146,11 +147,12 @@ TEST(Mtg, ReadsWhatItWrites)
     auto const read = parse_mtg("tree.mtg", written(plant));
     ASSERT_TRUE(read) << read.error().message;
     check_plant(*read);
-    // Axes are numbered in the order of the file, which may differ from the plant's.
+    // Reading numbers the axes in the order of the file, which may differ from the order in the
+    // plant.
     EXPECT_EQ(written(*parse_mtg("tree.mtg", written(*read))), written(*read));
     ASSERT_EQ(read->axes.size(), plant.axes.size());
     ASSERT_EQ(read->segment_count(), plant.segment_count());
-    auto const lines = [](Plant const& of) { // Returns the lines of segments, sorted.
+    auto const lines = [](Plant const& of) { // Returns the lines of the segments in sorted order.
         std::vector<std::array<double, 8>> result;
         for (SegmentId i = 0; i < of.segment_count(); ++i) {
             auto const [base, tip] = nodes_of(of, i);
@@ -163,11 +165,11 @@ TEST(Mtg, ReadsWhatItWrites)
         std::sort(result.begin(), result.end());
         return result;
     };
-    EXPECT_EQ(lines(*read), lines(plant)); // Equal to the last digit.
+    EXPECT_EQ(lines(*read), lines(plant)); // The numbers must be equal to the last digit.
 }
 
-// Conventions of fieldwork: branches named in the column of their parent, or one further to the
-// right; intermediate entities omitted; entities without a position.
+// In fieldwork there are several conventions: a branch may be named in the column of its parent or
+// one further to the right, intermediate entities may be omitted, and entities may lack a position.
 TEST(Mtg, ReadsBothWaysToNameBranches)
 {
     auto const below = parse_mtg("tree.mtg",
@@ -199,7 +201,8 @@ TEST(Mtg, ReadsBothWaysToNameBranches)
     ASSERT_TRUE(beside) << beside.error().message;
     ASSERT_EQ(beside->axes.size(), 2u);
     EXPECT_EQ(beside->axes[0].segment_count, 2u);
-    EXPECT_EQ(beside->node_position_mm[2], Vec3(0, 0, 3000)); // In metres, since it is so small.
+    // The numbers are so small that they must be in metres.
+    EXPECT_EQ(beside->node_position_mm[2], Vec3(0, 0, 3000));
     EXPECT_EQ(beside->node_radius_mm[0], 20'000);
 }
 

@@ -19,7 +19,7 @@ TEST(PipeModel, ConservesWoodAtTheFork)
         auto plant = small_plant();
         apply_pipe_model(plant, exponent, 1.5);
         check_plant(plant);
-        // The trunk's first segment bears its second one and the lateral axis.
+        // The first segment of the trunk carries its second segment and the lateral axis.
         double const sum
             = std::pow(radius(plant, 1), exponent) + std::pow(radius(plant, 4), exponent);
         EXPECT_NEAR(std::pow(radius(plant, 0), exponent), sum, 1e-5 * sum);
@@ -31,7 +31,7 @@ TEST(PipeModel, ConservesWoodAtTheFork)
 TEST(PipeModel, KeepsTheRadiusUpToATerminalFork)
 {
     auto plant = small_plant();
-    plant.axes[1].parent_segment = 2; // The axis now begins at the trunk's tip.
+    plant.axes[1].parent_segment = 2; // The lateral axis now begins at the tip of the trunk.
     auto second = plant.axes[1];
     second.first_node = 7;
     second.first_segment = 5;

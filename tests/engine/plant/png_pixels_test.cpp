@@ -20,7 +20,7 @@ Result<PixelRows> read(std::string const& bytes, std::int64_t most_pixels = kMax
     return rows;
 }
 
-// Returns two columns and three rows of different pixels.
+// Returns a picture of two columns and three rows of different pixels.
 PixelRows six_pixels(std::uint8_t alpha)
 {
     PixelRows rows { 2, 3, {} };
@@ -56,16 +56,16 @@ TEST(PngPixels, RefuseWhatIsDamagedOrTooLarge)
     EXPECT_EQ(large.error().message,
               "the picture has 2 x 3 pixels, more than 0 million: make it smaller");
     EXPECT_EQ(large.error().fault, Fault::User);
-    // The end chunk itself may be missing.
+    // A file is valid without its end chunk, so the truncation begins before that chunk.
     for (std::size_t size = 0; size < png.size() - 12; ++size)
         EXPECT_FALSE(read(png.substr(0, size))) << size;
-    // A header that claims 65,536 x 65,536 pixels.
+    // The header is changed to claim 65,536 x 65,536 pixels.
     auto claims = png;
     claims.replace(16, 8, std::string("\0\1\0\0\0\1\0\0", 8));
     EXPECT_FALSE(read(claims));
 }
 
-// Appends a chunk: length, type, data, checksum.
+// Appends a chunk to a PNG: its length, type, data and checksum.
 void add_chunk(std::string& png, std::string const& type, std::string const& data)
 {
     auto const add_number = [&](std::uint64_t number) {
@@ -87,7 +87,7 @@ struct Header {
     char interlaced = 0;
 };
 
-// Returns a PNG with these bytes as its rows, in chunks of `chunk_bytes`.
+// Returns a PNG whose uncompressed rows are the given bytes, in data chunks of `chunk_bytes`.
 std::string png_of(Header const& header, std::string const& rows, std::size_t chunk_bytes = 1 << 20)
 {
     std::string text;
@@ -115,7 +115,7 @@ TEST(PngPixels, MayBeOfAnyDepthInterlacedAndInManyChunks)
     EXPECT_TRUE(read(png_of({ 5, 5, 16, 6, 0 }, std::string(205, '\0'), 1)));
 }
 
-// A file of 20 kB that inflates to 20 MB.
+// A file of 20 kB whose data would inflate to 20 MB must be refused.
 TEST(PngPixels, RefuseToInflateFarMoreThanTheyAre)
 {
     auto const bomb = png_of({ 10, 10 }, std::string(20'000'000, '\0'));

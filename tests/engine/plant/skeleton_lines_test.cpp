@@ -9,7 +9,8 @@
 namespace tractus {
 namespace {
 
-// Returns a plant's segments as separate lines, some of them reversed, in another order.
+// Returns the segments of a plant as separate lines in another order. Some of the lines are
+// reversed.
 std::vector<SkeletonPiece> pieces_of(Plant const& plant)
 {
     std::vector<SkeletonPiece> pieces;
@@ -38,7 +39,7 @@ TEST(SkeletonLines, BecomeThePlantThatTheyWereTakenFrom)
     std::sort(counts.begin(), counts.end());
     EXPECT_EQ(counts, (std::vector<std::uint32_t> { 2, 2, 3, 4 }));
     EXPECT_EQ(found->axes.back().order, 2u);
-    // Thicker at the base, by the pipe model.
+    // By the pipe model, the trunk is thicker at its base.
     EXPECT_GT(found->node_radius_mm[0], found->node_radius_mm[4]);
 }
 
@@ -66,7 +67,7 @@ TEST(SkeletonLines, CutALoopAndKeepPartsApart)
     };
     auto const plant = plant_from_lines("x", pieces).value();
     check_plant(plant);
-    EXPECT_EQ(plant.segment_count(), 5u); // One of the loop's four lines is cut.
+    EXPECT_EQ(plant.segment_count(), 5u); // A loop of four lines is cut at one of them.
     EXPECT_EQ(std::count_if(plant.axes.begin(), plant.axes.end(),
                             [](Axis const& axis) { return axis.parent_axis == kNone; }),
               2);
@@ -93,7 +94,8 @@ TEST(ObjLines, AreReadYUpAndInMetres)
     EXPECT_EQ((*pieces)[1].to_mm, Vec3(500, -250, 1500));
     EXPECT_EQ((*pieces)[2].from_mm, Vec3(0, 0, 0));
     auto const large = parse_obj_lines("a.obj", "v 0 0 0\nv 0 900 0\nl 1 2\n").value();
-    EXPECT_EQ(large[0].to_mm, Vec3(0, 0, 900)); // The lengths are already in millimetres.
+    // The coordinates are so large that they are read as millimetres.
+    EXPECT_EQ(large[0].to_mm, Vec3(0, 0, 900));
 }
 
 TEST(ObjLines, SayWhatIsWrongAndWhere)

@@ -4,8 +4,9 @@
 
 namespace tractus {
 
-// Returns a vertical trunk of three segments of 100 mm, and an axis of two segments of 50 mm to the
-// right (+x) from the end of the trunk's first segment, with a leaf at its tip.
+// Returns a vertical trunk of three segments of 100 mm with a lateral axis of two segments of 50
+// mm. The axis leads to the right (+x) from the end of the trunk's first segment, and has a leaf at
+// its tip.
 inline Plant small_plant()
 {
     Plant plant;

@@ -7,7 +7,8 @@
 namespace tractus {
 namespace {
 
-// Adds an axis of one segment on another, and recursively two on its end, down to a depth.
+// Adds an axis of one segment to another axis. Then adds two axes to its end, recursively, down to
+// the given depth.
 void add_forks(Plant& plant, AxisId parent, Vec3 const& foot_mm, double length_mm, double aside_mm,
                int depth)
 {
@@ -45,7 +46,8 @@ TEST(TreeMeasures, HortonsRatiosOfATreeThatForksEvenly)
     EXPECT_EQ(measures.internodes, 63U);
     EXPECT_EQ(measures.strahler, 6);
     EXPECT_NEAR(measures.bifurcation_ratio, 2, 1e-9);
-    EXPECT_NEAR(measures.length_ratio, 2, 0.05); // The lateral branches lean slightly.
+    // The lateral branches lean slightly, so the ratio is not exact.
+    EXPECT_NEAR(measures.length_ratio, 2, 0.05);
     EXPECT_NEAR(measures.pipe_exponent, 2.5, 0.002);
     EXPECT_NEAR(measures.height_mm, 4000 * (2 - 1.0 / 32), 1e-9);
     EXPECT_NEAR(measures.breast_diameter_mm, 2 * plant.node_radius_mm[0], 1e-9);

@@ -9,7 +9,7 @@ namespace {
 
 TEST(DeskPlacement, FitsAHighPlantToTheVolumesHeight)
 {
-    // The plant is 300 mm high and extends 100 mm to one side: the height is decisive.
+    // The plant is 300 mm high and extends 100 mm to one side, so its height limits the scale.
     auto const placement = place_on_desk(small_plant(), { .width_mm = 250, .height_mm = 150 });
     EXPECT_DOUBLE_EQ(placement.scale, 0.5);
     EXPECT_DOUBLE_EQ(placement.shown_height_mm, 150);
@@ -19,7 +19,8 @@ TEST(DeskPlacement, FitsAHighPlantToTheVolumesHeight)
 TEST(DeskPlacement, FitsAWidePlantToTheVolumesWidth)
 {
     auto const placement = place_on_desk(small_plant(), { .width_mm = 50, .height_mm = 300 });
-    EXPECT_DOUBLE_EQ(placement.scale, 0.25); // 100 mm to the right in half of 50 mm.
+    // The plant extends 100 mm to the right, for which half of the width of 50 mm is available.
+    EXPECT_DOUBLE_EQ(placement.scale, 0.25);
     EXPECT_DOUBLE_EQ(placement.shown_height_mm, 75);
 }
 
@@ -46,12 +47,14 @@ TEST(SelectionView, ShowsTheWholePlantOnTheTabletFromTheFront)
         EXPECT_LT(std::abs(shown.x()), volume.width_mm / 2);
         EXPECT_LT(std::abs(shown.y()), volume.depth_mm / 2);
     }
-    // A higher point on the plant is farther up on the tablet, and the plant is centred.
+    // A higher point of the plant is shown farther up on the tablet. The plant is shown in the
+    // middle.
     EXPECT_GT(view.tablet_of_plant({ 0, 0, 300 }).y(), view.tablet_of_plant({ 0, 0, 0 }).y());
     EXPECT_NEAR(view.tablet_of_plant({ 50, 0, 150 }).norm(), 0, 1e-9);
 }
 
-// Returns a trunk with `laterals` axes of the first order, each with one of the second.
+// Returns a trunk with `laterals` axes of the first order. Each of them has one axis of the second
+// order.
 Plant bushy_plant(std::uint32_t laterals)
 {
     Plant plant;
@@ -104,11 +107,11 @@ TEST(SelectionView, ProjectsAsItShows)
 
 TEST(SelectionView, LooksFromWhereOneStands)
 {
-    // Seen from the right, what is far from the user is on the right.
+    // Seen from the right, points that are far from the user are on the right of the view.
     auto const plant = small_plant();
     auto const side = fit_selection_view(plant, { .azimuth_deg = 90 });
     EXPECT_GT(side.tablet_of_plant({ 0, 50, 0 }).x(), side.tablet_of_plant({ 0, -50, 0 }).x());
-    // The far side is farther up on the tablet when seen from above, too.
+    // Seen from above, points on the far side are also farther up on the tablet.
     auto const high = fit_selection_view(plant, { .elevation_deg = 80 });
     EXPECT_GT(high.tablet_of_plant({ 0, 50, 0 }).y(), high.tablet_of_plant({ 0, -50, 0 }).y());
 

@@ -12,7 +12,8 @@
 namespace tractus::scene {
 namespace {
 
-// Returns a trunk of six internodes with a branch of two and, optionally, another branch below it.
+// Returns a model of a trunk with six internodes and a branch with two. Optionally, the trunk has
+// another branch below that one.
 LoadModel model(bool has_branch, bool has_lower = false, Drawn drawn = Drawn::Keep)
 {
     std::string const lower = has_lower ? "[-(50)F(9)]" : "";
@@ -36,7 +37,7 @@ Stroke stroke_to(Vec3 const& end)
     return stroke;
 }
 
-// Returns a scene in which the branch was selected and drawn.
+// Returns a scene in which the branch was selected and a stroke was drawn for it.
 Scene drawn_branch()
 {
     auto const scene = after({ model(true) });
@@ -72,7 +73,7 @@ TEST(DrawnEdits, AStrokeStaysWithItsBranchWhenOthersCome)
 {
     auto const scene = after({ model(true, true) }, drawn_branch());
     ASSERT_FALSE(scene.associations[0].what.is_orphaned);
-    // The new branch is now the first one; the stroke is still on the branch of two internodes.
+    // The new branch now comes first. The stroke must still be on the branch of two internodes.
     auto const path = scene.associations[0].what.path;
     ASSERT_EQ(path.size(), 2u);
     EXPECT_EQ(scene.base->axes[axis_of(*scene.base, path[0])].segment_count, 2u);
@@ -86,7 +87,7 @@ TEST(DrawnEdits, AnIndicatorOnABranchIsOrphanedToo)
         scene);
     auto const without = after({ model(false) }, scene);
     EXPECT_TRUE(without.indicators[0].what.is_orphaned);
-    // The indicator must not affect the whole plant.
+    // Without its branch, the indicator must not affect the whole plant instead.
     for (auto const& node : plant_of(without).node_position_mm)
         EXPECT_EQ(node.y(), 0);
     auto const moved = after(
@@ -111,7 +112,7 @@ TEST(DrawnEdits, TakingAStrokeAwayBringsTheEarlierBack)
 TEST(DrawnEdits, RedrawingAPartMovesThePlant)
 {
     auto const scene = drawn_branch();
-    Stroke over; // A stroke from the first stroke's middle to another place.
+    Stroke over; // A stroke that leads from the middle of the first stroke to another place.
     for (int i = 0; i <= 20; ++i)
         over.tips.push_back({ .time = timestamp_ns(i * 5'000'000),
                               .position_mm = Vec3(15, 10, 75) + i * Vec3(-5, 2, 0),
@@ -175,8 +176,8 @@ TEST(DrawnEdits, ErasingRefusesToLeaveWhatShapesNothing)
     EXPECT_FALSE(apply_edit(scene, EraseTips { numbered({ 0 }), {} }));
     EXPECT_FALSE(apply_edit(scene, EraseTips { numbered({ 1 }), { { 0, 1 } } }));
     EXPECT_FALSE(apply_edit(scene, EraseTips { numbered({}), { { 0, 1 } } }));
-    // A stroke that returns to its beginning except for its last tips, so it has no chord without
-    // them.
+    // The stroke returns to its beginning, and only its last tips lead away from there. Without
+    // these tips it has no chord.
     Stroke loop;
     for (double const x : { 0.0, 10.0, 20.0, 10.0, 0.0, -10.0 })
         loop.tips.push_back({ .position_mm = { x, std::abs(x - 5), 0 }, .touching = true });
@@ -223,7 +224,8 @@ TEST(DrawnEdits, ASkeletonOfAnotherProgramIsAPlantLikeAnother)
     EXPECT_GT(plant_of(scene).node_position_mm[2].x(), 20);
 }
 
-// Returns a trunk of two cylinders with a branch on the lower one.
+// Returns an edit that loads a measured tree: a trunk of two cylinders, with a branch on the lower
+// one.
 LoadMeasured measured(std::string const& more = "")
 {
     return { .name = "tree.csv",
@@ -240,7 +242,7 @@ TEST(DrawnEdits, AMeasuredTreeIsAPlantLikeAnother)
     auto const bare = after({ measured() });
     EXPECT_EQ(bare.model_name, "tree.csv");
     ASSERT_EQ(bare.base->axes.size(), 2u);
-    // The tree is two metres high, and shown at the height of the drawing volume.
+    // The tree is two metres high. It must be shown at the height of the drawing volume.
     EXPECT_NEAR(bare.placement.scale * 2000, DrawingVolume().height_mm, 1e-6);
 
     auto const scene = after(
@@ -249,7 +251,7 @@ TEST(DrawnEdits, AMeasuredTreeIsAPlantLikeAnother)
     auto const drawn = plant_of(scene);
     EXPECT_GT((drawn.node_position_mm.back() - bare.base->node_position_mm.back()).norm(), 100);
 
-    // The branch must be found again in the same tree when more of it was measured.
+    // If more of the same tree was measured, the branch must be found again in it.
     auto const grown = after({ measured("4,2,500,200,12,500,200,13,0.05\n") }, scene);
     ASSERT_EQ(grown.associations.size(), 1u);
     EXPECT_FALSE(grown.associations[0].what.is_orphaned);
@@ -263,7 +265,7 @@ TEST(DrawnEdits, AMeasuredTreeThatIsNoneChangesNothing)
               "tree.csv:5: found x in column 2, expected a number");
 }
 
-// A session may come from anyone, with any times.
+// A session file may come from an untrusted author, so its times may be arbitrary.
 TEST(DrawnEdits, AreDescribedWhateverTheirTimes)
 {
     Associate edit { stroke_towards({ 0, 0, 0 }) };

@@ -10,13 +10,13 @@
 
 namespace tractus::scene {
 
-// Names strokes as in sessions before format 4: by their numbers in the scene's list.
+// Names strokes by their numbers in the scene's list, as sessions did before format 4.
 inline Items numbered(std::initializer_list<std::uint64_t> numbers)
 {
     return { .numbers = numbers };
 }
 
-// Returns the ids of strokes given by their numbers in the scene's list.
+// Returns the ids of the strokes with the given numbers in the scene's list.
 inline std::vector<ItemId> ids_of(Scene const& scene, std::initializer_list<std::size_t> numbers)
 {
     std::vector<ItemId> ids;
@@ -25,7 +25,7 @@ inline std::vector<ItemId> ids_of(Scene const& scene, std::initializer_list<std:
     return ids;
 }
 
-// Returns a stroke of 21 tips that rises by 100 mm and meanwhile moves to `end_mm`.
+// Returns a stroke of 21 tips that rises by 100 mm and moves sideways to `end_mm`.
 inline Stroke stroke_towards(Vec3 const& end_mm)
 {
     Stroke stroke;
@@ -36,7 +36,7 @@ inline Stroke stroke_towards(Vec3 const& end_mm)
     return stroke;
 }
 
-// Returns the scene after edits, none of which may be refused.
+// Returns the scene after all of the given edits. The test fails if one of them is refused.
 inline Scene after(std::vector<Edit> const& edits, Scene scene = {})
 {
     for (auto const& edit : edits) {

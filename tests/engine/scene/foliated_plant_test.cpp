@@ -8,8 +8,8 @@
 namespace tractus::scene {
 namespace {
 
-// Returns a stem with a leaf of 50 mm (including 10 mm of petiole), a needle, and a disc of a
-// leaf's material.
+// Returns a stem with a leaf, a needle and a disc. The leaf is 50 mm long, including a petiole of
+// 10 mm. The disc has the material of a leaf.
 Plant small_plant()
 {
     Plant plant;
@@ -66,7 +66,7 @@ TEST(Foliated, HasGrownLeavesInThePlaceOfItsOwn)
     EXPECT_EQ(other.materials[1].base_color, plant.materials[1].base_color) << "of the needles";
 }
 
-// When grown leaves are replaced, the length of their blades stays.
+// If grown leaves are replaced again, the length of their blades must stay.
 TEST(Foliated, CanBeDressedAgain)
 {
     auto const once = foliated(small_plant(), small_sheet());

@@ -10,7 +10,8 @@
 namespace tractus::scene {
 namespace {
 
-// Returns a trunk of four internodes with a branch of two at the end of each of its first three.
+// Returns a trunk of four internodes. At the end of each of its first three internodes is a branch
+// of two internodes.
 LoadModel tree(Vec3 const& stands_at_mm = Vec3::Zero())
 {
     return { .source = { .name = "tree.l",
@@ -26,7 +27,7 @@ struct Two {
     ItemId host = scene.plants[0]->drawn->id;
     ItemId guest = scene.plants[1]->drawn->id;
 
-    // Returns an edit that grafts the second plant onto the end of a segment of the first.
+    // Returns an edit that grafts the second plant on the end of a segment of the first plant.
     GraftPlant on(SegmentId segment, Vec3 const& turn_rad = Vec3::Zero()) const
     {
         auto const& plant = *scene.plants[0];
@@ -196,8 +197,8 @@ TEST(HiddenBranches, AreKeptWithWhatWasDrawnOnThem)
     EXPECT_FALSE(apply_edit(shown, HideBranch { host, at, false }));
 }
 
-// Each segment's address must lead back to it, whatever was grafted and hidden; existing segments
-// keep their addresses.
+// Whatever was grafted and hidden, the address of each segment must lead to that segment. Existing
+// segments must keep their addresses.
 RC_GTEST_PROP(Grafts, KeepAddresses, ())
 {
     Two const two;

@@ -24,8 +24,8 @@ variation::Selection axes_of(Plant const& plant, std::initializer_list<std::size
     return paths;
 }
 
-// Returns a scene with strokes on the trunk, on both branches at once, and on the trunk again:
-// edits 3, 5 and 7.
+// Returns a scene with strokes on the trunk, on both branches at once, and on the trunk again. They
+// are the edits 3, 5 and 7.
 Scene drawn()
 {
     auto const scene = after({ trunk_with_branches() });
@@ -48,7 +48,8 @@ TEST(ItemIds, TellTheEditThatMadeAnItem)
     EXPECT_EQ(list_names({ item_id(3, 0), item_id(5, 1), item_id(7, 0) }), "3, 5.2 and 7");
 }
 
-// Two erasers used at once: what one removes must not change the names used by the other.
+// If two erasers are used at once, the effect of one must not change which strokes the other one
+// names.
 TEST(ItemIds, MeanTheSameStrokeWhateverElseIsTakenAway)
 {
     auto const scene = drawn();
@@ -74,7 +75,7 @@ TEST(ItemIds, AreNeverGivenAgain)
     EXPECT_GT(scene.associations[3].id, last);
 }
 
-// When a repair removes an edit from a session, the remaining strokes must keep their ids.
+// If a repair removes an edit from a session, the remaining strokes must keep their ids.
 TEST(ItemIds, GoWithTheirEdit)
 {
     auto const scene = after({ trunk_with_branches() });
@@ -107,7 +108,8 @@ TEST(ItemIds, ChangeTheIndicatorThatIsMeant)
         << "it stays there";
 }
 
-// Segments are renumbered when a branch is added below; the place must still be the same.
+// If a branch is added further down, the segments get other numbers. An address must still lead to
+// the same place.
 TEST(Places, AreFoundInAPlantThatHasChangedElsewhere)
 {
     auto const before = after({ trunk_with_branches() });
@@ -120,8 +122,8 @@ TEST(Places, AreFoundInAPlantThatHasChangedElsewhere)
               scene.base->axes[0].first_segment + 2);
 }
 
-// The selection refers to a place that is missing if the model has changed since the session was
-// drawn.
+// The selection may refer to a place that the plant does not have, if the model has changed since
+// the session was drawn. That part of the selection must wait.
 TEST(Places, ThatThePlantHasNotWait)
 {
     auto const scene = after({ trunk_with_branches(), Select { .at = { { { 0, 0 }, { 0, 99 } } } },

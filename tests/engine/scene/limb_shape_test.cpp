@@ -80,12 +80,13 @@ TEST(LimbShape, ThickenWhereThePenIsPressedHarder)
     EXPECT_LT(ratio(3 * axis.segment_count / 4), 0.9f);
 }
 
-// However the whole drawing stands about the vertical.
+// If the whole drawing is rotated about the vertical axis, the limb must be rotated with it.
 RC_GTEST_PROP(LimbShape, TurnWithTheDrawing, ())
 {
     double const turned_deg = *rc::gen::inRange(-180, 180);
     auto const segment = *rc::gen::inRange<SegmentId>(0, 40);
-    // The turtle turns right by a positive "/": a left-handed turn about the way up.
+    // A positive "/" makes the turtle turn to the right, which is a left-handed rotation about the
+    // upward direction.
     auto const one = tree_scene();
     auto const other = tree_scene(turned_deg);
     Vec3 const tip_mm = one.base->positions(one.base->axes[1]).back();

@@ -71,7 +71,7 @@ TEST(LimbStrokes, FollowWhatBearsThem)
     auto const nodes_mm = bent_nodes(scene);
     EXPECT_GT(nodes_mm[3].x(), 50) << "the trunk leans";
     EXPECT_LT((nodes_mm[limb.first_node] - nodes_mm[3]).norm(), 1e-9);
-    // A limb drawn on the leaning trunk stands where it was drawn.
+    // A limb drawn on the leaning trunk must stand where it was drawn.
     variation::RestShape const& rest = *scene.rest;
     SceneShaper shaper;
     ASSERT_TRUE(shaper.set_plant(scene));
@@ -90,7 +90,8 @@ TEST(LimbStrokes, FollowWhatBearsThem)
 TEST(LimbStrokes, AreInEveryPlantOfACollection)
 {
     auto scene = tree_scene();
-    auto const twig = scene.base->axes[3].first_segment + 1; // A twig's bearer must stay, too.
+    // The limb grows on a twig, so the parent of this twig must stay, too.
+    auto const twig = scene.base->axes[3].first_segment + 1;
     scene = after({ on_segment(scene, twig, winding({ 0, 0, 500 }, 300)) }, scene);
     auto const kept = variation::axes_below_paths(*scene.base, drawn_paths(scene));
     Vec3 const tip_mm = scene.base->positions(limb_axis(scene)).back();

@@ -14,8 +14,8 @@
 
 namespace tractus::scene {
 
-// A trunk of six internodes of 100 mm, turned about the vertical, with five branches, each with six
-// twigs that alternate and leaves on the twigs.
+// Returns a model of a trunk with six internodes of 100 mm, rotated about the vertical axis. It has
+// five branches, each with six alternate twigs.
 inline LoadModel leafy_tree(double turned_deg = 0)
 {
     return { .source
@@ -41,7 +41,7 @@ inline Stroke stroke_of(std::vector<Vec3> const& places_mm, double pressure = 0.
     return stroke;
 }
 
-// The edit that shapes the selected branches, or what they bear, by a stroke that hangs.
+// Returns an edit that shapes the selected branches, or their descendants, by a hanging stroke.
 inline Associate shaping(variation::Propagation propagation)
 {
     return { .stroke = stroke_towards({ 0, 150, -120 }),
@@ -49,7 +49,7 @@ inline Associate shaping(variation::Propagation propagation)
              .laying = variation::StrokeLaying::HeadingAndPitch };
 }
 
-// A stroke that begins at a place and winds upwards and outwards.
+// Returns the points of a stroke that begins at `from_mm` and winds upwards and outwards.
 inline std::vector<Vec3> winding(Vec3 const& from_mm, double length_mm)
 {
     std::vector<Vec3> places_mm;
@@ -61,7 +61,7 @@ inline std::vector<Vec3> winding(Vec3 const& from_mm, double length_mm)
     return places_mm;
 }
 
-// The edit that draws a limb at the end of a segment of the active plant.
+// Returns an edit that draws a limb at the end of a segment of the active plant.
 inline DrawLimb on_segment(Scene const& scene, SegmentId segment,
                            std::vector<Vec3> const& places_mm)
 {

@@ -139,7 +139,8 @@ TEST(Limbs, AreRefusedWhereTheyMakeNoSense)
     EXPECT_NE(off.error().message.find("erase it"), std::string::npos);
 }
 
-// Whatever is drawn where: the plant is sound, and what was there before keeps its addresses.
+// Whatever is drawn and wherever, the plant must be valid, and its existing segments must keep
+// their addresses.
 RC_GTEST_PROP(Limbs, KeepThePlantSound, ())
 {
     auto scene = tree_scene();
@@ -153,7 +154,7 @@ RC_GTEST_PROP(Limbs, KeepThePlantSound, ())
                                    *rc::gen::inRange(-50, 900));
         auto const edit = on_segment(scene, segment, places_mm);
         auto next = apply_edit(scene, edit);
-        RC_PRE(bool(next)); // All places may be the same.
+        RC_PRE(bool(next)); // The drawing of a limb may fail, since all of its points may be equal.
         auto const before = std::exchange(scene, *std::move(next));
         check_plant(*scene.base);
         RC_ASSERT(limb_segments(scene).size() == static_cast<std::size_t>(i) + 1);

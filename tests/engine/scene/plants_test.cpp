@@ -7,7 +7,7 @@
 namespace tractus::scene {
 namespace {
 
-// Returns a trunk of a given number of internodes with one branch.
+// Returns a model of a trunk with the given number of internodes and one branch.
 LoadModel model(int internodes, Drawn drawn = Drawn::Beside,
                 Vec3 const& stands_at_mm = Vec3::Zero())
 {
@@ -64,7 +64,7 @@ TEST(Plants, TakeWhatIsDrawnOneAtATime)
     EXPECT_FALSE(apply_edit(scene, ActivatePlant { item_id(9, 0) }));
 }
 
-// A stroke is identified by its id, whichever plant is active.
+// The id of a stroke must identify it, whichever plant is active.
 TEST(Plants, KeepTheirStrokesApart)
 {
     auto scene = after({ model(3) });
@@ -91,8 +91,8 @@ TEST(Plants, AreShownInOneSize)
     EXPECT_FALSE(apply_edit(both, SetScale { std::nan("") }));
 }
 
-// A plant at another position must be the same plant, and a motion indicator beside it must have
-// the same effect.
+// A plant at another position must be the same plant. A motion indicator beside it must have the
+// same effect.
 TEST(Plants, GrowAlikeWhereverTheyStand)
 {
     Vec3 const there_mm(80, -30, 0);
@@ -162,7 +162,8 @@ TEST(Plants, AnotherModelTakesThePlaceOfTheActiveOneAlone)
     EXPECT_EQ(scene.plants[1]->base->segment_count(), 7u);
 }
 
-// One builder for successive states must give the same results as a new one for each of them.
+// A builder that builds successive states must give the same results as a new builder for each
+// state.
 TEST(SceneBuilder, BuildsWhatHasChangedAndNothingElse)
 {
     SceneBuilder builder;
@@ -181,7 +182,8 @@ TEST(SceneBuilder, BuildsWhatHasChangedAndNothingElse)
     EXPECT_EQ(again.associations[0].what.path.data(), again.associations[1].what.path.data())
         << "a branch that is drawn again is looked up once";
     EXPECT_EQ(again.associations[0].what.path.vector(), segments_of(two.base->axes[0]));
-    // Returns to an earlier state, and continues with an equal source: nothing is derived again.
+    // Returns to an earlier state, and then continues with an equal source. Nothing must be derived
+    // again.
     EXPECT_EQ(builder.build(drawn.state).value().base, two.base);
     auto const keeping = apply(model(5, Drawn::Keep));
     EXPECT_NE(keeping.base, two.base) << "its edit is another one";

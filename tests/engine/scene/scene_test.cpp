@@ -8,7 +8,7 @@
 namespace tractus::scene {
 namespace {
 
-// Returns a model with a trunk of six internodes and one branch of two.
+// Returns a model of a trunk with six internodes and one branch of two internodes.
 LoadModel small_model()
 {
     return { .source = { .name = "small.l",
@@ -17,7 +17,7 @@ LoadModel small_model()
                                  "A --> A\nendlsystem\n" } };
 }
 
-// Returns a stroke that rises and bends to the right.
+// Returns a stroke that rises while it bends to the right.
 Stroke bent_stroke()
 {
     Stroke stroke;
@@ -121,7 +121,7 @@ TEST(Scene, GrowsTheDrawnShapeWithoutNoise)
     variation::Grower grower(*plan);
     auto const& plant = grower.grow({ 1, 0 });
     check_plant(plant);
-    // The trunk now leans to the right, with its length unchanged.
+    // The trunk now leans to the right, but its length has not changed.
     EXPECT_GT(plant.node_position_mm[6].x(), 50);
     EXPECT_NEAR(axis_length_mm(plant, plant.axes[0]),
                 axis_length_mm(*scene.base, scene.base->axes[0]), 1e-6);

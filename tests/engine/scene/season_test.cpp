@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kLeaves = 2000;
 
-// Returns a stem with organs of one shape all along it.
+// Returns a stem with organs of the same shape along its whole length.
 Plant leafy_plant(OrganShape shape, Material::Kind kind = Material::Kind::Leaf)
 {
     Plant plant;
@@ -35,7 +35,7 @@ Plant leafy_plant(OrganShape shape, Material::Kind kind = Material::Kind::Leaf)
 struct Count {
     int on_plant = 0;
     int on_ground = 0;
-    double green = 0; // Mean of green over red of all leaves.
+    double green = 0; // Mean ratio of green to red over all leaves.
 };
 
 Count count_of(Plant const& plant)
@@ -95,7 +95,7 @@ TEST(Season, HasAllLeavesInSummerAndNoneInWinter)
     EXPECT_EQ(at(1.5, 1).on_ground, kLeaves);
     EXPECT_EQ(at(1.5, 0).on_ground, 0);
     EXPECT_EQ(at(3.5, 1).on_ground, 0) << "the leaves of last year have gone";
-    // Tolerance: three standard deviations of a binomial distribution.
+    // The tolerance is three standard deviations of a binomial distribution.
     EXPECT_NEAR(at(1.5, 0.25).on_ground, 0.25 * kLeaves, 3 * std::sqrt(0.1875 * kLeaves));
 }
 
@@ -121,8 +121,8 @@ TEST(Season, TurnsGreenLeavesYellow)
     EXPECT_GT(at(4.6).green, 1.1);
 }
 
-// A leaf keeps its picture while it is as green as in it; a discoloured leaf with the picture would
-// look as in summer.
+// A leaf must keep its picture as long as it is as green as the picture. With the picture, a
+// discoloured leaf would look as in summer.
 TEST(Season, KeepsThePicturesOfGreenLeaves)
 {
     auto plant = leafy_plant({ .kind = OrganShape::Kind::Surface });
@@ -231,7 +231,7 @@ TEST(Season, TakesGrownLeavesOfItsAge)
     EXPECT_EQ(material.textures.base_color, sheets.begin()->second->color);
     EXPECT_EQ(material.base_color, sheets.begin()->second->mean_color);
     EXPECT_EQ(aged.materials.size(), plant.materials.size()) << "one material for all leaves";
-    // Without the leaf sheet, it is the same leaf in other colours.
+    // Without a leaf sheet, the leaf must have the same shape in other colours.
     auto const tinted = in_season(plant, autumn, {});
     EXPECT_EQ(tinted.organ_shapes[tinted.organs[0].shape].cut, shape.cut);
     EXPECT_LT(count_of(tinted).green, 1.1);

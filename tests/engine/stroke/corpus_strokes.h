@@ -9,9 +9,9 @@
 
 namespace tractus {
 
-// Reads strokes that people drew in space, from a text of `S <points> <brush> <size>` lines, each
-// followed by that many lines `x y z pressure t_ms` (x right, y up, z forward, about 1 dm per
-// unit). The result is in the world frame, in millimetres. Strokes of one point are left out.
+// Reads strokes that people drew in space. In the text, a line `S <points> <brush> <size>` precedes
+// as many lines `x y z pressure t_ms` (x right, y up, z forward, about 1 dm per unit). The result
+// is in the world frame, in millimetres. Strokes with a single point are left out.
 inline std::vector<std::vector<Vec3>> read_strokes(std::filesystem::path const& file)
 {
     std::vector<std::vector<Vec3>> strokes;

@@ -9,7 +9,7 @@
 namespace tractus {
 namespace {
 
-// Returns a stroke along x, with a tip every millimetre.
+// Returns a stroke along x with `count` tips, one every millimetre.
 Stroke level(std::size_t count)
 {
     std::vector<Vec3> points;
@@ -63,7 +63,7 @@ TEST(EraseTips, RefusesRangesThatDoNotFitTheStroke)
         EXPECT_FALSE(without(level(6), ranges));
 }
 
-// Whatever is erased, the other tips must stay unchanged, in their order.
+// Whichever tips are erased, all other tips must stay unchanged and in their order.
 RC_GTEST_PROP(EraseTips, KeepsAllOthers, ())
 {
     auto const flags = *rc::gen::container<std::vector<bool>>(rc::gen::arbitrary<bool>());

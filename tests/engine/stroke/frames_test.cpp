@@ -29,7 +29,8 @@ TEST(Frames, DoNotTurnAboutTheTangent)
 {
     auto const frames = rotation_minimising_frames(helix(200));
     for (std::size_t i = 1; i < frames.size(); ++i) {
-        // The change of the normal has no component along the binormal, up to second order.
+        // Parallel transport: up to second order, the change of the normal must have no component
+        // along the binormal.
         Vec3 const middle = (frames[i].binormal() + frames[i - 1].binormal()) / 2;
         EXPECT_NEAR((frames[i].normal - frames[i - 1].normal).dot(middle), 0, 1e-12);
     }

@@ -8,7 +8,8 @@
 namespace tractus {
 namespace {
 
-// Returns ten tips along a direction, 1 mm apart, of a pen that leans to +x.
+// Returns ten tips, each displaced by `way` (in mm) from the previous one. If `lean_deg` is given,
+// the pen leans by this angle to +x.
 std::vector<TipSample> tips_along(Vec3 const& way, std::optional<double> lean_deg)
 {
     std::vector<TipSample> tips(10);
@@ -47,8 +48,8 @@ TEST(Nib, LeavesAllOfItsSideWhereItRests)
     EXPECT_DOUBLE_EQ(broadening(Nib::Side, std::vector { tips_along(Vec3::UnitX(), 65)[0] }, 0), 4);
 }
 
-// A hand trembles by tenths of a millimetre between reports, so the direction is measured over
-// longer distances.
+// Between two reports, a hand trembles by tenths of a millimetre. So the direction of drawing must
+// be measured over longer distances.
 TEST(Nib, TakesNoTremorForADirection)
 {
     auto tips = tips_along(0.1 * Vec3::UnitX(), 65);

@@ -9,7 +9,7 @@
 namespace tractus {
 namespace {
 
-// Returns a vertical stroke of 100 mm with a tip every 2 mm.
+// Returns a vertical stroke of 100 mm, with a tip every 2 mm.
 Stroke upright()
 {
     std::vector<Vec3> points;
@@ -18,7 +18,8 @@ Stroke upright()
     return stroke_of(points);
 }
 
-// Returns a bulge to the right between two heights, `gap_mm` beside the stroke.
+// Returns a stroke that bulges to the right between two heights. Its ends are `gap_mm` beside the
+// vertical stroke.
 Stroke bulge(double from_mm, double to_mm, double gap_mm = 0)
 {
     std::vector<Vec3> points;

@@ -15,7 +15,7 @@ namespace {
 
 using Buffer = std::vector<std::byte>;
 
-// Compression methods of zip archives.
+// Codes of the compression methods of zip archives.
 constexpr std::uint16_t kStored = 0;
 constexpr std::uint16_t kDeflated = 8;
 
@@ -36,8 +36,8 @@ void put(Buffer& to, std::string const& text)
         to.push_back(static_cast<std::byte>(letter));
 }
 
-// Returns the data of a stroke of three points with pressure, time and an unknown extension, and of
-// a stroke of a single point.
+// Returns the data of a .tilt sketch with two strokes. The first has three points with pressure,
+// time and an unknown extension; the second has a single point.
 Buffer sketch()
 {
     Buffer data;
@@ -52,7 +52,7 @@ Buffer sketch()
         put<std::uint32_t>(data, 1 << 1 | 1 << 16);
         put<std::uint32_t>(data, 3);
         put<float>(data, 1);         // Scale of the stroke.
-        put<std::uint32_t>(data, 5); // The unknown extension contains its size.
+        put<std::uint32_t>(data, 5); // The unknown extension begins with its size.
         put(data, Buffer(5));
         put<std::int32_t>(data, points);
         for (std::int32_t i = 0; i < points; ++i) {
@@ -82,7 +82,7 @@ Buffer deflated(Buffer const& data)
 
 void put_entry_fields(Buffer& to, std::uint16_t method, std::size_t packed, Buffer const& data)
 {
-    put<std::uint16_t>(to, 20); // Version needed to extract.
+    put<std::uint16_t>(to, 20); // Version of zip that is needed to extract the entry.
     put<std::uint16_t>(to, 0);
     put<std::uint16_t>(to, method);
     put<std::uint32_t>(to, 0); // Modification time and date.
@@ -95,7 +95,7 @@ void put_entry_fields(Buffer& to, std::uint16_t method, std::size_t packed, Buff
     put<std::uint16_t>(to, 0);
 }
 
-// Returns a .tilt file that contains the sketch.
+// Returns a .tilt file, which is a zip archive that contains the data of a sketch.
 Buffer tilt(Buffer const& data, std::uint16_t method)
 {
     auto const packed = method == kDeflated ? deflated(data) : data;
@@ -109,7 +109,7 @@ Buffer tilt(Buffer const& data, std::uint16_t method)
     put<std::uint16_t>(zip, 20);
     put_entry_fields(zip, method, packed.size(), data);
     put(zip, Buffer(10));
-    put<std::uint32_t>(zip, 0); // Offset of the entry's header.
+    put<std::uint32_t>(zip, 0); // Offset of the header of the entry.
     put(zip, std::string("data.sketch"));
     auto const size = zip.size() - directory;
     put<std::uint32_t>(zip, 0x06054b50);
@@ -190,7 +190,8 @@ TEST(ReadTilt, ReadsASketchThatSomebodyDrew)
     Vec3 const moved = (*strokes)[0].tips[0].position_mm - expected[0][0];
     for (std::size_t i = 0; i < expected.size(); ++i) {
         ASSERT_EQ((*strokes)[i].tips.size(), expected[i].size());
-        for (std::size_t n = 0; n < expected[i].size(); ++n) // The text has six digits.
+        // The text has six digits, so the points are compared with a tolerance.
+        for (std::size_t n = 0; n < expected[i].size(); ++n)
             EXPECT_LT(((*strokes)[i].tips[n].position_mm - moved - expected[i][n]).norm(), 0.02);
     }
 }

@@ -10,8 +10,8 @@
 namespace tractus {
 namespace {
 
-// Returns the root mean square distance of `points` from the curve, with nearly the same
-// parametrisation.
+// Returns the root mean square distance between points and the points of the curve at about the
+// same parameters.
 double distance_mm(std::vector<Vec3> const& points, std::vector<Vec3> const& curve)
 {
     double sum = 0;

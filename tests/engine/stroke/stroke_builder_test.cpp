@@ -73,7 +73,7 @@ TEST(StrokeBuilder, InkOfAStrokeGoesWhenItIsFinished)
     StrokeBuilder builder;
     for (auto const& each : { tip(5, 1), tip(10, 2), tip(15, 3, false), tip(20, 4, false) })
         builder.push_live(each);
-    EXPECT_EQ(builder.ink().size(), 3u); // A single tip that does not touch ends the stroke.
+    EXPECT_EQ(builder.ink().size(), 3u); // A single tip that does not touch must end the stroke.
     (void)builder.push(tip(5, 1));
     (void)builder.push(tip(10, 2));
     EXPECT_TRUE(builder.push(tip(15, 3, false)));

@@ -8,7 +8,7 @@
 
 namespace tractus {
 
-// Returns a stroke through `points`, 5 ms apart.
+// Returns a stroke through `points`, in millimetres, with 5 ms between successive tips.
 inline Stroke stroke_of(std::vector<Vec3> const& points)
 {
     Stroke stroke;
@@ -20,7 +20,7 @@ inline Stroke stroke_of(std::vector<Vec3> const& points)
     return stroke;
 }
 
-// Returns a gentle S of about 300 mm that starts upwards.
+// Returns the points of a gentle S of about 300 mm that starts upwards.
 inline std::vector<Vec3> s_curve(int points)
 {
     std::vector<Vec3> curve;
@@ -31,8 +31,8 @@ inline std::vector<Vec3> s_curve(int points)
     return curve;
 }
 
-// Returns `points` with the tremor of a hand: each coordinate is displaced by a normal random
-// number with deviation `tremor_mm`.
+// Returns `points` with the tremor of a hand: normal random numbers with the standard deviation
+// `tremor_mm` are added to all coordinates.
 inline std::vector<Vec3> trembling(std::vector<Vec3> points, double tremor_mm,
                                    std::uint64_t seed = 11)
 {

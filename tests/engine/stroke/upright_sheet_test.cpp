@@ -28,7 +28,8 @@ TEST(UprightSheet, StandsWithTheUsersAwayAsUp)
     auto const tips = tips_of({ { 3, -20, 80 }, { 5, 30, 82 } });
     auto const plant = plant_tips(tips, StrokeSurface::Paper);
     EXPECT_EQ(plant[0], Vec3(3, 0, -20));
-    EXPECT_EQ(plant[1], Vec3(5, -2, 30)); // Raised points are towards the user.
+    // A point above the tablet is nearer to the user on the sheet.
+    EXPECT_EQ(plant[1], Vec3(5, -2, 30));
     EXPECT_EQ(plant_tips(tips, StrokeSurface::Space)[1], Vec3(5, 30, 82));
 }
 

@@ -13,7 +13,7 @@
 namespace tractus::variation {
 namespace {
 
-// Returns a quarter circle that starts upwards and ends to the right.
+// Returns a stroke along a quarter circle that starts upwards and ends to the right.
 Stroke quarter_circle()
 {
     std::vector<Vec3> points;
@@ -28,8 +28,8 @@ Plant shaped(Plant const& plant, std::vector<Association> const& associations)
         .value();
 }
 
-// Returns the change of the angle between a segment and the one below it, relative to the base
-// plant.
+// Returns how much the angle between a segment and the segment below it differs from that in the
+// base plant.
 double bend_deg(Plant const& base, Plant const& bent, SegmentId segment)
 {
     auto const angle = [&](Plant const& plant) {
@@ -47,10 +47,11 @@ TEST(Association, BendsThePathAsDrawn)
     for (SegmentId segment = 0; segment < 30; ++segment)
         path[segment] = segment;
     auto const bent = shaped(plant, { { .path = path, .stroke = quarter_circle() } });
-    // Radius of the quarter circle, scaled to the pole's length of 1000 mm.
+    // Radius of a quarter circle whose length is the pole's, 1000 mm.
     double const radius_mm = 1000 / (kPi / 2);
     Vec3 const tip = bent.node_position_mm.back();
-    // The stroke's start tangent is that of its first twentieth, which is off by 2.25 degrees.
+    // The start tangent of the stroke is measured over its first twentieth, which makes an error of
+    // 2.25 degrees.
     Quat const turn(Eigen::AngleAxisd(-radians(2.25), Vec3::UnitY()));
     EXPECT_LT((tip - turn * Vec3(radius_mm, 0, radius_mm)).norm(), 2);
 }
@@ -79,7 +80,8 @@ TEST(Association, SelectedBendsThePathAndCarriesTheRest)
     EXPECT_NEAR(bend_deg(plant, bent, 3), 22.5, 0.1);
     for (SegmentId const carried : { 4u, 5u, 6u, 7u, 8u, 9u, 10u })
         EXPECT_NEAR(bend_deg(plant, bent, carried), 0, 1e-5) << carried;
-    // The branch on the right follows the second segment, which leans to the right by 32 degrees.
+    // The branch on the right moves with the second segment of the trunk, which leans to the right
+    // by about 32 degrees.
     EXPECT_NEAR(degrees(std::asin(-direction_of(bent, 4).z())), 33.75 - 2.25, 0.1);
 }
 
@@ -92,7 +94,7 @@ TEST(Association, DescendantsBendsWhatThePathBearsOnly)
                                  .propagation = Propagation::Descendants } });
     for (NodeId node = 0; node <= 4; ++node)
         EXPECT_LT((bent.node_position_mm[node] - plant.node_position_mm[node]).norm(), 1e-9);
-    // A quarter circle in three segments, of which two bend.
+    // The quarter circle is divided over three segments, of which two bend.
     EXPECT_NEAR(bend_deg(plant, bent, 5), 30, 0.1);
     EXPECT_NEAR(bend_deg(plant, bent, 8), 45, 0.1);
     EXPECT_NEAR(bend_deg(plant, bent, 10), 45, 0.1);
@@ -105,11 +107,11 @@ TEST(Association, DescendantsTakeTheStrokeInTheirOwnFrames)
                              { { .path = { 0, 1, 2, 3 },
                                  .stroke = quarter_circle(),
                                  .propagation = Propagation::Descendants } });
-    // The stroke bends the trunk to +x, the direction of its normal; a branch's normal is its
-    // parent's direction, so both branches bend up.
+    // The stroke bends the trunk to +x, the direction of the trunk's normal. The normal of a branch
+    // is the direction of its parent, so both branches bend upwards.
     EXPECT_GT(direction_of(bent, 6).z(), 0.9);
     EXPECT_GT(direction_of(bent, 10).z(), 0.8);
-    // The twig on the right branch turns towards the direction of that branch at its base.
+    // The twig on the right branch bends towards the direction of this branch at the twig's base.
     EXPECT_GT(direction_of(bent, 8).dot(direction_of(bent, 4)), 0.8);
 }
 
@@ -146,7 +148,7 @@ TEST(Association, APathMayGoOnIntoALateralAxis)
         = shaped(plant, { { .path = path, .stroke = stroke_of({ { 0, 0, 0 }, { 0, 0, 50 } }) } });
     for (auto const segment : path)
         EXPECT_LT((direction_of(straightened, segment) - Vec3::UnitZ()).norm(), 1e-12) << segment;
-    // The rest of the axis, which the path has left, keeps its own shape.
+    // The path leaves the axis before its end. The rest of the axis must keep its own shape.
     EXPECT_NEAR(bend_deg(plant, straightened, 2), 0, 1e-5);
     EXPECT_NEAR(bend_deg(plant, straightened, 6), 0, 1e-5);
 }
@@ -170,7 +172,7 @@ TEST(Association, TheLaterOneWinsWhereTheyMeet)
     EXPECT_NEAR(bend_deg(plant, bent, 3), 7.5, 0.1);
     for (SegmentId const straight : { 4u, 5u, 6u })
         EXPECT_NEAR(bend_deg(plant, bent, straight), 0, 1e-5);
-    // The segment follows the middle with its own shape.
+    // Behind the straight middle, the rest of the path must keep the shape of the first stroke.
     EXPECT_NEAR(bend_deg(plant, bent, 8), 7.5, 0.1);
     auto const other_way = shaped(plant, { middle, all });
     EXPECT_NEAR(bend_deg(plant, other_way, 5), 7.5, 0.1);
@@ -206,7 +208,7 @@ TEST(Association, EachBranchStartsAsInTheBasePlant)
     std::vector<SegmentId> path(40);
     for (SegmentId segment = 0; segment < 40; ++segment)
         path[segment] = segment;
-    // The stroke is drawn downwards, with tremor.
+    // The stroke is drawn downwards with tremor.
     auto drawn = trembling(s_curve(300), 0.3);
     for (auto& point : drawn)
         point.z() = -point.z();

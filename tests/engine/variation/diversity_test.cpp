@@ -6,7 +6,7 @@
 namespace tractus::variation {
 namespace {
 
-// Returns nodes in a row, each displaced by `offset`.
+// Returns a plant of nodes in a row, all of which are displaced by `offset`.
 Plant row(std::size_t nodes, Vec3 const& offset)
 {
     Plant plant;
@@ -26,7 +26,9 @@ TEST(Diversity, IsTheRootMeanSquareOfTheNodesDistances)
 
 TEST(Diversity, ComparesEveryPlantWithEveryOtherAndWithTheDrawnOne)
 {
-    for (std::size_t const nodes : { 3u, 10'000u }) { // All nodes are compared, or a sample.
+    // The distance is computed over all nodes of a small plant, and over a sample of the nodes of a
+    // large one.
+    for (std::size_t const nodes : { 3u, 10'000u }) {
         Diversity diversity(row(nodes, Vec3::Zero()));
         diversity.add(row(nodes, { 1, 0, 0 }));
         diversity.add(row(nodes, { -1, 0, 0 }));

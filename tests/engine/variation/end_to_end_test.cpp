@@ -13,7 +13,8 @@
 namespace tractus::variation {
 namespace {
 
-// Returns the selection by a pen over the front view of `plant`, upwards from `from` to `to`.
+// Returns the segments that a pen selects in the front view of `plant` when it moves up from `from`
+// to `to`.
 std::vector<SegmentId> select(Plant const& plant, Vec2 const& from, Vec2 const& to)
 {
     SkeletonProjection view;

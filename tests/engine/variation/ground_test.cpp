@@ -10,8 +10,8 @@
 namespace tractus::variation {
 namespace {
 
-// Returns a trunk with a root below it and, at its top, a branch that bears a twig; there is a leaf
-// on each.
+// Returns a trunk with a root below it, and with a branch at its top that has a twig. Each of these
+// four axes has a leaf.
 Plant rooted_plant()
 {
     Plant plant;
@@ -25,7 +25,8 @@ Plant rooted_plant()
     return plant;
 }
 
-// Returns the plant with the branch hanging straight down from the middle on.
+// Returns the plant after a stroke has bent its branch, which hangs straight down from its middle
+// on.
 Plant hanging(Plant const& base)
 {
     return grow({ .plant = base,
@@ -42,8 +43,8 @@ TEST(Ground, CountsWhatStrokesHaveBentBelowItAndNotRoots)
     auto const base = rooted_plant();
     EXPECT_TRUE(segments_underground(base, base).empty());
     auto const bent = hanging(base);
-    // The branch begins 50 mm up and has segments of 25 mm, so its last segment and the twig are
-    // below the ground.
+    // The branch begins at a height of 50 mm, and its segments are 25 mm long. So its last segment
+    // and the twig are below the ground.
     EXPECT_EQ(segments_underground(bent, base), (std::vector<SegmentId> { 7, 8, 9 }));
     EXPECT_EQ(describe_underground(3, base), "3 of 12 segments are below the ground");
     EXPECT_EQ(describe_underground(1, base), "1 of 12 segments is below the ground");
@@ -65,15 +66,16 @@ TEST(Ground, BendsBranchesAlongItAndLeavesRoots)
         };
         EXPECT_NEAR(length(bent), length(base), 1e-9) << segment;
     }
-    // The root and everything above the ground stay, with their organs.
+    // The root and all parts above the ground must stay, with their organs.
     for (NodeId const node : { 0u, 1u, 2u, 3u, 4u, 5u, 6u, 13u, 14u, 15u })
         EXPECT_EQ(bent.node_position_mm[node], before.node_position_mm[node]) << node;
     EXPECT_EQ(bent.organs[1].position_mm, before.organs[1].position_mm);
-    // The underside of the tip lies on the ground; the leaf is still on it.
+    // The underside of the branch's tip must lie on the ground, and its leaf must still be on the
+    // tip.
     Vec3 const tip = bent.node_position_mm[9];
     EXPECT_NEAR(tip.z(), bent.node_radius_mm[9], 1e-9);
     EXPECT_LT((bent.organs[0].position_mm - tip).norm(), 1e-9);
-    // Parts above the ground are unchanged to the last bit.
+    // If no part is below the ground, the plant must stay unchanged to the last bit.
     auto same = base;
     bend_along_ground(same, base);
     EXPECT_EQ(same.node_position_mm, base.node_position_mm);

@@ -53,7 +53,7 @@ TEST(GrowthAge, ComesToTheWholePlantWithoutAJump)
 TEST(GrowthAge, OnlyEverAddsToWhatStands)
 {
     auto const plant = forking_tree(5, 6);
-    // The growth plan has neither weight nor growth zone.
+    // Parameters without weight and without a growth zone.
     auto const plan = plan_of(plant, {}, { 0.5, 0, 0 });
     Grower grower(plan);
     Plant const whole = grower.grow({ 7, 3 });
@@ -66,7 +66,7 @@ TEST(GrowthAge, OnlyEverAddsToWhatStands)
         }
         for (std::size_t i = 0; i < now.node_radius_mm.size(); ++i)
             EXPECT_GE(now.node_radius_mm[i], before.node_radius_mm[i]);
-        // Grown parts are at their final positions.
+        // Parts that are fully grown must be at their final positions.
         for (auto const& axis : now.axes)
             for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
                 auto const node = axis.first_node + i;
@@ -89,7 +89,8 @@ TEST(GrowthAge, TheLongestWayGrowsEvenlyAndEveryTipIsReachedAtOnce)
 {
     auto const plant = hand_made_plant();
     auto const ages = find_axis_ages(plant, find_rest_shape(plant));
-    EXPECT_DOUBLE_EQ(ages[0].reach_mm, 400); // The trunk's own tip is the farthest.
+    // The tip of the trunk is the farthest tip that grows from the trunk.
+    EXPECT_DOUBLE_EQ(ages[0].reach_mm, 400);
     EXPECT_DOUBLE_EQ(ages[0].birth_at(200), kSkeletonShare / 2);
     EXPECT_DOUBLE_EQ(ages[1].begin, kSkeletonShare / 2);
     EXPECT_DOUBLE_EQ(ages[1].reach_mm, 150);
@@ -110,7 +111,7 @@ TEST(GrowthAge, LeavesUnfoldAfterTheirBranchIsThere)
     EXPECT_EQ(scale(1), 1);
 }
 
-// Returns a tree whose organs are leaves, which are only on its last axes.
+// Returns a tree whose only organs are leaves on its last axes.
 Plant leafy_tree()
 {
     auto plant = forking_tree(6, 4);
@@ -126,7 +127,7 @@ TEST(GrowthAge, ShootsBearLeavesBeforeTheirTwigsAreThere)
     for (double const age : { 0.2, 0.4, 0.6, 0.8, 0.9 }) {
         auto const young = without_unborn(grower.grow({ 1, 0 }, age));
         check_plant(young);
-        std::size_t shoots = 0; // Axes that bear no others.
+        std::size_t shoots = 0; // Number of axes that have no laterals.
         std::vector<bool> bears(young.axes.size());
         for (auto const& axis : young.axes)
             if (axis.parent_axis != kNone)
@@ -139,7 +140,7 @@ TEST(GrowthAge, ShootsBearLeavesBeforeTheirTwigsAreThere)
         double top_mm = 0;
         for (auto const& node : young.node_position_mm)
             top_mm = std::max(top_mm, node.z());
-        for (auto const& organ : young.organs) { // Organs on branches only.
+        for (auto const& organ : young.organs) { // All organs of this plant are on branches.
             EXPECT_GE(organ.position_mm.z(), -1e-9);
             EXPECT_LE(organ.position_mm.z(), top_mm + 1e-9);
         }
@@ -157,7 +158,8 @@ TEST(GrowthAge, YoungLeavesGoToTheirPlacesWithoutAJump)
         Plant const now = grower.grow({ 1, 0 }, static_cast<double>(i) / kSteps);
         for (std::size_t o = 0; o < now.organs.size(); ++o) {
             EXPECT_GE(now.organs[o].scale.x(), before.organs[o].scale.x());
-            // The trunk grows 5 m in 0.85 of the time; short branches grow faster.
+            // The trunk grows 5 m in 0.85 of the time, and short branches grow faster. That limits
+            // the movement of an organ in one step.
             if (before.organs[o].scale.x() > 0) {
                 ASSERT_LT((now.organs[o].position_mm - before.organs[o].position_mm).norm(), 12)
                     << i;
@@ -174,14 +176,14 @@ TEST(WithoutUnborn, LeavesWhatHasGrownAlone)
     auto const base = hand_made_plant();
     auto const plan = plan_of(base, { .strength = 0 });
     Grower grower(plan);
-    // The trunk has grown 120 mm.
+    // At this age, the trunk is 120 mm long.
     auto const young = without_unborn(grower.grow({}, 0.3 * kSkeletonShare));
     check_plant(young);
     ASSERT_EQ(young.axes.size(), 1u);
     EXPECT_EQ(young.segment_count(), 2u);
     EXPECT_NEAR(young.node_position_mm.back().z(), 120, 1e-9);
     EXPECT_EQ(young.node_radius_mm.back(), 0);
-    ASSERT_EQ(young.organs.size(), 1u); // The organ on the ground.
+    ASSERT_EQ(young.organs.size(), 1u); // The only organ left is the one on the ground.
     EXPECT_TRUE(young.polygons.empty());
 
     auto const whole = without_unborn(base);

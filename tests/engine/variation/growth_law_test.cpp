@@ -9,7 +9,8 @@
 namespace tractus::variation {
 namespace {
 
-// Covariance of (d, x) after a step from a state with covariance `before`.
+// Covariances of the deviation d and the noise x. after() computes them for the state that follows
+// a step.
 struct Covariance {
     double dd = 0;
     double dx = 0;
@@ -32,7 +33,7 @@ TEST(GrowthLaw, TwoExactStepsAreOneOverBothLengths)
     for (double const gain : { 0.0, 0.2, 0.5, 0.9 }) {
         for (double const memory : { 0.0, 0.5, 0.8 }) {
             if (gain == 0 && memory > 0)
-                continue; // Skipped, since a random walk only approximates its memory.
+                continue; // This case is skipped: without feedback, memory is only approximated.
             GrowthParameters const p { .gain = gain, .noise_memory = memory };
             auto const first = exact_step(p, 0.3);
             auto const second = exact_step(p, 1.1);
@@ -65,7 +66,8 @@ TEST(GrowthLaw, AnExactStepOfOneIsTheUnitStep)
 TEST(GrowthLaw, BothKindsOfStepTendToTheSteadyVariance)
 {
     for (double const memory : { 0.0, 0.5, 0.8 }) {
-        for (double const gain : { 0.05, 0.2, 0.5 }) { // With 0.5 and 0.5 both rates are equal.
+        // With a gain and a memory of 0.5, both rates of the law are equal.
+        for (double const gain : { 0.05, 0.2, 0.5 }) {
             GrowthParameters const p { .gain = gain, .noise_memory = memory };
             Covariance per_step;
             for (int i = 0; i < 2000; ++i)
@@ -102,7 +104,8 @@ TEST(GrowthLaw, VeryShortAndVeryLongStepsStayFinite)
     }
 }
 
-// Finds numerically the largest gain for which the feedback decays: d' = d - gain d(delay ago).
+// Finds the largest gain for which the delayed feedback d' = d - gain d(delay ago) decays, by
+// trying it numerically.
 double largest_stable_gain(int delay)
 {
     double low = 0;

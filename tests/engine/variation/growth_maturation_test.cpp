@@ -19,7 +19,7 @@ Plant matured(Plant const& plant, GrowthParameters const& parameters, Vec3 const
     return Grower(plan).grow({});
 }
 
-// Returns an axis that leaves the ground at `from_up` radians from vertical.
+// Returns an axis that leaves the ground at an angle of `from_up` radians from the vertical.
 Plant leaning(double from_up, int segments)
 {
     Plant plant;
@@ -30,7 +30,8 @@ Plant leaning(double from_up, int segments)
 
 TEST(Maturation, EndsInTheSteadyStateOfTheLaw)
 {
-    // Bastien et al.: tan(A / 2) = tan(A0 / 2) exp(-s / Lc), with Lc the ratio of the two rates.
+    // The law of Bastien et al. is tan(A / 2) = tan(A0 / 2) exp(-s / Lc), where Lc is the ratio of
+    // the two rates.
     GrowthParameters const p { .steps = Steps::PerSegment,
                                .strength = 0,
                                .gain = 0,
@@ -38,7 +39,7 @@ TEST(Maturation, EndsInTheSteadyStateOfTheLaw)
                                .growth_zone_steps = 1000,
                                .maturation_bending = 0.0005,
                                .maturation_straightening = 0.02 };
-    // The ratio is 40.
+    // Length of the decay, in steps; it is 40.
     double const decay_steps = p.maturation_straightening / p.maturation_bending;
     double const start = radians(89);
     auto const plant = matured(leaning(start, 200), p, { 0, 0, 1 });

@@ -28,7 +28,7 @@ std::vector<double> many_numbers(int axes)
 TEST(GrowthNoise, IsStandardNormal)
 {
     auto const numbers = many_numbers(1000);
-    auto const count = static_cast<double>(numbers.size()); // The count is 256,000.
+    auto const count = static_cast<double>(numbers.size()); // 256,000 numbers are tested.
     double moments[5] = {};
     double within_one = 0;
     for (auto const x : numbers) {

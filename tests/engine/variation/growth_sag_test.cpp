@@ -9,7 +9,7 @@
 namespace tractus::variation {
 namespace {
 
-// Returns a rod clamped at one end, above the ground.
+// Returns a rod that is clamped at one end and does not touch the ground.
 Plant rod(Vec3 const& tip, int segments, float radius_mm)
 {
     Plant plant;
@@ -24,8 +24,8 @@ Plant sagged(Plant const& plant, double sag)
     return Grower(plan).grow({});
 }
 
-// Returns the deflection of a horizontal rod of green wood by its own weight, by beam theory: q l⁴
-// / (8 E I).
+// Returns the deflection of a horizontal rod of green wood under its own weight. By beam theory, it
+// is q l⁴ / (8 E I).
 double theory_mm(double length_mm, double radius_mm)
 {
     double const per_length = 1000e-9 * 9.81 * kPi * radius_mm * radius_mm;
@@ -105,7 +105,7 @@ TEST(Sag, CarriesWhatRidesOnTheBranches)
     check_plant(plant);
     EXPECT_GT(direction_of(base, 6).z() - direction_of(plant, 6).z(), 0.05);
     EXPECT_EQ(plant.organs[0].position_mm, plant.positions(plant.axes[2]).back());
-    // The organ pointed along the twig.
+    // The organ pointed along the twig, and must still do so.
     Vec3 const up = plant.organs[0].orientation * Vec3::UnitZ();
     EXPECT_LT((up - direction_of(plant, 8)).norm(), 1e-9);
 }

@@ -24,14 +24,15 @@ double tilt_deg(Plant const& plant, SegmentId segment)
     return degrees(std::acos(std::clamp(direction_of(plant, segment).z(), -1.0, 1.0)));
 }
 
-// Returns parameters with only the noise of one step in the law's equation.
+// Returns parameters of a law with a step for each segment, whose only noise is independent from
+// step to step.
 GrowthParameters white_noise(double gain, double noise_rad)
 {
     return { .steps = Steps::PerSegment, .gain = gain, .noise_rad = noise_rad, .noise_memory = 0 };
 }
 
-// Returns the mean square of a component of the deviation of `segment` on a vertical axis, over
-// many plants.
+// Returns the variance of one component of the deviation of a segment on a vertical axis, as the
+// mean over many plants.
 double variance(GrowthPlan const& plan, SegmentId segment, int plants = 4000)
 {
     Grower grower(plan);
@@ -41,12 +42,12 @@ double variance(GrowthPlan const& plan, SegmentId segment, int plants = 4000)
             = grower.grow({ .seed = 17, .plant_index = static_cast<std::uint32_t>(i) });
         Vec3 const direction = direction_of(plant, segment);
         double const angle = std::acos(std::clamp(direction.z(), -1.0, 1.0));
-        sum += angle * angle / 2; // The angle includes both components.
+        sum += angle * angle / 2; // The square of the angle is the sum over both components.
     }
     return sum / plants;
 }
 
-// The standard error of these variances is 1.6 %.
+// The standard error of the variances below is 1.6 %.
 
 TEST(GrowthStatistics, NoiseHasThePredictedVariance)
 {
@@ -68,7 +69,7 @@ TEST(GrowthStatistics, NoiseWithMemoryHasThePredictedVariance)
 
 TEST(GrowthStatistics, TiltGrowsWithTheNoiseAsInTheReference)
 {
-    // Root mean square tilts from the reference implementation for 300 plants.
+    // The expected root mean square tilts come from the reference implementation, with 300 plants.
     auto const rms_deg = [](double noise_rad) {
         return degrees(std::sqrt(2 * variance(plan_of(pole(60), white_noise(0.2, noise_rad)), 59)));
     };
@@ -79,7 +80,8 @@ TEST(GrowthStatistics, TiltGrowsWithTheNoiseAsInTheReference)
 
 TEST(GrowthStatistics, FinerSegmentsHaveTheSameStatistics)
 {
-    // One segment has its middle at 3/4 of the height, far from the base.
+    // The upper of two segments has its middle at 3/4 of the height, far from the base. The middles
+    // of the other two segments are at the same height.
     GrowthParameters const p {};
     double const coarse = variance(plan_of(pole(2), p), 1);
     double const finer = variance(plan_of(pole(10), p), 7);
@@ -104,7 +106,8 @@ TEST(GrowthStatistics, FinerSegmentsSpreadTheirTipsAsFar)
     };
     double const fine = spread_mm(160);
     EXPECT_NEAR(spread_mm(20), fine, 0.05 * fine);
-    EXPECT_GT(fine, 30); // Relative to 1000 mm, this is visible, and the shape is kept.
+    // On a pole of 1000 mm, this spread is visible, but the pole keeps its shape.
+    EXPECT_GT(fine, 30);
     EXPECT_LT(fine, 150);
 }
 
@@ -122,8 +125,8 @@ TEST(GrowthStatistics, StrengthScalesTheDeviation)
     EXPECT_NEAR(half, usual / 4, 1e-3 * usual);
 }
 
-// Tilts in degrees from the reference implementation for a side wind of length 1 and an indicator
-// gain of 0.05. They solve gain a = 0.05 cos² a.
+// Tilts that the reference implementation gives for a side wind of length 1 and an indicator gain
+// of 0.05. They solve gain a = 0.05 cos² a, with the angle a in radians.
 struct Tilt {
     double gain = 0;
     double deg = 0;
@@ -196,14 +199,14 @@ TEST(GrowthIndicators, OneLongOneIsTwoShortOnes)
 
 TEST(GrowthIndicators, BranchesFeelThemToo)
 {
-    // With wind along y, all branches along x turn to +y.
+    // The wind blows along y, so all branches along x must turn to +y.
     auto const plant = grown_freely(hand_made_plant(), { .strength = 0 }, { 0, 1, 0 });
     for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
         EXPECT_GT(direction_of(plant, segment).y(), 0.05) << segment;
 }
 
-// Returns a curve in space, for which the reference implementation gives the positions of the 30th
-// and the last node.
+// Returns a curve in space. For this curve, the positions of the 30th and the last node are known
+// from the reference implementation.
 std::vector<Vec3> reference_curve()
 {
     std::vector<Vec3> curve;
@@ -257,7 +260,8 @@ TEST(Growth, CirclingIsTheSameForFinerSegments)
 {
     GrowthParameters const p { .noise_rad = 0, .circumnutation_rad = 0.05 };
     auto const coarse = grown_freely(pole(45), p);
-    // Nine segments replace one, so the middle of every fifth is the same.
+    // Nine segments replace each segment. So the middle one of each nine must have the direction of
+    // the old segment.
     auto const fine = grown_freely(pole(405), p);
     for (SegmentId segment = 0; segment < 45; ++segment)
         EXPECT_LT((direction_of(coarse, segment) - direction_of(fine, 9 * segment + 4)).norm(),

@@ -32,7 +32,7 @@ TEST(GrowthPlan, IsWithoutSegmentsWhenItIsGivenUp)
         plan_growth(plant, rest, shape, {}, {}, asked.get_token()).value().segments.empty());
 }
 
-// True if two vectors of plain numbers have equal bytes.
+// True if two vectors of trivially copyable elements are equal, byte by byte.
 template<typename T> bool same_bytes(std::vector<T> const& a, std::vector<T> const& b)
 {
     return a.size() == b.size()
@@ -93,7 +93,8 @@ TEST(Growth, WithoutNoiseAndIndicatorsGivesTheStrokeBack)
     auto const drawn = s_curve(61);
     Plant plant;
     std::vector<Vec3> nodes { { 0, 0, 0 } };
-    for (std::size_t i = 1; i < drawn.size(); ++i) // The stroke's lengths, scaled by three.
+    // The segments are three times as long as those of the stroke.
+    for (std::size_t i = 1; i < drawn.size(); ++i)
         nodes.push_back(nodes.back() + Vec3(0, 0, 3 * (drawn[i] - drawn[i - 1]).norm()));
     add_axis(plant, nodes);
     GrowthJob job { .plant = plant, .parameters = quiet() };
@@ -102,7 +103,7 @@ TEST(Growth, WithoutNoiseAndIndicatorsGivesTheStrokeBack)
         job.associations[0].path.push_back(segment);
 
     auto const bent = grow(job).value();
-    // The stroke starts nearly vertically, and is rotated until it starts vertically.
+    // The stroke starts nearly vertically. Here it is rotated so that its start is vertical.
     ArcLength const curve(drawn);
     auto const turn = least_rotation((curve.at(0.05) - curve.at(0)).normalized(), Vec3::UnitZ());
     for (SegmentId segment = 0; segment < 60; ++segment) {
@@ -150,7 +151,7 @@ TEST(Growth, OrgansAndPolygonsRideOnTheirSegments)
     EXPECT_EQ(varied.organs[0].position_mm, varied.positions(varied.axes[2]).back());
     EXPECT_NEAR((varied.organs[1].position_mm - varied.node_position_mm[4]).norm(), 5, 1e-12);
     EXPECT_EQ(varied.organs[2].position_mm, plant.organs[2].position_mm);
-    // The organ has turned with the segment.
+    // The organ must have turned with its segment.
     Vec3 const up = varied.organs[1].orientation * Vec3::UnitZ();
     EXPECT_LT((up - direction_of(varied, 3)).norm(), 1e-12);
 
@@ -168,7 +169,7 @@ TEST(Growth, SectionsThatAreNotRoundTurnWithTheirSegments)
     plant.node_section.resize(plant.node_position_mm.size());
     for (auto const& axis : plant.axes)
         for (std::uint32_t i = 0; i <= axis.segment_count; ++i)
-            // The section's normal is perpendicular to all of the axis's branches.
+            // The normal of each section is y, which is perpendicular to all axes of this plant.
             plant.node_section[axis.first_node + i] = { .contour = 0, .normal = Vec3f::UnitY() };
     auto const varied = grown(plant, { .strength = 3, .sag = 50 }, { .seed = 5 }, { 2, 1, 0.5 });
     check_plant(varied);
@@ -218,7 +219,8 @@ TEST(Growth, DoesNotDependOnTheNumberOfThreads)
     }
 }
 
-// Returns axes of 1 to 11 segments, each on another.
+// Returns a plant of forty axes with 1 to 11 segments. Each axis except the first is a lateral of
+// another one.
 Plant uneven_tree()
 {
     Plant plant;
@@ -259,7 +261,7 @@ TEST(Growth, WhatGrowsElsewhereChangesNothingOfABranch)
 {
     auto plant = hand_made_plant();
     auto const before = grown(plant, {}, { .seed = 4 });
-    // Changes the left branch.
+    // Changes the shape of the left branch.
     plant.node_position_mm[plant.axes[3].first_node + 2] = { -100, 50, 300 };
     auto const after = grown(plant, {}, { .seed = 4 });
     for (NodeId node = 0; node < plant.axes[3].first_node; ++node)

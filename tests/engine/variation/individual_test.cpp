@@ -65,7 +65,8 @@ TEST(Individual, IsTurnedAndSizedAboutItsBase)
     double const height_mm = bounds(plant).max_mm.z();
     Vec3 const extent_mm = bounds(plant).max_mm - bounds(plant).min_mm;
     double const range
-        = 0.2 * (2 - extent_mm.head<2>().maxCoeff() / extent_mm.z()); // It is narrow.
+        // The range is larger for a narrow plant, such as this one.
+        = 0.2 * (2 - extent_mm.head<2>().maxCoeff() / extent_mm.z());
     double smallest = 2;
     double largest = 0;
     double farthest = 0;
@@ -92,8 +93,8 @@ TEST(Individual, IsTurnedAndSizedAboutItsBase)
 
 TEST(Individual, OfANarrowPlantDiffersMoreInSize)
 {
-    // Returns the extremes of the sizes of many individuals of a tree that is so many times as wide
-    // as high.
+    // Returns the minimum and maximum size of many individuals of a tree whose ratio of width to
+    // height is `wide`.
     auto const extremes = [](double wide) {
         auto plant = forking_tree(6, 4);
         plant.organs.clear();

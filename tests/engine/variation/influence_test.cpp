@@ -10,7 +10,8 @@
 namespace tractus::variation {
 namespace {
 
-constexpr ShownPlant kShown { .height_mm = 200, .scale = 0.5 }; // The plant is 400 mm high.
+// The plant is 400 mm high, and is shown at half of its size.
+constexpr ShownPlant kShown { .height_mm = 200, .scale = 0.5 };
 
 Influence influence(Plant const& plant, std::vector<MotionIndicator> const& indicators)
 {
@@ -42,14 +43,17 @@ TEST(LocalInfluence, OverlappingBranchesFeelItOnce)
 TEST(LocalInfluence, FallsOffAroundWhereItWasDrawn)
 {
     auto const plant = hand_made_plant();
-    // Along the right branch, 100 mm above the ground as shown, so the full influence.
+    // The wind blows along the right branch as shown, 100 mm above the ground. So it has its full
+    // effect there.
     auto const wind = influence(
         plant, { { .start_mm = { 0, 0, 100 }, .end_mm = { 75, 0, 100 }, .reach_mm = 40 } });
     EXPECT_NEAR(wind.local[5].x(), 75 / 200., 1e-12);
-    // The twig's first segment is 15 mm above it, shown as 7.5: (1 - (7.5 / 40)²)².
+    // The first segment of the twig is 15 mm above the branch, shown as 7.5 mm. The share of the
+    // influence there is (1 - (7.5 / 40)²)².
     double const share = 1 - std::pow(7.5 / 40, 2);
     EXPECT_NEAR(wind.local[7].x(), 75 / 200. * share * share, 1e-12);
-    EXPECT_EQ(wind.local[3], Vec3(0, 0, 0)); // The segment is 75 mm above the wind.
+    // This segment is shown 75 mm above the wind, beyond its reach.
+    EXPECT_EQ(wind.local[3], Vec3(0, 0, 0));
     EXPECT_EQ(wind.everywhere, Vec3(0, 0, 0));
 }
 
@@ -61,7 +65,7 @@ TEST(LocalInfluence, LightDrawsEveryBranchTowardsItself)
     auto const light = influence(plant, { lamp });
     for (SegmentId segment = 0; segment < plant.segment_count(); ++segment)
         EXPECT_NEAR(light.local[segment].norm(), 1, 1e-12);
-    // A branch left of the light bends to the right.
+    // A branch on the left of the light bends to the right.
     EXPECT_GT(light.local[10].normalized().x(), 0.9);
     EXPECT_LT(light.local[3].z(), -0.4); // A branch above the light bends down.
     EXPECT_GT(light.local[0].z(), 0.4);  // A branch below the light bends up.

@@ -6,15 +6,14 @@
 
 namespace tractus::variation {
 
-// Returns the result of resolve_associations() for a plant whose rest shape is not needed
-// otherwise.
+// Returns the result of resolve_associations(), for plants whose rest shape the test does not need.
 inline Result<PredefinedShape> shape_of(Plant const& plant,
                                         std::vector<Association> const& associations)
 {
     return resolve_associations(plant, find_rest_shape(plant), associations);
 }
 
-// Returns the plan for growing `plant` under a constant influence.
+// Returns a plan for growing `plant` under an influence that is the same everywhere.
 inline GrowthPlan plan_of(Plant const& plant, GrowthParameters const& parameters,
                           Vec3 const& influence = Vec3::Zero(),
                           std::vector<Association> const& associations = {})

@@ -8,8 +8,7 @@
 
 namespace tractus::variation {
 
-// Adds an axis with its nodes at `points`, attached to the end of `parent_segment` of
-// `parent_axis`.
+// Adds an axis whose nodes are `points`. It begins at the end of `parent_segment` on `parent_axis`.
 inline AxisId add_axis(Plant& plant, std::vector<Vec3> const& points, AxisId parent_axis = kNone,
                        SegmentId parent_segment = kNone)
 {
@@ -31,7 +30,8 @@ inline AxisId add_axis(Plant& plant, std::vector<Vec3> const& points, AxisId par
     return id;
 }
 
-// Returns the ends of `segments` equal steps from `base` to `tip`.
+// Returns the nodes of a straight line from `base` to `tip` that is divided into `segments` equal
+// parts.
 inline std::vector<Vec3> straight(Vec3 const& base, Vec3 const& tip, int segments)
 {
     std::vector<Vec3> points;
@@ -40,7 +40,7 @@ inline std::vector<Vec3> straight(Vec3 const& base, Vec3 const& tip, int segment
     return points;
 }
 
-// Returns a plant of one straight vertical axis.
+// Returns a plant that consists of a straight vertical axis.
 inline Plant pole(int segments, double height_mm = 1000)
 {
     Plant plant;
@@ -48,11 +48,11 @@ inline Plant pole(int segments, double height_mm = 1000)
     return plant;
 }
 
-// Returns a plant with a vertical trunk of four segments (0 to 3); from the end of its second
-// segment a branch of three to the right (4 to 6), with a twig of two upwards (7, 8) from the end
-// of its first; from the end of the trunk's third segment a branch of two to the left (9, 10).
-// There is a leaf on the twig's tip, one on the trunk's, one on the ground, and a polygon on the
-// left branch.
+// Returns a plant with a vertical trunk of four segments (0 to 3). At the end of its second
+// segment, it has a branch of three segments to the right (4 to 6). This branch has, at the end of
+// its first segment, a twig of two segments upwards (7, 8). At the end of the trunk's third segment
+// is a branch of two segments to the left (9, 10). There is a leaf on the tip of the twig, on the
+// tip of the trunk and on the ground, and a polygon on the left branch.
 inline Plant hand_made_plant()
 {
     Plant plant;
@@ -69,8 +69,8 @@ inline Plant hand_made_plant()
     return plant;
 }
 
-// Returns a tree that forks `depth` times: 2^depth - 1 axes of `segments` segments each, with a
-// leaf at the end of each of the last.
+// Returns a tree that forks `depth` times: it has 2^depth - 1 axes of `segments` segments each.
+// Each of the last axes has a leaf at its end.
 inline Plant forking_tree(int depth, int segments)
 {
     Plant plant;
@@ -98,7 +98,7 @@ inline Plant forking_tree(int depth, int segments)
     return plant;
 }
 
-// Returns a tree of `axes` axes with `segments` segments each; each axis bears five others, one on
+// Returns a tree of `axes` axes with `segments` segments each. Each axis has five laterals, one on
 // each of its last five segments.
 inline Plant wide_tree(std::size_t axes, int segments)
 {

@@ -34,11 +34,12 @@ TEST(SelectBranches, AllOfOneOrder)
 TEST(SelectBranches, SiblingsAreAlikeByParentAndLength)
 {
     auto plant = hand_made_plant();
-    // Lengths of 150 and 100 mm.
+    // The lengths of these siblings are 150 and 100 mm, so they are similar.
     EXPECT_EQ(similar_siblings(plant, 5), (Selection { { 4, 5, 6 }, { 9, 10 } }));
     EXPECT_EQ(similar_siblings(plant, 8), (Selection { { 7, 8 } }));
     add_axis(plant, straight({ 0, 0, 300 }, { 0, 30, 300 }, 2), 0, 2);
-    EXPECT_EQ(similar_siblings(plant, 5).size(), 2u); // The length of 30 mm makes it another kind.
+    // With a length of only 30 mm, the new sibling is not similar.
+    EXPECT_EQ(similar_siblings(plant, 5).size(), 2u);
 }
 
 TEST(SelectBranches, InvertedTwiceIsTheSameSegments)

@@ -15,8 +15,8 @@ using Path = std::vector<SegmentId>;
 using Paths = std::vector<Path>;
 using enum SegmentState;
 
-// The tree of figure 5: A (0) bears B (1) to the left and C (2) upwards; D (3) is on C, E (4) on B,
-// and F (5) on D.
+// Returns the tree of figure 5. Axis A (0) has the branches B (1) to the left and C (2) upwards. D
+// (3) is on C, E (4) on B, and F (5) on D.
 Plant figure_5()
 {
     Plant plant;
@@ -130,7 +130,7 @@ TEST_F(Figure5, ClearForgetsEverything)
     EXPECT_EQ(selection.finish(), (Paths { { 4 } }));
 }
 
-// A view along +y: u is x, v is z, depth is y.
+// Returns a view along +y: u is x, v is z, and the depth is y.
 SkeletonProjection front_view(double half_size)
 {
     SkeletonProjection view;
@@ -144,7 +144,7 @@ TEST_F(Figure5, APenDrawnOverTheSkeletonSelects)
 {
     ProjectedSkeleton const skeleton(figure_5(), front_view(500));
     SelectionPen pen(skeleton, tree, selection);
-    // The pen goes along A, accidentally a little along B, then along C, D and F.
+    // The pen follows A, touches B slightly by mistake, and then follows C, D and F.
     for (auto const& point :
          { Vec2(2, 20), Vec2(1, 90), Vec2(-20, 120), Vec2(12, 150), Vec2(40, 250), Vec2(60, 380) })
         pen.move_to(point);
@@ -153,7 +153,7 @@ TEST_F(Figure5, APenDrawnOverTheSkeletonSelects)
 
 TEST(SelectionPen, MissesNoThinBranchAtSpeed)
 {
-    // Twigs like the teeth of a comb, and one pen movement across all of them.
+    // The twigs are like the teeth of a comb. The pen moves across all of them once.
     auto plant = pole(50, 500);
     for (SegmentId segment = 0; segment < 49; ++segment)
         add_axis(plant, { { 0, 0, 10.0 * segment + 10 }, { 100, 0, 10.0 * segment + 10 } }, 0,
@@ -172,8 +172,8 @@ TEST(SelectionPen, MissesNoThinBranchAtSpeed)
 
 TEST(SelectionPen, FollowsTheTrunkBehindBranchesThatGrowTowardsTheEye)
 {
-    // Each branch leaves the trunk towards the eye (-y), rises, and hides the next 25 mm of the
-    // trunk.
+    // Each branch leaves the trunk towards the eye (-y), and then rises. It hides the next 25 mm of
+    // the trunk.
     auto plant = pole(10, 100);
     for (SegmentId segment = 1; segment < 6; segment += 2) {
         double const z = 10.0 * segment + 10;
@@ -198,7 +198,7 @@ TEST(SelectionPen, FollowsOneOfTwoStemsThatLeaveTheGroundAtOnePlace)
     PathSelection selection(tree);
     SelectionPen pen(skeleton, tree, selection);
     for (auto const& point : { Vec2(0, 10), Vec2(-1, 30), Vec2(-30, 60), Vec2(-50, 80) })
-        // The pen follows the stem behind from the place where the front stem hides it.
+        // The pen follows the rear stem from the place where the front stem hides it.
         pen.move_to(point);
     EXPECT_EQ(pen.lift(), (Paths { { 3, 4, 5 } }));
 }
@@ -232,7 +232,7 @@ TEST(ProjectedSkeleton, AFingerReachesWhatLiesBeside)
 {
     Plant plant;
     add_axis(plant, { { -50, 0, 0 }, { 50, 0, 0 } });
-    // The second axis is in front, but farther to the side.
+    // The second axis is in front of the first one, but farther from the point that is picked.
     add_axis(plant, { { -50, -90, 9 }, { 50, -90, 9 } });
     ProjectedSkeleton const skeleton(plant, front_view(100));
     EXPECT_EQ(skeleton.pick({ 0, 4 }, { .line_half_width = 1, .finger = 6 }), 0u);
@@ -265,17 +265,17 @@ TEST(ProjectedSkeleton, FindsWhatLookingAtAllLinesFinds)
 
 TEST(ProjectedSkeleton, CutsWhatIsBehindTheEye)
 {
-    // The eye is at the origin, looking along +y with a field of view of 90 degrees.
+    // The eye is at the origin. It looks along +y with a field of view of 90 degrees.
     Eigen::Matrix4d clip;
     clip << 1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, -1, 0, 1, 0, 0;
     Plant plant;
-    // A line from behind the eye to its front.
+    // A line from behind the eye to a point in front of it.
     add_axis(plant, { { 10, -100, 0 }, { 10, 100, 0 } });
     add_axis(plant, { { 0, -5, 0 }, { 0, -9, 0 } });
     ProjectedSkeleton const skeleton(plant, view_in_pixels(clip, { 200, 200 }));
     ASSERT_EQ(skeleton.lines().size(), 1u);
     EXPECT_NEAR(skeleton.lines()[0].to.x(), 110, 1e-3);
-    // The clipped end is one window width beside the window.
+    // The clipped end of the line is one window width beside the window.
     EXPECT_NEAR(skeleton.lines()[0].from.x(), 400, 1e-3);
     EXPECT_EQ(skeleton.pick({ 150, 100 }), 0u);
     EXPECT_EQ(skeleton.pick({ 50, 100 }), std::nullopt);

@@ -16,7 +16,8 @@
 namespace tractus::variation {
 namespace {
 
-// A stroke laid along a branch by the reference script in Python (tests/data/README.md).
+// A stroke and the branch along which the reference script in Python laid it
+// (tests/data/README.md).
 struct Case {
     std::string name;
     StrokeFit fit = StrokeFit::Start;
@@ -69,8 +70,8 @@ std::vector<Vec3> laid_nodes(Plant const& plant, std::vector<Association> const&
     return nodes_mm;
 }
 
-// Returns a trunk of one segment towards `below`, and on its end a straight branch whose segments
-// have the lengths of the stroke's pieces.
+// Returns a trunk of one segment towards `below`, with a straight branch on its end. The branch's
+// segments are as long as the pieces of the stroke.
 Plant plant_of(Case const& wanted)
 {
     Plant plant;
@@ -104,7 +105,8 @@ TEST(StrokeLaying, AgreesWithTheReference)
     }
 }
 
-// The table in the law's description: tips of a hanging twig and of its mirror image.
+// The tips of a hanging twig and of its mirror image are those in the table of the law's
+// description.
 TEST(StrokeLaying, GivesThePublishedTips)
 {
     struct Row {
@@ -144,7 +146,8 @@ TEST(StrokeLaying, GivesThePublishedTips)
 
 TEST(StrokeLaying, ATrunkTakesTheStrokeAsItLies)
 {
-    // Three turns of a vertical helix; and a straight line that leans by 45 degrees.
+    // The strokes are three turns of a vertical helix, and a straight line that leans by 45
+    // degrees.
     std::vector<Vec3> helix;
     for (int i = 0; i <= 360; ++i)
         helix.push_back({ 35 * std::cos(radians(3 * i)), 35 * std::sin(radians(3 * i)), 0.7 * i });
@@ -166,8 +169,8 @@ TEST(StrokeLaying, ATrunkTakesTheStrokeAsItLies)
 
 TEST(StrokeLaying, ATurnOfAHelixIsNoDirection)
 {
-    // A horizontal helix towards -y: its axis follows the branch, although its beginning leads
-    // across.
+    // The stroke is a horizontal helix towards -y. Its axis must follow the branch, although the
+    // stroke begins across it.
     std::vector<Vec3> helix;
     for (int i = 0; i <= 360; ++i)
         helix.push_back(
@@ -214,13 +217,14 @@ TEST(StrokeLaying, LaterStrokesAndRidesKeepTheirShape)
                               .laying = StrokeLaying::HeadingAndPitch };
     auto const before = laid_nodes(plant, { branch });
     auto const after = laid_nodes(plant, { branch, trunk });
-    // The trunk leans to the side: the branch moves with it, and hangs as before.
+    // A stroke makes the trunk lean to the side. The branch must move with the trunk, and must hang
+    // as before.
     auto const chord = [&](std::vector<Vec3> const& nodes) {
         return Vec3(nodes[plant.axes[1].first_node + 3] - nodes[plant.axes[1].first_node]);
     };
     EXPECT_NEAR(chord(before).z(), chord(after).z(), 1e-6);
     EXPECT_LT(chord(after).z(), -30);
-    // If a later stroke bends the middle of a path, the rest of the path moves with it.
+    // If a later stroke bends the middle of a path, the rest of the path must move with the middle.
     auto const pole_plant = pole(12);
     std::vector<Vec3> const bow { { 0, 0, 0 }, { 0, 0, 50 }, { 40, 0, 90 }, { 90, 0, 90 } };
     Association const all { .path = segments_of(pole_plant.axes[0]),

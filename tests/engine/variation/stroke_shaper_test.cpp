@@ -78,7 +78,7 @@ TEST(StrokeShaper, ComesAnyWayToTheSameShape)
     };
     for (std::size_t count = 0; count <= all.size(); ++count)
         expect_like_fresh({ all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count) });
-    // A stroke in the middle is removed, changed, and restored.
+    // Each of the strokes is removed, changed, and restored.
     for (std::size_t gone = 0; gone < all.size(); ++gone) {
         auto fewer = all;
         fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(gone));
@@ -91,7 +91,7 @@ TEST(StrokeShaper, ComesAnyWayToTheSameShape)
     expect_like_fresh({});
 }
 
-// A stroke stored elsewhere, which counts how often it is read.
+// A stroke whose tips are stored elsewhere. It counts how often they are read.
 struct StoredHook : ElementSource<TipSample> {
     Result<std::vector<TipSample>> read() const override
     {
@@ -164,8 +164,8 @@ TEST(StrokeFit, ChordLeavesTheTipInItsDirection)
     auto const nodes_mm = shaped_nodes(plant, job);
     auto const& right = plant.axes[1];
     Vec3 const chord = nodes_mm[right.first_node + 3] - nodes_mm[right.first_node];
-    // The segments' chords lie on the stroke, so the tip is nearly where the stroke's is; not
-    // exactly, since each segment keeps its length where the stroke bends.
+    // The chords of the segments lie on the stroke. So the tip of the branch is near that of the
+    // stroke, but not exactly there, since segments keep their lengths where the stroke bends.
     EXPECT_GT(chord.normalized().x(), 0.999);
     EXPECT_LT(chord.norm(), 150);
     auto const& twig = plant.axes[2];
@@ -188,7 +188,8 @@ TEST(StrokeFit, ChordOfALoopIsRefused)
 TEST(StrokeFit, WorldPointsAsWasDrawnWhateverBearsIt)
 {
     auto const plant = hand_made_plant();
-    // The branches hang to -y; the trunk below is bent to +x.
+    // One stroke makes the right branch and its twig hang to -y. Another stroke bends the trunk to
+    // +x.
     Stroke const hanging = stroke_of({ { 0, 0, 0 }, { 0, -30, -40 } });
     auto const nodes_mm = shaped_nodes(
         plant,
@@ -204,7 +205,7 @@ TEST(StrokeFit, WorldPointsAsWasDrawnWhateverBearsIt)
             EXPECT_LT((step.normalized() - Vec3(0, -0.6, -0.8)).norm(), 1e-12);
         }
     }
-    // The left branch moves with the bent trunk.
+    // The left branch must move with the bent trunk.
     Vec3 const left = nodes_mm[plant.axes[3].first_node + 2] - nodes_mm[plant.axes[3].first_node];
     EXPECT_GT(left.normalized().z(), 0.1);
 }
@@ -220,7 +221,7 @@ TEST(PlaceNodes, GivesTheBasePlantWithoutStrokes)
 TEST(PlaceNodes, KeepsGapsInTheParentsFrame)
 {
     auto plant = pole(4, 400);
-    // A gap of 20 mm beside the tip.
+    // The new branch begins 20 mm beside the tip of its parent.
     add_axis(plant, straight({ 20, 0, 400 }, { 80, 0, 400 }, 2), 0, 3);
     auto const nodes_mm = shaped_nodes(
         plant,

@@ -41,8 +41,8 @@ struct ConstructArguments {
     bool session = false;
 };
 
-// File name for the model: the sketch's name without characters that an L-system view cannot
-// contain.
+// File name of the model: the name of the sketch's file without those characters that an L-system
+// view cannot contain.
 std::string model_name(fs::path const& sketch)
 {
     auto name = sketch.stem().string();
@@ -52,7 +52,7 @@ std::string model_name(fs::path const& sketch)
     return name;
 }
 
-// True if the output is a single plant file rather than a folder.
+// True if the output is a single file of the plant rather than a folder.
 bool is_plant_file(fs::path const& output)
 {
     constexpr std::array kEndings { ".glb", ".obj", ".mtg", ".png" };
@@ -63,7 +63,7 @@ using Stems = std::vector<lines::MeasuredStem>;
 
 Result<Stems> measure(ConstructArguments const& arguments, lines::LineDrawing const& drawing)
 {
-    // A sketch of unsorted strokes may be incomplete: guess missing lines there.
+    // A sketch of unsorted strokes may lack lines, which are then guessed.
     auto const missing = drawing.roles.empty() ? lines::Missing::Refused : lines::Missing::Guessed;
     auto result = TRY(lines::measure_stems(drawing.stems, missing));
     for (auto const& notes : { drawing.notes, lines::notes_of(result) })
@@ -72,13 +72,13 @@ Result<Stems> measure(ConstructArguments const& arguments, lines::LineDrawing co
     return result;
 }
 
-// Prefixes an error with the name of the sketch's file.
+// An error whose message begins with the name of the sketch's file.
 tl::unexpected<Error> about(fs::path const& file, Error const& error)
 {
     return fail(error.fault, fmt::format("{}: {}", file.string(), error.message));
 }
 
-// Writes the model's files, for this program and for cpfg.
+// Writes the model's files, which can be read by this program and by cpfg.
 Result<void> write_model_files(fs::path const& base, lines::LineModel const& model)
 {
     for (auto const& [name, text] : model.functions)
@@ -87,7 +87,7 @@ Result<void> write_model_files(fs::path const& base, lines::LineModel const& mod
     return write_file(fs::path(base).concat(".l"), model.source.text);
 }
 
-// Writes the output folder and returns a sentence about its content.
+// Writes the plant's files into the output folder and returns a list of their names.
 Result<std::string> write_folder(ConstructArguments const& arguments, scene::LoadModel const& load,
                                  lines::LineModel model, Plant const& plant)
 {
@@ -119,7 +119,7 @@ lines::Smoothing smoothing_of(ConstructArguments const& arguments)
     return arguments.smooth ? lines::Smoothing::Hand : lines::Smoothing::None;
 }
 
-// Makes the model, including the sketches that serve as its organs.
+// Makes the model of a sketch together with the sketches that serve as its organs.
 Result<lines::LineModel> write_model(ConstructArguments const& arguments,
                                      lines::LineSketchFile const& file, Stems const& stems)
 {

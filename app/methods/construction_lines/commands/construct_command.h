@@ -5,7 +5,7 @@
 
 namespace tractus::lines {
 
-// tractus construct SKETCH -o DIR: a plant from construction lines.
+// Adds the command `tractus construct SKETCH -o DIR`: makes a plant from construction lines.
 void add_construct_command(CLI::App& root, options::Action& action, tools::Methods const& methods);
 
 } // namespace tractus::lines

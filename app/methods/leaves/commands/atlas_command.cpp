@@ -38,7 +38,7 @@ std::optional<double> age_in(std::string_view text)
     return is_age ? std::optional(value) : std::nullopt;
 }
 
-// Parses "0.5", or a range "0.3:0.9".
+// Parses an age, "0.5", or a range of ages, "0.3:0.9".
 std::optional<std::pair<double, double>> ages_in(std::string_view text)
 {
     auto const colon = text.find(':');

@@ -4,7 +4,7 @@
 
 namespace tractus::leaf {
 
-// Command `tractus leaves LEAF... -o DIR`: pages of leaves (atlases) for game engines.
+// Adds `tractus leaves LEAF... -o DIR`, which writes pages of leaves (atlases) for game engines.
 void add_atlas_options(CLI::App& leaves, options::Action& action);
 
 } // namespace tractus::leaf

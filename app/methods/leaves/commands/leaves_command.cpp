@@ -69,7 +69,8 @@ Json labels_json(leaf::Leaf const& leaf)
     return labels;
 }
 
-// The leaf's variables as JSON. Numbers have nine decimals; values that are not finite become null.
+// The variables of a leaf as JSON. Numbers have nine decimals; numbers that are not finite become
+// null.
 Json variables_json(leaf::Grammar const& grammar, leaf::Leaf const& leaf)
 {
     Json variables = Json::object();
@@ -81,7 +82,8 @@ Json variables_json(leaf::Grammar const& grammar, leaf::Leaf const& leaf)
     return variables;
 }
 
-// State after a step as JSON: the veins, then the blade, then both together.
+// The result of a step as JSON: counts for the veins alone, then the blade's faces, then counts for
+// veins and blade together.
 Result<Json> step_json(leaf::Grammar const& grammar, leaf::Leaf& leaf)
 {
     Json step {
@@ -134,7 +136,8 @@ Result<void> check_grammar(LeavesArguments const& arguments)
                                            grammar.variables.size()));
 }
 
-// Grows the leaf by the given number of steps, if any, otherwise to its usual age.
+// Grows the leaf by the number of steps given on the command line, if any, otherwise to the age
+// given there (default: that of an adult leaf).
 Result<GrownLeaf> leaf_to_draw(leaf::Grammar const& grammar, LeavesArguments const& arguments)
 {
     if (!arguments.steps)

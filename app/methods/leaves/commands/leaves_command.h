@@ -5,7 +5,7 @@
 
 namespace tractus::leaf {
 
-// Command `tractus leaves`, for leaf grammars.
+// Adds the command `tractus leaves`, for leaf grammars.
 void add_leaves_command(CLI::App& root, options::Action& action, tools::Methods const& methods);
 
 } // namespace tractus::leaf

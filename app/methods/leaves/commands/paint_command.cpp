@@ -36,7 +36,7 @@ constexpr int kMaxLeaves = 4096;
 struct PaintArguments {
     std::vector<std::string> leaves;
     fs::path output;
-    int count = 1; // Number of leaves of each kind.
+    int count = 1; // Number of leaves for each grammar.
     int side = 512;
     double age = 0.5;
     std::optional<double> age_to;
@@ -51,12 +51,12 @@ struct PaintArguments {
     bool is_skeleton = false;
 };
 
-// One leaf of a page: how it was grown, and its picture.
+// A leaf of a page: how it was grown, and its picture.
 struct PaintedLeaf {
     std::string name;
     std::uint64_t seed = 0;
     double age = 0;
-    double length_mm = 0; // Side of the picture, measured on the leaf.
+    double length_mm = 0; // Side of the picture in millimetres of the leaf.
     leaf::LeafPicture picture;
 };
 
@@ -92,7 +92,7 @@ Result<PaintedLeaf> paint_one(leaf::Grammar const& grammar, PaintArguments const
     return made;
 }
 
-// Paints all kinds; each leaf is a task of its own.
+// Paints the leaves of all grammars. Each leaf is a separate task for the threads.
 Result<std::vector<PaintedLeaf>> paint_all(PaintArguments const& arguments)
 {
     std::vector<leaf::Grammar> grammars;
@@ -129,7 +129,7 @@ Result<void> write_sheet(std::span<PaintedLeaf const> leaves, fs::path const& pa
     return write_file(path, [&](std::ostream& out) { return render::write_png(out, image); });
 }
 
-// A page of cells on a square grid; unused cells stay empty.
+// A page of cells in a square grid; unused cells stay empty.
 struct Page {
     int columns = 1;
     int cell = 0;

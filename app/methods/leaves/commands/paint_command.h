@@ -4,7 +4,7 @@
 
 namespace tractus::leaf {
 
-// Commands `tractus leaves paint` and `tractus leaves list`.
+// Adds the commands `tractus leaves paint` and `tractus leaves list`.
 void add_paint_commands(CLI::App& leaves, options::Action& action);
 
 } // namespace tractus::leaf

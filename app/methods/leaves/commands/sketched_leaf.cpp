@@ -28,7 +28,7 @@ struct SketchedLeaf {
     std::filesystem::path sketch;
     std::filesystem::path output;
     bool reports = false;
-    std::string height;        // Heights for a recording without a height sensor.
+    std::string height;        // Heights for a recording that has no height sensor.
     tools::Methods methods {}; // Methods whose tools a recording may use.
 };
 
@@ -42,7 +42,7 @@ Json drawn_and_fitted(double drawn, double fitted, double parts)
     return { { "drawn", to_places(drawn, parts) }, { "fitted", to_places(fitted, parts) } };
 }
 
-// A vein as JSON; strokes are counted from 1.
+// A vein as JSON. The numbers of strokes begin with 1.
 Json vein_json(leaf::LeafFit::Vein const& vein, leaf::RecognisedLeaf const& seen)
 {
     Json made { { "stroke", vein.stroke + 1 }, { "role", leaf::name_of(seen.roles[vein.stroke]) } };
@@ -74,13 +74,13 @@ Json report_json(leaf::LeafFit const& fit, leaf::RecognisedLeaf const& seen, dou
              { "veins", veins } };
 }
 
-// Prefixes an error with the name of the drawing's file.
+// An error whose message begins with the name of the drawing's file.
 tl::unexpected<Error> about_sketch(SketchedLeaf const& leaf, Error const& error)
 {
     return fail(error.fault, fmt::format("{}: {}", leaf.sketch.string(), error.message));
 }
 
-// Loads a drawing; the file's extension decides its format.
+// Loads a drawing. The file's extension decides in which format it is read.
 Result<leaf::LeafDrawing> load_drawing(SketchedLeaf const& arguments)
 {
     auto const ending = arguments.sketch.extension();
@@ -98,8 +98,9 @@ Result<leaf::LeafDrawing> load_drawing(SketchedLeaf const& arguments)
     return drawing;
 }
 
-// Warns if the grammar's outline is far from the drawn one. The grammar has a midrib from the base
-// to the farthest point and halves whose outline leaves it once, so it cannot have every shape.
+// Warns if the grammar's outline differs much from the drawn one. A grammar has a midrib from the
+// base to the farthest point and two halves, whose outline leaves the midrib only once. So it
+// cannot have every shape.
 void warn_of_outline(SketchedLeaf const& leaf, double overlap)
 {
     constexpr double kFaithful = 0.95;

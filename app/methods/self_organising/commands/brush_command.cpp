@@ -37,14 +37,14 @@ struct BrushArguments {
     fs::path example;
     bool report = false;
     fs::path strokes;
-    std::string from;   // Plant from which the tree grows; empty: it grows from a seed.
-    std::string height; // Heights for a log without a height sensor.
+    std::string from;   // File of a plant from which the tree grows; empty: it grows from a seed.
+    std::string height; // Heights for a recording that has no height sensor.
     std::string habit = "oak";
     int years = 12;
     std::uint64_t seed = 1;
     std::string radius = "8..40";
-    double scale = 10;      // Size of the tree relative to the strokes.
-    bool is_scaled = false; // True if the user gave `scale`.
+    double scale = 10;      // Size of the tree as a multiple of the strokes' size.
+    bool is_scaled = false; // True if the user gave --scale.
     bool waits = false;
     fs::path output;
     batch::PlantFileOptions file;
@@ -58,8 +58,8 @@ Result<void> report_case(BrushArguments const& arguments)
     return terminal::print_out(print_case_report(grown, laws));
 }
 
-// Weight by which each stroke gets a share of the years: its duration or, if the file has no times,
-// its length.
+// The weight with which each stroke gets a share of the years. It is the stroke's duration or, if
+// the file has no times, the stroke's length.
 std::vector<double> weights_of(std::vector<Stroke> const& strokes)
 {
     std::vector<double> seconds;
@@ -77,7 +77,7 @@ std::vector<double> weights_of(std::vector<Stroke> const& strokes)
     return has_times ? seconds : lengths_mm;
 }
 
-// Years of growth along each stroke, at least one.
+// Divides `years` among the strokes by their weights. Each stroke gets at least one year.
 std::vector<int> years_of(std::vector<Stroke> const& strokes, int years)
 {
     auto const weights = weights_of(strokes);
@@ -94,7 +94,8 @@ std::vector<int> years_of(std::vector<Stroke> const& strokes, int years)
     return shares;
 }
 
-// The strokes that the brush follows; none for a plant that continues to grow by itself.
+// The strokes that the brush follows. Empty if no file of strokes was given: the plant then grows
+// by itself.
 Result<std::vector<Stroke>> strokes_of(BrushArguments const& arguments)
 {
     if (arguments.strokes.empty())
@@ -110,13 +111,13 @@ Result<std::vector<Stroke>> strokes_of(BrushArguments const& arguments)
     return strokes;
 }
 
-// The periods of the tree's life: one for each stroke, or a single one without a stroke.
+// The periods of the tree's life: one for each stroke, or a single period if there is no stroke.
 Result<std::vector<LifePeriod>> parts_of(BrushArguments const& arguments)
 {
     auto strokes = TRY(strokes_of(arguments));
     if (strokes.empty())
         return std::vector<LifePeriod> { { .years = arguments.years } };
-    // The option parser has checked that the range is valid.
+    // The option parser has checked that the range of radii is valid.
     auto const [min_mm, most_mm] = *options::parse_range(arguments.radius);
     auto const years = years_of(strokes, arguments.years);
     std::vector<LifePeriod> parts;
@@ -129,7 +130,7 @@ Result<std::vector<LifePeriod>> parts_of(BrushArguments const& arguments)
     return parts;
 }
 
-// Edits that load the plant from which the tree grows. Sets `plant` to its id.
+// Edits that load the plant from which the tree grows. Sets `plant` to the plant's id.
 Result<std::vector<scene::Edit>> beginning_edits(BrushArguments const& arguments,
                                                  scene::ItemId& plant)
 {
@@ -154,7 +155,8 @@ Result<std::vector<scene::Edit>> edits_of(BrushArguments const& arguments)
                                        .id = plant });
     } else {
         edits = TRY(beginning_edits(arguments, plant));
-        if (arguments.is_scaled) // Otherwise it keeps the size that the window shows.
+        // Without --scale, the plant keeps the size at which the window shows it.
+        if (arguments.is_scaled)
             edits.emplace_back(scene::SetScale { 1 / arguments.scale });
         edits.emplace_back(GrowFrom {
             .plant = plant, .habit = habit, .seed = arguments.seed, .next = std::move(parts[0]) });
@@ -164,7 +166,7 @@ Result<std::vector<scene::Edit>> edits_of(BrushArguments const& arguments)
     return edits;
 }
 
-// Number of edits that grow a tree along a stroke.
+// Counts the edits that grow a tree along a stroke.
 std::size_t brushed_count(std::vector<scene::Edit> const& edits)
 {
     auto const is_brushed = [](scene::Edit const& edit) {

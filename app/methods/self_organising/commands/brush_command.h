@@ -5,9 +5,9 @@
 
 namespace tractus::self_organising {
 
-// Command `tractus brush STROKES --habit oak --years 12 -o FILE`: a tree grows into the volume that
-// a brush sweeps along strokes. `tractus brush --case CASE.json --report` runs a test case of the
-// growth laws alone.
+// Adds the command `tractus brush STROKES --habit oak --years 12 -o FILE`: grows a tree into the
+// volume that a brush sweeps along strokes. With `--case CASE.json --report` instead, it runs a
+// test case of the growth laws.
 void add_brush_command(CLI::App& root, options::Action& action, tools::Methods const& methods);
 
 } // namespace tractus::self_organising

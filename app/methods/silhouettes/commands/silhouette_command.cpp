@@ -39,17 +39,20 @@ constexpr std::size_t kMaxPlaces = 2000;
 struct SilhouetteArguments {
     std::vector<fs::path> drawings;
     fs::path output;
-    silhouette::TreeForm form; // Form set by the options, except its patterns (see `patterns`).
-    // Pattern of each level; the last one applies to deeper levels as well.
+    silhouette::TreeForm form; // Form given by the options, without `patterns`.
+    // Patterns of branches for the levels from the trunk on. The last one applies to all further
+    // levels.
     std::vector<std::string> patterns;
-    std::optional<int> whorl;          // Number of branches in each whorl.
-    std::optional<int> branches;       // Number of the trunk's branches in the drawing's plane.
-    std::string style;                 // File of a plant whose style is measured and used.
-    CLI::App const* command = nullptr; // The parsed command; it knows which options were given.
+    std::optional<int> whorl; // Number of branches in each whorl.
+    // Number of the trunk's branches that are in the plane of the drawing.
+    std::optional<int> branches;
+    std::string style; // File of a plant whose style is measured and then used for the tree.
+    // The parsed command, which knows the options that were given.
+    CLI::App const* command = nullptr;
     double height_m = 8;
-    // Number of places in an arrangement; if set, only an arrangement is made.
+    // Number of places in an arrangement. If given, only an arrangement is computed.
     std::optional<std::size_t> count;
-    // Which other branches take the style of a branch with parts drawn on it.
+    // Which other branches take the style of a branch on which parts are drawn.
     silhouette::StyleScope style_to = silhouette::StyleScope::None;
     bool report = false;
     bool session = false;
@@ -57,8 +60,8 @@ struct SilhouetteArguments {
     batch::PlantFileOptions file;
 };
 
-// The form with its patterns for each level; the last given pattern applies to deeper levels as
-// well.
+// The form given by the options, with a pattern for each level. The last pattern applies to all
+// further levels.
 silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
 {
     auto form = arguments.form;
@@ -69,7 +72,7 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
         form.plane_branches = silhouette::kUsualPlaneBranches;
     std::vector<silhouette::Pattern> given;
     for (auto const& word : arguments.patterns)
-        // The option's one_of() check has made sure that the pattern exists.
+        // The check one_of() of the option has made sure that the pattern exists.
         given.push_back(*silhouette::pattern_of(word));
     for (std::size_t level = 0; level < form.patterns.size() && !given.empty(); ++level)
         form.patterns[level] = given[std::min(level, given.size() - 1)];
@@ -79,7 +82,7 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
     return form;
 }
 
-// Fails if --whorl is given although no level has whorls.
+// Fails with a user error if --whorl is given although no level has whorls.
 Result<void> check_whorl(SilhouetteArguments const& arguments)
 {
     auto const patterns = form_of(arguments).patterns;
@@ -93,7 +96,7 @@ Result<void> check_whorl(SilhouetteArguments const& arguments)
     return {};
 }
 
-// The plant on which a style is measured; from a session, the plant that it shows.
+// The plant whose style is measured. If the file is a session, the plant that the session shows.
 Result<Plant> plant_of_style(SilhouetteArguments const& arguments)
 {
     if (batch::is_session_file(arguments.style))
@@ -116,7 +119,7 @@ Result<silhouette::MeasuredStyle> measured_style(SilhouetteArguments const& argu
     return style;
 }
 
-// The form measured on the style's plant; options that were given override it.
+// The form measured on the style's plant. Options given on the command line override it.
 silhouette::TreeForm styled_form(SilhouetteArguments const& arguments,
                                  silhouette::MeasuredStyle const& style)
 {
@@ -145,7 +148,7 @@ tl::unexpected<Error> about_drawing(fs::path const& file, Error const& error)
     return fail(error.fault, fmt::format("{}: {}", file.string(), error.message));
 }
 
-// Writes the tree to the requested files and returns their names.
+// Writes the tree to the requested files and returns the files' names.
 Result<std::string> write_tree(SilhouetteArguments const& arguments, fs::path const& drawing,
                                Plant const& plant)
 {
@@ -247,7 +250,7 @@ Result<void> make_trees(SilhouetteArguments arguments)
     return {};
 }
 
-// Adds the options for leaves, the arrangement and the number of branches.
+// Adds the options for leaves, for the arrangement and for the number of branches.
 void add_leaf_options(CLI::App& command, SilhouetteArguments& arguments)
 {
     command.add_option("--leaves", arguments.form.leaves, "Leaves on each twig")
@@ -347,7 +350,7 @@ void add_options(CLI::App& command, SilhouetteArguments& arguments)
                     "The folder for pictures and glTF, made if it is not there; or the tree alone, "
                     "as the file's ending says: .glb, .obj, .mtg or .png")
         ->type_name("OUTPUT");
-    // Added before the form's options, which override a style.
+    // These options are added before the form's options, which override a style.
     add_style_options(command, arguments);
     add_form_options(command, arguments);
     add_leaf_options(command, arguments);

@@ -5,7 +5,8 @@
 
 namespace tractus::silhouette {
 
-// Command `tractus silhouette FILE … -o OUTPUT`: a tree from the outline of its crown.
+// Adds the command `tractus silhouette FILE … -o OUTPUT`: makes a tree from the outline of its
+// crown.
 void add_silhouette_command(CLI::App& root, options::Action& action, tools::Methods const& methods);
 
 } // namespace tractus::silhouette

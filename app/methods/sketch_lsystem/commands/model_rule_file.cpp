@@ -37,13 +37,13 @@ std::string describe_contract(std::filesystem::path const& model, scene::LoadOpt
 {
     auto edit = io::load_model_edit(model);
     if (!edit)
-        return {}; // The model's general check reports the error.
+        return {}; // The general check of the model reports the error.
     auto const name = edit->source.name;
     auto const lacks = sketch::missing_for_stroke(rule_of_model(*std::move(edit)), options);
     if (lacks.empty())
         return "\nCan be grown along a stroke\n";
-    // Models that were not written for strokes lack all required parts; the manual lists these.
-    // Required parts: a count of segments, three arrays and a turn.
+    // A model that was not written for strokes lacks all required parts, which are a number of
+    // segments, three arrays and a turn. The manual lists them.
     constexpr std::size_t kParts = 5;
     if (lacks.size() >= kParts)
         return "\nCannot be grown along a stroke: it has not the places for it that the manual "

@@ -10,16 +10,16 @@
 
 namespace tractus::sketch {
 
-// True if the name refers to a model, that is an L-system file or a built-in model by its bare
-// name, rather than to a file with a rule's numbers.
+// True if `rule` refers to a model: an L-system file, or a built-in model by its bare name. False
+// if it refers to a file with the numbers of a rule.
 bool names_model(std::filesystem::path const& rule);
 
-// Reads a model and its includes, to be grown along a stroke. Fails like load_model_edit(), and
-// with a user error if the name does not refer to a model.
+// Reads a model and its includes, to be grown along a stroke. Fails with a user error if `name`
+// does not refer to a model or the model cannot be loaded.
 Result<sketch::ModelRule> load_model_rule(std::filesystem::path const& name);
 
-// A line for `tractus lsystem check`, after an empty one, that says whether a model can grow along
-// strokes.
+// Text for `tractus lsystem check` that says whether a model can grow along strokes: an empty line
+// and a sentence. Empty if the model cannot be loaded.
 std::string describe_contract(std::filesystem::path const& model,
                               scene::LoadOptions const& options);
 

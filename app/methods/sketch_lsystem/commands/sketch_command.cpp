@@ -45,14 +45,15 @@ namespace fs = std::filesystem;
 struct SketchArguments {
     tools::Methods methods;
     fs::path stroke;
-    fs::path twig; // File of a twig, used instead of `stroke` and `rule`.
+    // File of a drawn twig, from which the rule is inferred; used instead of `stroke` and `rule`.
+    fs::path twig;
     fs::path rule;
     fs::path folder;
-    std::size_t number = 1; // Number of the stroke in its file, counted from 1.
-    std::string surface;    // Surface of the stroke; empty: see surface_for().
-    // Where the plant stands: at the stroke's "foot", or where it "begins" or "ends".
+    std::size_t number = 1; // Number of the stroke in its file, from 1.
+    std::string surface;    // Surface on which the stroke was drawn; empty: surface_for() decides.
+    // Where the plant stands: at the stroke's "foot", "begin" or "end".
     std::string stands = "foot";
-    std::string height;     // Heights for a log without a height sensor.
+    std::string height;     // Heights for a recording that has no height sensor.
     std::uint64_t seed = 1; // Random seed of a model.
     bool bare = false;
     bool report = false;
@@ -72,8 +73,8 @@ Result<Stroke> choose_stroke(SketchArguments const& arguments)
                             arguments.number, strokes.size()));
 }
 
-// Surface on which the stroke was drawn. Unless the user names it: space for files of strokes; for
-// a log, inferred from the pen's path.
+// The surface on which the stroke was drawn, as the user named it. If it is not named: space for a
+// file of strokes; for a log, it is inferred from the pen's path.
 StrokeSurface surface_for(SketchArguments const& arguments)
 {
     if (arguments.surface.empty())
@@ -81,7 +82,7 @@ StrokeSurface surface_for(SketchArguments const& arguments)
     return arguments.surface == "space" ? StrokeSurface::Space : StrokeSurface::Paper;
 }
 
-// The stroke with its foot first, and whether it was reversed for that.
+// The stroke, beginning at the plant's foot, and whether it was reversed for that.
 struct FootFirst {
     Stroke stroke;
     StrokeSurface surface;
@@ -129,7 +130,7 @@ bool names_card(SketchArguments const& arguments)
     return arguments.rule.extension() == ".card";
 }
 
-// Reads a preset that was saved in the window.
+// Reads a preset of the tool that was saved in the window.
 Result<SketchTool> read_card(SketchArguments const& arguments)
 {
     constexpr std::size_t kMaxBytes = 4096;
@@ -152,7 +153,7 @@ Result<sketch::Rule> read_rule(SketchArguments const& arguments)
     return sketch::load_rule(arguments.rule);
 }
 
-// The model to grow instead of a rule; not set if a rule is used.
+// The model to grow; not set if the plant grows by a rule.
 Result<sketch::ModelRule> read_model(SketchArguments const& arguments)
 {
     sketch::ModelRule model;
@@ -179,7 +180,8 @@ void warn_of_cut(sketch::Rule const& rule, sketch::DrawnAxis const& axis)
                         axis.depth, rule.most_internodes));
 }
 
-// The edit that a pen in the window would have made, so that rule and stroke can be edited there.
+// The edit that a pen in the window would have made. In a session with this edit, rule and stroke
+// can be edited.
 Result<sketch::GrowAlongStroke> drawn_edit(SketchArguments const& arguments,
                                            sketch::Rule const& rule)
 {
@@ -193,7 +195,8 @@ Result<sketch::GrowAlongStroke> drawn_edit(SketchArguments const& arguments,
     };
 }
 
-// Writes the plant's pictures and session, after its model was written.
+// Writes the plant's picture, its mesh and, if requested, its session. The model has been written
+// before.
 Result<void> write_plant(SketchArguments const& arguments, scene::Edit const& load,
                          fs::path const& base, Result<sketch::GrowAlongStroke> const& drawn,
                          int segments)
@@ -234,8 +237,8 @@ Result<void> sketch_rule(SketchArguments const& arguments)
                        drawn_edit(arguments, rule), axis.segments());
 }
 
-// Writes the files that the model includes beside it, except leaf sheets, which are grown again on
-// loading.
+// Writes the files that the model includes into its folder. Leaf sheets are left out, as they are
+// grown again when the model is loaded.
 Result<void> write_includes(fs::path const& folder, sketch::ModelRule const& model)
 {
     for (auto const& [name, text] : model.includes)
@@ -273,7 +276,7 @@ void warn_of_misfit(SketchArguments const& arguments, sketch::TwigRule const& tw
             100 * twig.spacing_deviation, twig.twist_deviation_deg));
 }
 
-// Writes the rule's file, and the plant that the rule grows along the twig's axis.
+// Writes the file of the rule, and the plant that the rule grows along the axis of the twig.
 Result<void> grow_twig(SketchArguments arguments, sketch::DrawnTwig const& twig,
                        sketch::Rule const& rule)
 {
@@ -326,7 +329,7 @@ Result<void> sketch_plant(SketchArguments const& arguments)
     return model.is_set() ? sketch_model(arguments, std::move(model)) : sketch_rule(arguments);
 }
 
-// Adds options that choose the stroke and the position of its plant.
+// Adds the options that choose the stroke, and where on the stroke the plant stands.
 void add_stroke_options(CLI::App& command, SketchArguments& arguments)
 {
     command.add_option("--stroke", arguments.number, "Which of the strokes in the file")

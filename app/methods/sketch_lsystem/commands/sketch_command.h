@@ -5,7 +5,7 @@
 
 namespace tractus::sketch {
 
-// Command `tractus sketch STROKE -o DIR`: a rule grows a plant along a drawn stroke.
+// Adds the command `tractus sketch STROKE -o DIR`: grows a plant by a rule along a drawn stroke.
 void add_sketch_command(CLI::App& root, options::Action& action, tools::Methods const& methods);
 
 } // namespace tractus::sketch

@@ -8,9 +8,9 @@
 
 namespace tractus::sketch {
 
-// Reads a twig from JSON, in millimetres: {"axis": [[x, y], …], "laterals": [[[x, y], …], …]}, x to
-// the right and y up, or [x, y, z] with z up. Fails with a user error that names the file, the
-// place and what to write.
+// Reads a drawn twig from JSON, in millimetres: {"axis": [[x, y], …], "laterals": [[[x, y], …],
+// …]}, x to the right and y up, or points [x, y, z] with z up. Fails with a user error that names
+// the file, the place and what to write.
 Result<DrawnTwig> load_twig(std::filesystem::path const& path);
 
 // Formats the rule as a file for --rule (rule_file.h).

@@ -29,7 +29,7 @@ TEST_F(ConstructCommand, WritesAModelWithItsFunctions)
     EXPECT_EQ(checked.err, "");
 }
 
-// The exported files must be the plant: read again, they give the same bytes.
+// The exported files must define the same plant: reading them again gives the same bytes.
 TEST_F(ConstructCommand, TheExportedTextGivesTheSamePlant)
 {
     for (std::string const name : { "hand_decussate", "bent", "deep", "hand_whorled", "cone" }) {
@@ -49,8 +49,8 @@ TEST_F(ConstructCommand, TheExportedTextGivesTheSamePlant)
     }
 }
 
-// The exported text must give the same plant if leaves are surfaces drawn in three views, whose
-// file is in the folder.
+// The exported text must also give the same plant if its leaves are surfaces drawn in three views.
+// The file of the surfaces is then in the exported folder.
 TEST_F(ConstructCommand, TheExportedTextOfOrgansInThreeViewsGivesTheSamePlant)
 {
     for (std::string const pattern : { "distichous", "decussate", "spiral", "whorled(3)" }) {
@@ -77,8 +77,8 @@ TEST_F(ConstructCommand, TheExportedTextOfOrgansInThreeViewsGivesTheSamePlant)
     }
 }
 
-// Returns a sketch of a vertical stem in an elliptic cylinder, 40 mm across and 25 mm deep, with
-// four lines.
+// Returns a sketch of a vertical stem with four lines. The boundaries form an elliptic cylinder, 40
+// mm wide and 25 mm deep.
 std::string in_cylinder(std::string const& pattern, std::string const& lines)
 {
     return R"({"pattern":")" + pattern + R"(","nodes_per_layer":[12],"stem":[[0,0],[0,200]],
@@ -125,7 +125,8 @@ TEST_F(ConstructCommand, TheExportedTextOfBoundariesInSpaceGivesTheSamePlant)
     }
 }
 
-// Strokes without roles, and boundaries with a depth, must be recognised as the same lines.
+// Lines given as strokes, without roles, must be recognised as the same lines. Boundaries are
+// recognised by their depth.
 TEST_F(ConstructCommand, TellsBoundariesInSpaceByTheirDepth)
 {
     auto const functions = [&](std::string const& text) {
@@ -151,7 +152,8 @@ TEST_F(ConstructCommand, TellsBoundariesInSpaceByTheirDepth)
                 360 - std::atan2(20, 40) * 180 / 3.14159265, 1e-6);
 }
 
-// The half ellipses give the sizes .2209, .2000 and .1697 between .25 and .15.
+// Between the sizes 0.25 and 0.15 of the boundaries, the half ellipses give 0.2209, 0.2000 and
+// 0.1697.
 TEST_F(ConstructCommand, SizesMayFollowHalfEllipses)
 {
     std::ofstream(folder_ / "round.json")
@@ -179,7 +181,7 @@ TEST_F(ConstructCommand, SizesMayFollowHalfEllipses)
     expect(reaches({ "--sizes", "linear" }), { 0.25, 0.225, 0.2, 0.175, 0.15 });
 }
 
-// Organs may be sketches: the exported text gives the plant, as for a single sketch.
+// If the organs are sketches, the exported text must also give the same plant.
 TEST_F(ConstructCommand, OrgansMayBeSketches)
 {
     auto const inner = in_cylinder("spiral", kFourLines);
@@ -224,7 +226,8 @@ TEST_F(ConstructCommand, SaysWhichOrganIsWrong)
     EXPECT_NE(with(R"("clump.json")").find("has one stem"), std::string::npos);
 }
 
-// A frond, a smaller one beside it, a lateral axis on that, and a fork of the first.
+// Sketch of five stems: a frond, a smaller frond beside it, a lateral axis on the smaller frond,
+// and two stems that fork from the top of the first frond.
 constexpr char const* kStems = R"({"pattern":"PATTERN","nodes_per_layer":[5],
     "stem":[[0,0],[4,100],[0,200]],"left":[[-60,0],[-40,120],[-5,220]],
     "right":[[50,0],[40,120],[5,220]],
@@ -280,7 +283,8 @@ TEST_F(ConstructCommand, ReportsEachStem)
     EXPECT_EQ(stems[3]["stands_on"], 1);
     EXPECT_EQ(stems[3]["stands_at"], 1);
     EXPECT_EQ(stems[4]["node_x"].size(), 3U) << "its own: no inclination lines, two nodes";
-    // Six nodes on the first four stems.
+    // Each node has two leaf tips. The first four stems have six nodes each, the last one has
+    // three.
     EXPECT_EQ(report["leaf_tips"].size(), 2U * (4 * 6 + 3));
 }
 
@@ -316,7 +320,7 @@ TEST_F(ConstructCommand, SaysWhatIsWrongWithAStem)
               "another stem\n");
 }
 
-// Lines of an SVG drawing belong to the preceding stem.
+// In an SVG drawing, lines belong to the stem that precedes them.
 TEST_F(ConstructCommand, ReadsSeveralStemsFromAnSvgDrawing)
 {
     std::ofstream(folder_ / "drawn.svg")
@@ -328,7 +332,8 @@ TEST_F(ConstructCommand, ReadsSeveralStemsFromAnSvgDrawing)
     ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
     auto const report = nlohmann::json::parse(drawn.out);
     ASSERT_EQ(report["stems"].size(), 2U);
-    // At 45 degrees to a boundary at 0.25, and at 0.3, of the stem's length.
+    // Leaves at 45 degrees to their stem reach the boundaries, which are 0.25 and 0.3 of the stem's
+    // length away from it.
     EXPECT_NEAR(report["stems"][0]["functions"]["left_size"][9].get<double>(),
                 0.25 * std::sqrt(2.0), 1e-6);
     EXPECT_NEAR(report["stems"][1]["functions"]["right_size"][9].get<double>(),
@@ -446,7 +451,7 @@ TEST_F(ConstructCommand, TellsStrokesThatDoNotSayWhatTheyAre)
               "stroke 1 is only a dot: leave it out\n");
 }
 
-// A palm: boundaries around the crown belong to a part of the stem.
+// A palm: its boundaries enclose only the crown, so they belong to a part of the stem.
 TEST_F(ConstructCommand, TakesStrokesAsTheyAreDrawn)
 {
     std::ofstream(folder_ / "palm.json")
@@ -463,11 +468,12 @@ TEST_F(ConstructCommand, TakesStrokesAsTheyAreDrawn)
         told["roles"],
         nlohmann::json({ "right", "stem", "left", piece, "inclination", "inclination", "unsure" }));
     EXPECT_EQ(told["unplaced"], nlohmann::json({ 7 }));
-    // The two rows have leaves on nine nodes: the pen's eight and one more.
+    // The two rows have leaves on nine nodes: the eight that the pen's lines have by default, and
+    // one more.
     EXPECT_EQ(told["leaf_tips"].size(), 2U * 9);
 }
 
-// An SVG drawing and a list of numbers must be read as one sketch.
+// An SVG drawing and a list of coordinates must be read as the same sketch.
 TEST_F(ConstructCommand, ReadsAnSvgDrawing)
 {
     std::ofstream(folder_ / "drawn.svg")
@@ -485,7 +491,7 @@ TEST_F(ConstructCommand, ReadsAnSvgDrawing)
     report.erase("unplaced");
     EXPECT_EQ(report, nlohmann::json::parse(written.out));
     auto const without = commands::run({ "construct", path("drawn.svg"), "-o", path("drawn") });
-    // Defaults of the pen's lines: two rows, 8 nodes.
+    // The defaults of lines drawn with the pen apply: two rows and 8 nodes.
     EXPECT_EQ(without.exit_code, 0) << without.err;
 }
 
@@ -500,7 +506,7 @@ TEST_F(ConstructCommand, WhatIsGivenBesidesCountsInPlaceOfTheSketchs)
     EXPECT_EQ(report["leaf_tips"].size(), 20U);
 }
 
-// The largest sketch that is allowed.
+// A sketch of the maximum size must be accepted.
 TEST_F(ConstructCommand, TakesTheLargestSketch)
 {
     nlohmann::json file { { "pattern", "distichous" } };

@@ -27,7 +27,7 @@ protected:
 
     std::string path(std::string const& name) const { return (folder_ / name).string(); }
 
-    // Returns the error message for a sketch that is refused.
+    // Returns the error message that `tractus construct` prints for an invalid sketch.
     std::string refusal(std::string const& text)
     {
         std::ofstream(folder_ / "wrong.json") << text;

@@ -19,7 +19,7 @@ inline std::string line_of(tools::Tool const& tool)
     return words.name + " " + words.arguments;
 }
 
-// Returns a frond: a stem, both boundaries, and two inclination lines.
+// Returns the strokes of a frond: a stem, both boundaries, and two inclination lines.
 inline std::vector<Stroke> frond()
 {
     return { stroke_through({ { -40, -60, 50 }, { -42, 0, 50 }, { -36, 60, 50 } }),

@@ -79,7 +79,7 @@ TEST_F(EraseLines, ABoundaryCanBeDrawnAgain)
     EXPECT_EQ(model(), whole);
 }
 
-// A hand that follows an inclination line crosses the stem.
+// An eraser that follows an inclination line also crosses the stem, which must not be erased.
 TEST_F(EraseLines, TheStemStaysWhereSomethingElseIsTouched)
 {
     draw_frond(document_);
@@ -94,12 +94,12 @@ TEST_F(EraseLines, TheStemStaysWhereSomethingElseIsTouched)
     EXPECT_EQ(sketch().lines.size(), 3U);
 }
 
-// Lines on a stem are removed with it, and other stems keep their lines.
+// Erasing a stem also removes the lines on it; other stems keep their lines.
 TEST_F(EraseLines, AStemGoesWithWhatStandsOnIt)
 {
     draw_frond(document_);
     LineTool another { .plant = LineTool::Plant::AnotherStem, .nodes = 4 };
-    // A lateral axis on the first stem.
+    // The second stroke is a lateral axis on the first stem.
     draw({ { -42, 0, 50 }, { 20, 40, 50 }, { 60, 50, 50 } }, another);
     draw({ { 120, -60, 50 }, { 120, 60, 50 } }, another);
     another.plant = LineTool::Plant::GoOn;
@@ -119,7 +119,7 @@ TEST_F(EraseLines, AStemGoesWithWhatStandsOnIt)
     EXPECT_EQ(sketch().lines.size(), 8U);
 }
 
-// A leaf exists as long as it has a side.
+// A leaf exists as long as one of its sides is left.
 TEST_F(EraseLines, ALeafGoesWithItsLastSide)
 {
     draw_frond(document_);
@@ -149,7 +149,8 @@ TEST_F(EraseLines, TheOtherEndOfThePenDoesSo)
     EXPECT_EQ(line_of(EraseLineTool {}), "erase_line ");
 }
 
-// While a leaf's edge is drawn, all leaves must show their sides and midribs.
+// While an edge of a leaf is being drawn, all leaves of the plant must show the new edge and the
+// midrib.
 TEST_F(EraseLines, TheLineUnderWayOfALeafIsShownOnThePlant)
 {
     draw_frond(document_);
@@ -163,7 +164,7 @@ TEST_F(EraseLines, TheLineUnderWayOfALeafIsShownOnThePlant)
     auto const leaf
         = shown({ { 60, 0, 50 }, { 70, 20, 50 }, { 60, 40, 50 } }, LineOrganTool { Leaf::Edge });
     ASSERT_EQ(leaf.size(), axes + 3 * organs);
-    // Both sides curve away from the midrib, by up to a fifth of its length.
+    // Each side curves away from the midrib by up to a quarter of the midrib's length.
     auto const& left = leaf[axes].points_mm;
     auto const& midrib = leaf[axes + 1].points_mm;
     auto const& right = leaf[axes + 2].points_mm;

@@ -11,7 +11,8 @@
 #include <unistd.h>
 #include <vector>
 
-// Compares each sketch in tests/data/construction_lines with the results of another program.
+// Compares the results for each sketch in tests/data/construction_lines with those of another
+// program.
 
 namespace tractus::lines {
 namespace {
@@ -44,7 +45,8 @@ void expect_report(json const& report, json const& wanted, std::string const& na
         EXPECT_EQ(values.size(), 21U);
         expect_near(report["functions"][key], values, 1e-6, name + " " + key);
     }
-    // The values come from the plant: its text has six digits, and a bent stem is drawn in pieces.
+    // The reported leaf tips are read from the plant. They are less exact, because the plant's text
+    // has six digits and a bent stem is drawn in straight pieces.
     auto const& headings = wanted["functions"]["heading"];
     bool const straight
         = std::adjacent_find(headings.begin(), headings.end(), std::not_equal_to<>())

@@ -1,13 +1,14 @@
 #include "tests/app/methods/construction_lines/construct_folder.h"
 
-// Tests of the organs of each layer in a sketch's file.
+// Tests of sketch files that give each layer its own organs.
 
 namespace tractus::lines {
 namespace {
 
 class LayerOrgansCommand : public ConstructFolder {
 protected:
-    // Writes a foxglove: leaves in decussate pairs below, and a spike of bells.
+    // Writes the sketch of a foxglove: a layer of leaves in decussate pairs, and above it a spike
+    // of bells.
     std::string foxglove(std::string const& organs, std::string const& more = "")
     {
         std::ofstream(folder_ / "foxglove.json")
@@ -19,7 +20,8 @@ protected:
         return path("foxglove.json");
     }
 
-    // Returns the written model, after checking that it gives the plant from which it was made.
+    // Returns the text of the model written for a sketch, after checking that it gives the same
+    // plant.
     std::string text_of(std::string const& sketch)
     {
         auto const made = commands::run({ "construct", sketch, "-o", path("made"), "--report" });
@@ -57,7 +59,7 @@ TEST_F(LayerOrgansCommand, LayersOfSeveralStemsGiveTheSamePlant)
     EXPECT_NE(text.find("pattern"), std::string::npos);
 }
 
-// Leaves, a surface, and plants of a sketch on one stem.
+// The layers of one stem have leaves, a surface, and plants of another sketch as organs.
 TEST_F(LayerOrgansCommand, LayersMayBearAnything)
 {
     std::ofstream(folder_ / "flower.json")
@@ -68,7 +70,8 @@ TEST_F(LayerOrgansCommand, LayersMayBearAnything)
     auto const sketch = foxglove(fmt::format(R"([{}, "flower.json"])", kBell), R"(,"face":"up")");
     text_of(sketch);
     auto const report = commands::run({ "construct", sketch, "-o", path("told"), "--report" });
-    // Three nodes with two leaves, and seven with two flowers of one node with five petals each.
+    // Three nodes have two leaves each. Seven nodes have two flowers each, of one node with five
+    // petals.
     EXPECT_EQ(nlohmann::json::parse(report.out)["leaf_tips"].size(), 3U * 2 + 7 * 2 * 5);
     auto const made = commands::run({ "construct", sketch, "-o", path("all") });
     EXPECT_NE(made.out.find(" 3 .s, .png"), std::string::npos) << made.out;
@@ -96,8 +99,8 @@ TEST_F(LayerOrgansCommand, SaysWhatIsWrongWithALayer)
               "organs of layer 1: divergence is no angle: give degrees from -360 to 360\n");
 }
 
-// A leaf may be a file beside the sketch, or one that comes with the program, for a layer or for
-// all leaves.
+// A leaf may be a file beside the sketch or one that comes with the program. It may be given for
+// one layer or for all leaves.
 TEST_F(LayerOrgansCommand, ALeafIsAFileOrOneOfOurs)
 {
     std::ofstream(folder_ / "mine.organ") << "tractus-organ 1\ncolor #a050a0\n"

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Tests of leaves drawn in three views, and of the organs of each layer.
+// Tests of the tools that draw leaves in three views and give organs to each layer.
 
 namespace tractus::lines {
 namespace {
@@ -42,8 +42,8 @@ protected:
     {
         return draw(places_mm, LineOrganTool { what, color });
     }
-    // Draws the third line from y = 35 mm on the tablet, where the second inclination line crosses
-    // the stem, and below.
+    // Draws the third inclination line. It begins a new layer at y = 35 mm on the tablet, where the
+    // second inclination line crosses the stem.
     void draw_third_line() { draw({ { -80, 20, 50 }, { -41, 0, 50 }, { 5, 20, 50 } }, spiral(3)); }
     std::string touch(double y_mm, What what)
     {
@@ -53,7 +53,8 @@ protected:
     document::Document document_ { scene::Scene {}, document::Document::Working::AtOnce };
 };
 
-// Returns the edge of a leaf of 40 mm, as a curve of 8 mm to one side, above the tablet's middle.
+// Returns the edge of a leaf 40 mm long: a curve that bulges by 8 mm to one side, above the middle
+// of the tablet.
 std::vector<Vec3> edge(double side, double from_y_mm = 0)
 {
     std::vector<Vec3> places;
@@ -76,7 +77,8 @@ std::string surface_of(lines::LineModel const& model)
     return found == model.functions.end() ? "" : found->second;
 }
 
-// Returns how high a leaf rises above its ends, relative to its length.
+// Returns how high a leaf rises above its ends, as a share of its length of 40 mm; negative: it
+// sags.
 double rise_of(lines::PenSketch const& sketch)
 {
     auto const surface = lines::surface_of(sketch.organs.front());
@@ -109,8 +111,8 @@ TEST_F(LayerTools, AnEdgeShapesAllLeaves)
     EXPECT_EQ(surface_of(model()), "");
 }
 
-// The side is recognised by the edge's position, and a missing edge is the mirror image of the
-// other.
+// The side of an edge is recognised by its position. A missing edge is the mirror image of the
+// other edge.
 TEST_F(LayerTools, TheOtherEdgeIsMirroredUntilItIsDrawn)
 {
     leaf(edge(1), Leaf::Edge);
@@ -126,7 +128,8 @@ TEST_F(LayerTools, TheOtherEdgeIsMirroredUntilItIsDrawn)
     EXPECT_NE(surface_of(model()), mirrored);
 }
 
-// Up on the pad must mean up, in any direction and at any slope of drawing.
+// A line drawn upwards on the pad must bend the leaf upwards, in any direction and at any slope of
+// the drawing.
 TEST_F(LayerTools, MidribAndSectionBendTheLeaf)
 {
     leaf(edge(1), Leaf::Edge);
@@ -159,7 +162,7 @@ TEST_F(LayerTools, RefusesWhatGivesNoLeaf)
               "here");
 }
 
-// The plant has leaves below and flowers above.
+// The lower layer has leaves and the upper layer has flowers.
 TEST_F(LayerTools, AnotherLeafStandsInTheTopmostLayer)
 {
     draw_third_line();
@@ -175,7 +178,7 @@ TEST_F(LayerTools, AnotherLeafStandsInTheTopmostLayer)
     touch(-20, What::Organ); // The lower layer gets the second leaf, too.
     for (auto const& organ : plant().organs)
         EXPECT_EQ(organ.shape, plant().organs.back().shape);
-    touch(-20, What::Organ); // The layer gets plain leaves.
+    touch(-20, What::Organ); // The touched layer gets plain leaves again.
     EXPECT_EQ(sketch().lines[3].organ, 0U);
     auto const text = model().source.text;
     EXPECT_NE(text.find("array organ[2] = {0, 2}"), std::string::npos) << text;
@@ -186,9 +189,9 @@ TEST_F(LayerTools, ALayerHasAPatternAndAFaceOfItsOwn)
     draw_third_line();
     auto const below = lines::layers_of(sketch()).value().front().nodes;
     auto const count = plant().organs.size();
-    touch(-20, What::Pattern); // The pattern becomes alternate: one leaf at each node, as before.
+    touch(-20, What::Pattern); // The pattern becomes alternate: one leaf per node, as before.
     EXPECT_EQ(plant().organs.size(), count);
-    touch(-20, What::Pattern); // The layer gets whorls of three.
+    touch(-20, What::Pattern); // The touched layer gets whorls of three leaves.
     EXPECT_EQ(plant().organs.size(), count + 2 * static_cast<std::size_t>(below));
     auto const upwards = [&](std::size_t organ) {
         return (plant().organs[organ].orientation * Vec3(0, 0, 1)).z();
@@ -197,7 +200,7 @@ TEST_F(LayerTools, ALayerHasAPatternAndAFaceOfItsOwn)
     touch(-20, What::Face);
     EXPECT_LT(upwards(0), -0.2);
     EXPECT_GT(upwards(plant().organs.size() - 1), 0.2);
-    // Settings for the plant apply to all layers.
+    // Settings for the whole plant apply to all its layers.
     document_.draw({ {}, tools::Tool(LinePatternTool {}).done_at_once() });
     EXPECT_EQ(plant().organs.size(), count) << "alternate everywhere";
     document_.draw(
@@ -206,7 +209,7 @@ TEST_F(LayerTools, ALayerHasAPatternAndAFaceOfItsOwn)
               "The organs turn their upper side down now");
 }
 
-// A plant drawn beside it is dragged to the layer that will bear it.
+// A flower is drawn beside the plant and dragged to the layer whose organ it becomes.
 TEST_F(LayerTools, APlantBecomesAnOrgan)
 {
     auto const flower = document_.newest()->scene.state.active;
@@ -237,7 +240,7 @@ TEST_F(LayerTools, APlantBecomesAnOrgan)
         std::string::npos);
 }
 
-// A leaf of this plant, or of another one.
+// The leaf is dragged to a layer of its own plant or of another one.
 TEST_F(LayerTools, ALeafIsBroughtToALayer)
 {
     draw_third_line();

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <sstream>
 
-// Pictures on leaves that are drawn in three views.
+// Tests of pictures as textures of leaves that are drawn in three views.
 
 namespace tractus::lines {
 namespace {
@@ -32,7 +32,7 @@ std::string png_of(render::Image const& image)
     return out.str();
 }
 
-// Returns a picture with a green left half, a red right half, and a blue upper quarter.
+// Returns a picture whose left half is green, right half red, and upper quarter blue.
 render::Image flag(int width, int height)
 {
     render::Image image(width, height, kGreen);
@@ -45,7 +45,7 @@ render::Image flag(int width, int height)
     return image;
 }
 
-// Returns a curve of 8 mm to one side, 40 mm long, from (60, 0) upwards.
+// Returns a curve 40 mm long, from (60, 0) upwards, that bulges by 8 mm to one side.
 std::vector<Vec3> bow(double side)
 {
     std::vector<Vec3> places;
@@ -79,7 +79,7 @@ protected:
     }
 };
 
-// The folder must contain the picture, and its text must give the same plant.
+// The exported folder must contain the picture, and the exported text must give the same plant.
 TEST_F(ConstructTextures, AreWrittenBesideTheModel)
 {
     write_sketch("\"petal.png\"");
@@ -99,7 +99,8 @@ TEST_F(ConstructTextures, AreWrittenBesideTheModel)
         << "the picture stands for the colour";
 }
 
-// The session must contain the picture, so it opens without the files of model and picture.
+// A session must contain the picture, so that it opens without the files of the model and the
+// picture.
 TEST_F(ConstructTextures, AreInTheSession)
 {
     write_sketch("\"petal.png\"");
@@ -145,7 +146,7 @@ class PenTextures : public ::testing::Test {
 protected:
     PenTextures() { draw_frond(document_); }
 
-    // Puts the flag behind the leaf's place: 20 mm wide, 40 mm high.
+    // Puts the flag, 20 mm wide and 40 mm high, behind the place where the leaf is drawn.
     void lay_picture(double x_mm = 60, double turn_deg = 0)
     {
         scene::LayPicture const lay {
@@ -182,15 +183,15 @@ protected:
     document::Document document_ { scene::Scene {}, document::Document::Working::AtOnce };
 };
 
-// Returns the distance between two colours.
+// Returns the distance between two colours, as the sum of the differences of their channels.
 int distance(render::Color const& one, render::Color const& other)
 {
     return std::abs(one.red - other.red) + std::abs(one.green - other.green)
         + std::abs(one.blue - other.blue) + std::abs(one.alpha - other.alpha);
 }
 
-// The leaf's midrib is on the middle of the flag and its base at the flag's lower edge, so its left
-// half is green, its right half red, and the quarter at its tip blue.
+// The leaf's midrib is on the middle of the flag, and its base on the flag's lower edge. So the
+// leaf's left half is green, its right half red, and the quarter at its tip blue.
 TEST_F(PenTextures, AreWhatLiesBehindTheLeaf)
 {
     lay_picture();
@@ -212,7 +213,7 @@ TEST_F(PenTextures, AreWhatLiesBehindTheLeaf)
     EXPECT_EQ(wrong, 0);
 }
 
-// On the plant, the mesh's left boundary must show the picture's left edge, and its base the lower
+// On the plant's mesh, the left boundary must show the picture's left edge, and the base its lower
 // edge.
 TEST_F(PenTextures, LieBetweenTheBoundaries)
 {
@@ -232,14 +233,14 @@ TEST_F(PenTextures, LieBetweenTheBoundaries)
         EXPECT_NEAR(leaf_mesh.positions_mm[i].x(), (2 * u - 1) * half, 0.01 * length);
         EXPECT_NEAR(leaf_mesh.texture_coordinates[i].y(), t, 0.06);
     }
-    // Rows begin at the base: green and red first, blue last.
+    // The first rows are at the leaf's base: they are green and red. The last rows are blue.
     auto const shown = render::read_picture(material.textures.base_color->bytes).value();
     EXPECT_EQ(shown.at(5, 20), kGreen);
     EXPECT_EQ(shown.at(shown.width() - 5, 20), kRed);
     EXPECT_EQ(shown.at(5, shown.height() - 10), kBlue);
 }
 
-// A picture rotated by half a turn must show its other end on the leaf.
+// If the picture is rotated by half a turn, the leaf must show the other end of the picture.
 TEST_F(PenTextures, GoWithHowThePictureLies)
 {
     lay_picture(60, 180);
@@ -276,7 +277,8 @@ TEST_F(PenTextures, NeedAPictureBehindTheLeaf)
     EXPECT_TRUE(sketch().organs.empty());
 }
 
-// Strokes drawn twice over one picture must give equal bytes, and a session must keep them.
+// The same strokes over the same picture must give equal bytes each time, and a session must keep
+// them.
 TEST_F(PenTextures, AreTheSameAgainAndInASession)
 {
     lay_picture();

@@ -17,7 +17,7 @@
 namespace tractus::lines {
 namespace {
 
-// Returns a scene with a stem of 120 mm, both boundaries, and two inclination lines.
+// Returns a scene with a frond: a stem of 120 mm, both boundaries, and two inclination lines.
 scene::Scene frond_scene()
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
@@ -114,7 +114,7 @@ TEST(LineCurves, HaveButtonsForALayersNodes)
     EXPECT_FALSE(kLineCurves.drag(small_scene(), 0, Vec2(0, 0)));
 }
 
-// Half of the heading's column is a right angle.
+// In the gizmo, half the width of the column for the stem's heading stands for 90 degrees.
 TEST(LineCurves, BendTheStemToAWholeDegree)
 {
     auto const scene = frond_scene();
@@ -131,7 +131,7 @@ TEST(LineCurves, BendTheStemToAWholeDegree)
     EXPECT_NEAR(lines::values_at(measured(far), 0).heading_deg, -90, 0.5);
 }
 
-// In a session it must be one step, with a description.
+// Bending the stem must be one step of a session, with a description.
 TEST(LineCurves, ABentStemIsKept)
 {
     auto const scene = frond_scene();
@@ -165,7 +165,7 @@ TEST(LineCurves, SetALayersNodesByTheWayFromOneToTheNext)
     EXPECT_EQ(nodes_with(-1), lines::kMaxNodesInLayer);
 }
 
-// Handles that no longer exist must be refused, whatever their number.
+// A handle that no longer exists must be refused, whatever its number.
 TEST(LineCurves, RefuseHandlesThatNothingHas)
 {
     auto const scene = frond_scene();

@@ -65,7 +65,7 @@ tools::Tool another_stem()
     return LineTool { .plant = LineTool::Plant::AnotherStem, .nodes = 6 };
 }
 
-// Draws a frond, another one beside it, and a lateral axis on the first.
+// Draws a frond, another frond beside it, and a lateral axis on the first frond.
 void draw_two_stems_and_a_lateral(document::Document& document)
 {
     draw_frond(document);
@@ -112,7 +112,7 @@ TEST(LineTool, DrawsSeveralStemsOfOnePlant)
     EXPECT_EQ(axes[0].parent_axis, kNone);
     EXPECT_EQ(axes[1].parent_axis, 0U) << "the lateral axis";
     EXPECT_EQ(axes[2].parent_axis, kNone);
-    // The stem is vertical at the drawn position.
+    // The stem is vertical where it was drawn.
     Vec3 const top_mm = after.placement.world_of_plant(after.base->positions(axes[2]).back());
     EXPECT_NEAR((top_mm - Vec3(58, 0, 100)).norm(), 0, 0.5);
     EXPECT_EQ(kStemLayer.lines(after).size(), 2U);
@@ -126,8 +126,8 @@ TEST(LineTool, DrawsSeveralStemsOfOnePlant)
     EXPECT_EQ(document.newest()->scene.base->node_position_mm, after.base->node_position_mm);
 }
 
-// A line beside the second stem belongs to it, with alternating colours for stems; then each stem
-// has its own functions.
+// A line drawn beside the second stem belongs to that stem. The lines of the stems have alternating
+// colours, and each stem has functions of its own.
 TEST(LineTool, GivesLinesToTheStemBesideWhichTheyAreDrawn)
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
@@ -144,7 +144,8 @@ TEST(LineTool, GivesLinesToTheStemBesideWhichTheyAreDrawn)
     EXPECT_EQ(kLinesToDrawLayer.lines(scene).size(), 3U) << "of the stem in hand";
 }
 
-// Fixture for comparing the plant with the model that the command writes from the same strokes.
+// Fixture for comparing the drawn plant with the model that `tractus construct` writes from the
+// same strokes.
 class LineToolAndCommand : public testing::Test {
 protected:
     LineToolAndCommand() { fs::create_directories(folder_); }
@@ -154,7 +155,8 @@ protected:
 
     std::string path(std::string const& name) const { return (folder_ / name).string(); }
 
-    // Runs the command on the strokes' positions on the tablet.
+    // Runs `tractus construct` on the positions of the strokes on the tablet, and returns its
+    // report.
     nlohmann::json construct(std::vector<Stroke> const& strokes,
                              std::vector<int> const& nodes) const
     {
@@ -184,7 +186,7 @@ TEST_F(LineToolAndCommand, GiveTheSameText)
     auto const model
         = lines::model_of(*lines::active_pen_sketch(document.newest()->scene.state)).value();
     EXPECT_EQ(model.source.text, read_file(path("out/lines.l")).value());
-    // The written view has one more line, for cpfg.
+    // The written view has an additional line for cpfg.
     EXPECT_EQ(model.source.view_text + "surface: l lines_leaf.s 1\n",
               read_file(path("out/lines.v")).value());
     ASSERT_EQ(model.functions.size(), 7U);
@@ -192,8 +194,8 @@ TEST_F(LineToolAndCommand, GiveTheSameText)
         EXPECT_EQ(text, read_file(path("out/" + name)).value()) << name;
 }
 
-// Returns strokes of a frond and boundaries in front of it and behind, both on its stem in the
-// front view.
+// Returns the strokes of a frond, and of boundaries in front of it and behind it. In the front
+// view, these boundaries lie on the stem.
 std::vector<Stroke> frond_in_space()
 {
     auto strokes = frond();
@@ -223,7 +225,8 @@ TEST(LineTool, DrawsBoundariesWhileTheSurfaceMoves)
     EXPECT_EQ(kBoundaryLayer.lines(after).size(), 4U);
     EXPECT_EQ(kStemLayer.lines(after).size(), 1U);
     EXPECT_TRUE(kLinesToDrawLayer.lines(after).empty());
-    // In older logs, a stroke that would now be a boundary in space redraws the stem.
+    // In logs of older versions, a stroke redraws the stem where it would now be a boundary in
+    // space.
     document::Document older(scene::Scene {}, document::Document::Working::AtOnce);
     for (auto const& stroke : frond_in_space())
         older.draw({ stroke,
@@ -233,7 +236,7 @@ TEST(LineTool, DrawsBoundariesWhileTheSurfaceMoves)
         EXPECT_NE(line.role, Role::Around);
 }
 
-// The plant must be the model that the command writes from the same strokes in space.
+// The plant must be the model that `tractus construct` writes from the same strokes in space.
 TEST_F(LineToolAndCommand, GiveTheSameTextOfBoundariesInSpace)
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
@@ -261,7 +264,7 @@ TEST_F(LineToolAndCommand, GiveTheSameTextOfBoundariesInSpace)
         EXPECT_EQ(text, read_file(path("out/" + name)).value()) << name;
 }
 
-// Returns a recording by the simulated hand with tremor, using the line tool.
+// Returns a recording in which the simulated hand, with tremor, draws a sketch with the line tool.
 drivers::Log recorded_sketch()
 {
     constexpr std::string_view kHand = R"(
@@ -336,7 +339,7 @@ TEST_F(LineToolAndCommand, GiveTheSamePlantFromALog)
     }
 }
 
-// Draws in a session, and returns the final scene.
+// Draws a plant in a session, changes it with several tools, and returns the final scene.
 scene::Scene drawn_in(session::Session session,
                       void (*draw)(document::Document& document) = draw_frond)
 {
@@ -440,7 +443,7 @@ TEST_F(LineToolAndCommand, GiveTheSameTextOfSeveralStems)
     auto const model
         = lines::model_of(*lines::active_pen_sketch(document.newest()->scene.state)).value();
     EXPECT_EQ(model.source.text, read_file(path("out/lines.l")).value());
-    // The written view has one more line, for cpfg.
+    // The written view has an additional line for cpfg.
     EXPECT_EQ(model.source.view_text + "surface: l lines_leaf.s 1\n",
               read_file(path("out/lines.v")).value());
     ASSERT_EQ(model.functions.size(), 3U * 2 + 5);
@@ -448,7 +451,7 @@ TEST_F(LineToolAndCommand, GiveTheSameTextOfSeveralStems)
         EXPECT_EQ(text, read_file(path("out/" + name)).value()) << name;
 }
 
-// A recording must contain which strokes begin a stem.
+// A recording must contain which of its strokes begin a new stem.
 TEST(LineTool, BeginsStemsInARecording)
 {
     auto log = recorded_sketch();
@@ -461,7 +464,7 @@ TEST(LineTool, BeginsStemsInARecording)
     EXPECT_EQ(replay.scene.base->organs.size(), 2U * 8);
 }
 
-// Each line is a step.
+// Each drawn line is one step that can be undone.
 TEST(LineTool, IsUndoneAndDoneAgain)
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
@@ -503,7 +506,7 @@ TEST(LineTool, SaysWhatTheLineWasTakenForAndWhatIsMissing)
     EXPECT_EQ(view.state().status, drawn[2].refusal);
 }
 
-// The preview under the pen must equal the resulting plant.
+// The preview under the pen must be equal to the plant that results from the stroke.
 TEST(LineTool, ShowsThePlantThatFollows)
 {
     auto const strokes = frond();

@@ -19,7 +19,8 @@ namespace {
 using namespace line_tests;
 namespace fs = std::filesystem;
 
-// Each organ must have a surface with its stated length and some width, upright on its base.
+// Each organ of the library must have a surface of the stated length and some width, upright on its
+// base.
 TEST(OrganLibrary, OursAreLeaves)
 {
     auto const kinds = methods::organ_kinds();
@@ -72,7 +73,7 @@ protected:
         return window;
     }
 
-    // Returns the titles of the cards, and what choosing them does.
+    // Returns the title of each card, with the text about what choosing the card does.
     static std::vector<std::string> cards(controllers::LiveWindow& window)
     {
         std::vector<std::string> titles;
@@ -131,7 +132,7 @@ TEST_F(OrganChoices, ALeafOfOursComesToThePlant)
     EXPECT_EQ(sketch(window).organs.size(), 1U);
 }
 
-// A leaf must get from one drawing to the next through the user's library.
+// A drawn leaf must be available in another drawing through the user's library.
 TEST_F(OrganChoices, ADrawnLeafIsKeptAndBroughtToAnother)
 {
     auto empty = window();
@@ -157,7 +158,7 @@ TEST_F(OrganChoices, ADrawnLeafIsKeptAndBroughtToAnother)
     EXPECT_EQ(print_organ(load_organ(folder_ / "leaves" / "drawn-leaf.organ").value()), kept);
 }
 
-// A plant without construction lines must not be offered any.
+// A plant without construction lines must not be offered any organs.
 TEST_F(OrganChoices, OnlyPlantsOfLinesBearThem)
 {
     auto window = this->window(small_scene());

@@ -14,7 +14,7 @@ namespace {
 
 using Line = std::vector<Vec2>;
 
-// Returns the only line of a path.
+// Returns the line of SVG path data that describe a single line.
 Line path(char const* data)
 {
     auto const lines = svg::parse_svg_path(data);
@@ -69,7 +69,7 @@ TEST(SvgPath, ArcsAreCirclesAboutTheirMiddles)
             EXPECT_NEAR(point.norm(), 10, 1e-9) << data;
     auto const large = path("M10 0A10 10 0 1 0 0 10");
     EXPECT_NEAR((large[large.size() / 2] - Vec2(-10, -10) / std::sqrt(2.0)).norm(), 0, 1e-9);
-    // The radius is enlarged to the least possible value.
+    // The radius is too small for the arc, so it is enlarged to the minimum.
     auto const too_small = path("M-10 0A1 1 0 0 1 10 0");
     EXPECT_NEAR((too_small[too_small.size() / 2] - Vec2(0, -10)).norm(), 0, 1.0);
 }
@@ -118,7 +118,8 @@ TEST(SvgSketch, LinesWithoutNamesAreStrokes)
 {
     auto const read = sketch_of_svg(R"(<path d="M0 96V0"/><path d="M-48 0V96"/>)");
     ASSERT_EQ(read["strokes"].size(), 2U);
-    EXPECT_DOUBLE_EQ(read["strokes"][0][0][1].get<double>(), -25.4); // In pixels, 96 per inch.
+    // The SVG file is in pixels, 96 per inch.
+    EXPECT_DOUBLE_EQ(read["strokes"][0][0][1].get<double>(), -25.4);
 }
 
 TEST(SvgSketch, RefusesWhatIsNoDrawing)

@@ -8,7 +8,8 @@
 
 #include <fmt/format.h>
 
-// Tests of tools that change a sketch by touching it, and of the display of its lines.
+// Tests of tools that change a construction-line sketch by touching it, and of the display of its
+// lines.
 
 namespace tractus::lines {
 namespace {
@@ -17,7 +18,8 @@ using namespace line_tests;
 using lines::Pattern;
 using lines::Role;
 
-// Lines must be in front of the plant, at any position and scale.
+// The layers must show the lines of a sketch where its plant is, even if the plant was moved or
+// scaled.
 TEST(LineLayers, ShowTheLinesByWhatTheyAre)
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
@@ -52,8 +54,8 @@ TEST(LinePatternTool, GoesThroughThePatterns)
         document.draw({ {}, tools::Tool(LinePatternTool {}).done_at_once() });
         patterns += fmt::format("{} ", document.newest()->scene.base->organs.size());
     }
-    // The stem has seven nodes. The patterns are alternate, whorls of three, two patterns with two
-    // organs per node, and spiral again.
+    // The stem has seven nodes. The patterns are alternate with 7 organs, whorls of three with 21,
+    // two patterns with two organs per node, and spiral again.
     EXPECT_EQ(patterns, "7 21 14 14 7 ");
     EXPECT_EQ(document.take_finished_strokes().back().message, "The organs are spiral now");
     scene::Scene scene = small_scene();
@@ -83,18 +85,19 @@ TEST(LinePatternTool, LetsSizesFollowHalfEllipsesAndBack)
     EXPECT_EQ(model().source.text, linear.source.text);
 }
 
-// If the other boundary is drawn where it is proposed, nothing changes.
+// A layer proposes where to draw a missing boundary. Drawing the boundary there must be accepted as
+// such.
 TEST(LineLayers, ShowWhereALineIsMissing)
 {
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
-    for (std::size_t i : { 0U, 1U, 3U, 4U }) // All lines except the right boundary.
+    for (std::size_t i : { 0U, 1U, 3U, 4U }) // The right boundary is left out.
         document.draw({ frond()[i], spiral() });
     auto const scene = document.newest()->scene;
     auto const missing = kLinesToDrawLayer.lines(scene);
     ASSERT_EQ(missing.size(), 1U);
     std::vector<Vec3> points;
     for (auto const& point : missing[0])
-        // Converts from the upright sheet to the tablet.
+        // Converts from the upright sheet to the tablet, in mm.
         points.emplace_back(point.x(), point.z() - 100, 50);
     document.draw({ stroke_through(points), spiral() });
     auto const drawn = document.take_finished_strokes();

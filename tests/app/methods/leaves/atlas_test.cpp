@@ -26,7 +26,7 @@ protected:
 
     std::string folder(std::string const& name) const { return (folder_ / name).string(); }
 
-    // A picture decoded by libpng.
+    // A picture as decoded by libpng.
     struct Picture {
         unsigned side = 0;
         std::vector<unsigned char> rgba;
@@ -70,7 +70,7 @@ TEST_F(LeafAtlas, HasPagesWithEmptyGutters)
             ASSERT_GT(pixel[0] + pixel[1] + pixel[2], 60) << "black goes on round a leaf";
         }
     EXPECT_GT(there, 10000u);
-    // The end of the petiole is in the middle of the lower edge.
+    // The stem, the end of the petiole, is in the middle of the cell's lower edge.
     auto const& stem = page["pages"][0]["cells"][1]["stem"];
     EXPECT_EQ(stem[0], 192);
     EXPECT_EQ(stem[1], 120);
@@ -117,7 +117,8 @@ TEST_F(LeafAtlas, CutsShapesOutThatHoldTheirLeaves)
         }
 }
 
-// Green means up in glTF and down in Unreal; Unity uses smoothness where others use roughness.
+// The green channel of a normal map points up in glTF and down in Unreal. Unity stores smoothness
+// where the others store roughness.
 TEST_F(LeafAtlas, PacksChannelsAsEachEngineTakesThem)
 {
     auto const make = [&](std::string const& engine) {
@@ -175,7 +176,7 @@ TEST_F(LeafAtlas, WritesSmallerPicturesInWhichLeavesStay)
         return double(count) / double(picture.rgba.size() / 4);
     };
     double const whole = there("page-0-color.png");
-    for (int level = 1; level <= 4; ++level) // The smallest picture has 16 pixels.
+    for (int level = 1; level <= 4; ++level) // The smallest mip level has 16 pixels on a side.
         EXPECT_NEAR(there("page-0-color-mip" + std::to_string(level) + ".png"), whole, 0.02)
             << level;
     EXPECT_EQ(read(folder("mips/page-0-normal-mip6.png")).side, 4u);

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns a closed spindle-shaped outline, 80 mm long, beginning at its base.
+// Returns a closed spindle-shaped outline of a leaf, 80 mm long, that begins at the leaf's base.
 Stroke leaf_outline(double x_mm = 0)
 {
     std::vector<Vec3> places;
@@ -121,7 +121,7 @@ TEST(EraseLeafTool, TakesLinesAwayThatItTouches)
               "the eraser touched nothing of the leaf: move it over a line of its drawing");
 }
 
-// A leaf drawn by pen is kept in a file, and worn by a tree, as in the window.
+// A leaf drawn by pen is kept in a file, and a tree can wear it, as in the window.
 TEST(DrawnLeaves, AreKeptAndWorn)
 {
     auto const folder = fs::temp_directory_path() / fmt::format("tractus_drawn_{}", ::getpid());

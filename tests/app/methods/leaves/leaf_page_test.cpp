@@ -11,8 +11,8 @@
 namespace tractus::leaf {
 namespace {
 
-// Returns a window whose pen strokes are already finished; otherwise undo would remove those
-// instead of the leaves.
+// Returns a window on a tree in which the strokes of the pen are already finished. Otherwise undo
+// would remove these strokes instead of the leaves.
 controllers::LiveWindow window_with_tree()
 {
     auto options = controllers::live_options();
@@ -24,7 +24,7 @@ controllers::LiveWindow window_with_tree()
     return window;
 }
 
-// Returns the indices of the card with a title.
+// Returns the indices of the group and of the card with the given title.
 std::pair<std::size_t, std::size_t> card_of(view::StartPageState const& page,
                                             std::string const& title)
 {

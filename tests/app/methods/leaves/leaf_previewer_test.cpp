@@ -14,7 +14,7 @@
 namespace tractus::leaf {
 namespace {
 
-// Returns the first points of a spindle-shaped outline, 80 mm long.
+// Returns the first `places` points of a spindle-shaped outline, 80 mm long.
 Stroke spindle(std::size_t places)
 {
     std::vector<Vec3> line;
@@ -41,13 +41,14 @@ std::vector<tools::SkeletonLine> preview_of(scene::Scene const& scene, Stroke co
     return leaf_previewer()->show({ shared, tool, ink, 9 });
 }
 
-// Converts to the sheet, which has another position when the plant's base has moved on it.
+// Converts a position in the plant's frame to the sheet. The result changes when the plant's base
+// moves on the sheet.
 Vec2 on_paper_mm(Vec3 const& plant_mm, scene::Scene const& scene)
 {
     return scene::paper_of(scene.state).sheet_of_world(scene.placement.world_of_plant(plant_mm));
 }
 
-// Returns the distance of a point on the sheet from the nearest corner of the plant's polygons.
+// Returns the distance of a point on the sheet from the nearest vertex of the plant's polygons.
 double from_corners_mm(Vec2 const& sheet_mm, scene::Scene const& scene)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -56,7 +57,7 @@ double from_corners_mm(Vec2 const& sheet_mm, scene::Scene const& scene)
     return least;
 }
 
-// Expects the preview before pen-up to equal the resulting plant.
+// Expects the preview shown before the pen is lifted to be equal to the resulting plant.
 void expect_as_drawn(scene::Scene const& before, Stroke const& stroke)
 {
     auto const lines = preview_of(before, stroke);

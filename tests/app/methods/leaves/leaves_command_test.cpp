@@ -28,7 +28,7 @@ json read_json(fs::path const& path)
     return json::parse(file);
 }
 
-// Compares the positions of all vertices after the last step.
+// Compares the positions of all vertices after the last derivation step with expected ones.
 void expect_positions(fs::path const& path, int steps, int final_step, json const& wanted)
 {
     std::string const text = file_bytes(path);
@@ -54,7 +54,7 @@ void expect_positions(fs::path const& path, int steps, int final_step, json cons
     }
 }
 
-// Compares each grammar in the folder with the counts by another program.
+// Compares counts for each grammar in the folder with those of another program.
 void expect_counts(fs::path const& folder, std::size_t grammars)
 {
     auto const expected = read_json(folder / "counts.json");

@@ -31,7 +31,7 @@ TEST_P(PlantLeaves, AreFewTrianglesThatBendAlongTheMidrib)
                       3);
             for (auto const& triangle : leaf->triangles) {
                 EXPECT_GT(area_of(*leaf, triangle), -1e-9);
-                // No triangle extends from one half into the other.
+                // A triangle must not extend from one half of the leaf into the other.
                 double low = 0;
                 double high = 0;
                 for (auto const corner : triangle) {
@@ -44,7 +44,7 @@ TEST_P(PlantLeaves, AreFewTrianglesThatBendAlongTheMidrib)
     }
 }
 
-// Five leaves occupy the first five of sixteen cells.
+// On the atlas page, five leaves occupy the first five of sixteen cells.
 TEST_P(PlantLeaves, LieInTheirCellsOfThePage)
 {
     auto const grammar = load_own_leaf_grammar(GetParam()).value();

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the number of organs that are leaves of a grammar.
+// Returns the number of organs that are leaves made by a grammar.
 std::size_t leaves_of(Plant const& plant, std::string_view grammar)
 {
     return static_cast<std::size_t>(
@@ -51,7 +51,7 @@ TEST(SetFoliage, GivesAModelAnotherSpeciesLeaves)
     EXPECT_NE(texture, scene.in_season->materials.back().textures.base_color);
 }
 
-// The user's own grammar must be stored in the document with its text, so that seasons find it.
+// The text of the user's own grammar must be stored in the document, so that seasons can use it.
 TEST(SetFoliage, KeepsAGrammarOfOnesOwn)
 {
     auto const file = fs::temp_directory_path() / fmt::format("my own {}.leaf", ::getpid());
@@ -75,7 +75,7 @@ TEST(SetFoliage, SaysWhichLeavesThereAre)
         methods::foliage_edits(scene, scene.state.active, { .leaves = "/nowhere/my.leaf" }));
 }
 
-// A drawing over a grammar becomes a grammar, which a tree then wears.
+// A leaf sketched over a grammar becomes a grammar of its own, whose leaves a tree then wears.
 TEST(SketchLeaf, MakesAGrammarThatPlantsWear)
 {
     auto const folder = fs::temp_directory_path() / fmt::format("tractus_sketch_{}", ::getpid());

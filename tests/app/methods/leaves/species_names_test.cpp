@@ -1,5 +1,5 @@
-// Leaves must be identifiable by their outlines alone: each painted leaf is named after the most
-// similar leaf in a reference set.
+// Leaves must be identifiable by their outlines alone. Each painted leaf is given the species of
+// the most similar leaf in a reference set, and the result is compared with its true species.
 #include "app/methods/leaves/leaf_library.h"
 #include "engine/base/parallel.h"
 
@@ -17,13 +17,15 @@ namespace {
 
 using Descriptor = std::vector<std::complex<double>>;
 
-// Returns the leaf's extent from the picture's middle in each direction. Narrow gaps, as eaten by
-// larvae, are ignored.
+// Returns how far the leaf extends from the middle of the picture in each direction. Narrow gaps,
+// such as those eaten by larvae, are ignored.
 std::vector<double> reaches(leaf::LeafPicture const& picture)
 {
-    constexpr float kThin = 0.3f; // Petioles are thinner than a small picture's pixels.
+    // Opacity above which a pixel counts. It is low, since petioles are thinner than the pixels of
+    // a small picture.
+    constexpr float kThin = 0.3f;
     constexpr int kWays = 128;
-    constexpr int kGap = 2; // Number of directions on each side.
+    constexpr int kGap = 2; // Width of an ignored gap, in directions on each side.
     std::vector<double> far(kWays, 0);
     int const side = picture.side;
     for (int y = 0; y < side; ++y)
@@ -44,7 +46,8 @@ std::vector<double> reaches(leaf::LeafPicture const& picture)
     return closed;
 }
 
-// Returns Fourier descriptors of the extents; leaves are upright, so phases count.
+// Returns Fourier descriptors of the leaf's extents by direction. The phases are included, since
+// all leaves are upright.
 Descriptor describe(leaf::LeafPicture const& picture)
 {
     constexpr int kFrequencies = 24;
@@ -85,9 +88,9 @@ Descriptor draw(leaf::Grammar const& grammar, std::uint64_t seed, Drawn const& d
     return describe(leaf::paint_leaf(grown->leaf, grown->triangles, options));
 }
 
-// Compares 200 varied leaves of each species with 50 others of each. Half of the former are drawn
-// at 64 pixels, every fourth is eaten, and their ages range from mature to dead; the latter are
-// whole and mature.
+// Compares 200 varied leaves of each species with a reference set of 50 leaves of each species.
+// Half of the varied leaves are drawn at 64 pixels, every fourth is eaten by larvae, and their ages
+// range from mature to dead. The reference leaves are whole and mature.
 TEST(LeafSpecies, AreNamedByTheirOutlines)
 {
     constexpr std::size_t kKnown = 50;

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Width to height of a blade or a leaflet, as known to botanists.
+// Ratio of width to height of the blade or leaflet of each species, as known to botanists.
 std::map<std::string, double> const kRatios {
     { "ivy", 1.20 },      { "rose", 0.62 },     { "lime", 0.90 },  { "tulip-tree", 1.09 },
     { "chestnut", 0.30 }, { "oak", 0.67 },      { "maple", 1.22 }, { "ginkgo", 1.47 },
@@ -47,8 +47,8 @@ TEST(LeafSpecies, AreAsWideAsTheyAreKnownToBe)
     }
 }
 
-// The lamina must follow the outline: a leaf with one blade has the area of its outline and
-// petiole.
+// The triangles of a leaf must fill its outline: for leaves with one blade, their area, without the
+// petiole, must be that inside the outline.
 TEST(LeafSpecies, FillTheirOutlines)
 {
     for (auto const& name : leaf_names()) {
@@ -78,7 +78,7 @@ TEST(LeafSpecies, FillTheirOutlines)
     }
 }
 
-// Leaves that curl in space must keep the area of the flat leaf.
+// When a leaf curls in space, its surface must keep the area of the flat leaf.
 TEST(LeafSpecies, LoseNothingOfTheirAreaAsTheyCurl)
 {
     auto const area = [](leaf::Grammar const& grammar, double age) {
@@ -121,7 +121,7 @@ protected:
     }
     void TearDown() override { fs::remove_all(folder_); }
 
-    // Returns width and height from bytes 16 to 23 of a PNG file.
+    // Returns the width and height of a PNG file in pixels, from its bytes 16 to 23.
     static std::pair<unsigned, unsigned> png_size(fs::path const& path)
     {
         std::string const bytes = file_bytes(path);

@@ -33,7 +33,7 @@ Stroke worn_outline(double half_width_mm)
     return stroke_through(places);
 }
 
-// Fixture with a tree, and beside it a leaf whose outline was drawn.
+// Fixture with a tree and, beside it, a leaf that was drawn by its outline.
 class WornLeaf : public testing::Test {
 protected:
     WornLeaf()
@@ -78,7 +78,7 @@ protected:
         make(*std::move(edits));
     }
 
-    // Returns the tree alone, as a file.
+    // Returns the bytes of a .glb file of the tree alone, without the drawn leaf.
     std::string tree()
     {
         auto shown = scene();
@@ -164,7 +164,8 @@ TEST_F(WornLeaf, FollowsInTheSeason)
     EXPECT_EQ(scene().state.leaf_sheets.size(), 2u) << "grown-up and old ones, of this drawing";
 }
 
-// Older sessions contain worn leaves by their text.
+// In older sessions, a tree wears a drawn leaf by the text of a file, not by reference to the
+// drawing.
 TEST_F(WornLeaf, StaysAsItIsWhereItIsWornFromAFile)
 {
     auto const file = fs::temp_directory_path() / fmt::format("drawn-leaf{}.leaf", ::getpid());
@@ -216,7 +217,8 @@ TEST(LeafStudy, ShowsALeafWithItsDamage)
     EXPECT_GT(share_of_paper(eaten.leaf, paper), share_of_paper(whole.leaf, paper) + 0.01);
     auto const white = study_leaf(grammar, { .damage = { .mildew = 1 } }, paper).value();
     EXPECT_NE(white.leaf, whole.leaf);
-    // Mildew at the edge may be as white as the background.
+    // The number of background-coloured pixels stays nearly equal: mildew only at the edge may be
+    // as white as the background.
     EXPECT_NEAR(share_of_paper(white.leaf, paper), share_of_paper(whole.leaf, paper), 0.002);
     EXPECT_NE(whole.others[0], whole.others[1]);
     EXPECT_EQ(study_leaf(grammar, {}, paper).value().leaf, whole.leaf);

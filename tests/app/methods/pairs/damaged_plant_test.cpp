@@ -11,8 +11,8 @@
 namespace tractus::methods {
 namespace {
 
-// Fixture with the session of a plant with grown leaves whose last step is undone, to test whether
-// the plant survives damage of the file.
+// Fixture with a session file of a plant with grown leaves, whose last step is undone. It tests
+// whether the plant survives damage to the file.
 class DamagedPlant : public session::SessionFolder {
 protected:
     void SetUp() override
@@ -51,7 +51,7 @@ protected:
         return { scene::Select { { { 0, 1, 2 } } }, scene::Associate { stroke_through(way) } };
     }
 
-    // Adds a step, and records the file's length after it.
+    // Adds a step to the session, and records the file's length after it.
     void add(session::Session& session, std::vector<scene::Edit> const& edits)
     {
         ASSERT_TRUE(session.append(edits));
@@ -68,7 +68,7 @@ protected:
         return session ? std::optional(session::contents_of(*session)) : std::nullopt;
     }
 
-    // True if the first edits are as they were written.
+    // True if the first `count` edits read from a file are equal to those written.
     bool has_first(session::SessionContents const& contents, std::size_t count) const
     {
         if (contents.edits.size() < count)
@@ -97,11 +97,11 @@ protected:
             && has_first(*contents, count_edits_to(contents_.step));
     }
 
-    // Returns the share of random damages (of `damage_bytes`, or one bit for 0) after which the
-    // plant is the same.
+    // Returns the share of random damages after which the file still gives the same plant. Each
+    // damage overwrites `damage_bytes` bytes, or changes a single bit if that is 0.
     double share_that_comes_back(std::size_t damage_bytes, std::uint32_t seed) const
     {
-        constexpr int kDamages = 40; // Each trial reads a file of megabytes.
+        constexpr int kDamages = 40; // Each trial reads a file of several megabytes.
         std::mt19937 random(seed);
         int same = 0;
         for (int i = 0; i < kDamages; ++i) {
@@ -120,7 +120,7 @@ protected:
 
     std::string whole_;
     session::SessionContents contents_;
-    std::vector<std::uintmax_t> lengths_; // Length of the file after each step.
+    std::vector<std::uintmax_t> lengths_; // Length of the file after each step, in bytes.
 };
 
 TEST_F(DamagedPlant, ComesBackFromAWholeFile)
@@ -144,7 +144,8 @@ TEST_F(DamagedPlant, ComesBackAfterFourKibibytes)
     EXPECT_GE(share_that_comes_back(4096, 3), 0.8);
 }
 
-// All steps must survive that existed when the file had at most its remaining length.
+// If the file is cut off, all steps must survive that were complete when the file had the remaining
+// length.
 TEST_F(DamagedPlant, ComesBackAsFarAsTheFileIsNotCutOff)
 {
     std::mt19937 random(4);

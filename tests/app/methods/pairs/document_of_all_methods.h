@@ -19,7 +19,7 @@ inline session::SessionOptions options_for_all_methods()
     return options;
 }
 
-// Returns everything visible in a document as a .glb.
+// Returns all visible plants of a scene as the bytes of a .glb file.
 inline std::string exported(scene::Scene const& scene)
 {
     auto const mesh = mesh::make_mesh(batch::shown_plants(scene).value());

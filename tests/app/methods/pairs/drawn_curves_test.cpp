@@ -64,7 +64,7 @@ TEST(MethodsCurves, AreNamedByWhatTheyDid)
     EXPECT_EQ(names_of(scene_of(brush_tree)), "Growth brush: 3 years; Growth brush: 1 year; ");
 }
 
-// A plant's curves stand where the plant does, and go with it.
+// The curves from which a plant was drawn stand upright beside it, and move with the plant.
 TEST(MethodsCurves, GoWithThePlant)
 {
     for (auto* const make : { grow_along_stroke, draw_tree, draw_lines, draw_leaf, brush_tree }) {
@@ -82,7 +82,7 @@ TEST(MethodsCurves, GoWithThePlant)
     }
 }
 
-// Nothing but the active plant's is shown, as on the pad.
+// Only the curves of the active plant are shown, as on the drawing pad.
 TEST(MethodsCurves, AreThoseOfTheActivePlant)
 {
     Steps steps(scene::Scene {});
@@ -95,7 +95,7 @@ TEST(MethodsCurves, AreThoseOfTheActivePlant)
     EXPECT_LT(box_of(steps.scene()).max_mm.x(), 0);
 }
 
-// Strokes drawn in space keep their depth: the lines of the view are those of the hand.
+// Strokes drawn in space keep their depth: the curves in the view are where the hand drew them.
 TEST(MethodsCurves, AreWhereTheHandDrewThem)
 {
     auto const scene = scene_of(grow_along_stroke);

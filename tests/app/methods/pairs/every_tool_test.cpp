@@ -25,9 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char const* kHeight = "100"; // Height of the surface in all these logs, in mm.
+constexpr char const* kHeight = "100"; // Height of the surface in all logs of these tests, in mm.
 
-// An initial state of a drawing.
+// An initial state of a drawing, with the edits that make it.
 struct Beginning {
     std::string name;
     std::vector<scene::Edit> edits;
@@ -43,7 +43,8 @@ std::vector<Beginning> beginnings()
         auto& edits = all.back().edits;
         edits.insert(edits.end(), steps.edits().begin(), steps.edits().end());
     }
-    // Two plants, one of them hidden, a picture, and a stroke for the selected branch.
+    // A drawing with two plants, one of which is hidden, a picture, and a stroke for a selected
+    // branch.
     Steps steps(scene::Scene {});
     load_model(steps, 60);
     load_model(steps, 0);
@@ -56,8 +57,9 @@ std::vector<Beginning> beginnings()
     return all;
 }
 
-// Returns every tool with every word of its options, one at a time: the last option's first, so
-// that the growth brush ages a few trees before it grows one of each habit.
+// Returns every tool with its default options, and with every other word of each option in turn.
+// The words of the last option come first, so that the growth brush ages a few trees before it
+// grows one of each habit.
 std::vector<tools::Tool> every_tool()
 {
     std::vector<tools::Tool> all;
@@ -73,7 +75,7 @@ std::vector<tools::Tool> every_tool()
     return all;
 }
 
-// A recording of a hand that uses tools one after the other.
+// A recording of a hand that uses one tool after the other.
 class HandLog {
 public:
     HandLog()
@@ -92,7 +94,7 @@ public:
         writer_.write_tool(at_ms(time_ms_), word, arguments);
     }
 
-    // Draws a stroke through positions on the tablet, followed by pen-up.
+    // Draws a stroke through positions on the tablet and lifts the pen.
     void draw(std::vector<Vec2> const& places_mm)
     {
         for (std::size_t i = 1; i < places_mm.size(); ++i)
@@ -103,7 +105,8 @@ public:
         report(places_mm.back(), false);
     }
 
-    // Draws upwards, from the middle to the right, and around.
+    // Draws three strokes: one upwards on the tablet, one from the middle to the right, and one
+    // around both.
     void draw_all()
     {
         draw({ { 100, 95 }, { 101, 50 }, { 99, 20 } });
@@ -128,7 +131,8 @@ private:
     std::int64_t time_ms_ = 100;
 };
 
-// Returns a log in which one tool is chosen, and used for drawing unless it acts at once.
+// Returns a log in which a tool is chosen. Unless the tool acts at once, it is then used for
+// drawing.
 std::string log_with(tools::Tool const& tool)
 {
     HandLog log;
@@ -136,11 +140,11 @@ std::string log_with(tools::Tool const& tool)
     if (!tool.is_done_at_once())
         log.draw_all();
     else
-        log.draw({ { 10, 10 }, { 12, 10 } }); // A stroke with the current tool.
+        log.draw({ { 10, 10 }, { 12, 10 } }); // Draws one more stroke, with the current tool.
     return log.text();
 }
 
-// Fixture with files in a temporary folder.
+// Fixture for tests with files in a temporary folder.
 class EveryTool : public session::SessionFolder {
 protected:
     fs::path write_log(std::string const& text) const
@@ -174,7 +178,7 @@ station::ReplayOptions replay_options()
              .height = calib::parse_height_scenario(kHeight).value() };
 }
 
-// True if a file can be made from the scene, which is impossible if all plants are hidden.
+// True if a file can be made from the scene. That is impossible if all of its plants are hidden.
 bool is_any_shown(scene::Scene const& scene)
 {
     auto const& plants = scene.plants;
@@ -183,8 +187,8 @@ bool is_any_shown(scene::Scene const& scene)
            });
 }
 
-// The window must show why the last stroke was refused, unless it must report that branches are
-// lost.
+// The window must show why the last stroke was refused, except while it must report that the plant
+// has lost branches.
 void check_window(drivers::Log const& log, scene::Scene const& scene, batch::Drawing const& drawing)
 {
     auto window
@@ -202,7 +206,7 @@ void check_window(drivers::Log const& log, scene::Scene const& scene, batch::Dra
         EXPECT_EQ(status, last.refusal);
 }
 
-// Every line must be JSON, and the last one must mark the end.
+// Every line of the stream must be JSON, and the last line must mark the end.
 void check_stream(drivers::Log const& log)
 {
     auto replay = station::LogReplay::create(log, replay_options()).value();
@@ -220,11 +224,12 @@ void check_stream(drivers::Log const& log)
     EXPECT_EQ(types.back(), "end");
 }
 
-// Strokes refused by one replayer must be refused by all with the same message; accepted ones must
-// be exported.
+// If a stroke is refused, the command line, the window and the stream must all refuse it with the
+// same message. If it is accepted, the plant can be exported.
 TEST_F(EveryTool, MeansTheSameWhateverReplaysIt)
 {
-    // Whether strokes were accepted and refused, by the tool's word.
+    // For each tool, by its word: whether any of its strokes was accepted, and whether any was
+    // refused.
     std::map<std::string, std::pair<bool, bool>> outcomes;
     for (auto const& [name, edits] : beginnings()) {
         auto const scene = scene::apply_edits({}, edits).value();
@@ -254,24 +259,27 @@ TEST_F(EveryTool, MeansTheSameWhateverReplaysIt)
                 check_stream(log);
             }
     }
-    // Tools that need a leaf with more lines, a crown in space, or a plant on another; they have
-    // separate tests.
+    // These tools need a leaf with more lines, a crown in space, or a plant on another plant. They
+    // have tests of their own.
     std::set<std::string> const needs_more { "erase_crown", "erase_leaf", "graft_plant",
                                              "take_off" };
     for (auto const& [word, outcome] : outcomes) {
         EXPECT_NE(outcome.first, needs_more.contains(word)) << word;
-        EXPECT_TRUE(outcome.second || word == "leaf_line") << word; // Any line begins a leaf.
+        // "leaf_line" may never be refused, since any line can begin a leaf.
+        EXPECT_TRUE(outcome.second || word == "leaf_line") << word;
     }
 }
 
-// All tools in one recording, for all commands that make files from it.
+// Every command that replays a recording must accept one in which all tools are used.
 TEST_F(EveryTool, GoesThroughEveryCommandThatReplays)
 {
     HandLog log;
     for (auto const& tool : every_tool()) {
         if (tool.needs_no_stroke()) {
             log.take(tool.done_at_once());
-            continue; // A stroke would do the same again, and forests would become old.
+            // The tool has acted, so it draws no stroke. Further strokes would only make the
+            // forests older.
+            continue;
         }
         log.take(tool);
         log.draw({ { 100, 95 }, { 101, 50 }, { 99, 20 } });
@@ -314,11 +322,11 @@ TEST_F(EveryTool, ThatNeedsAStrokeIsRefusedWithoutOne)
     }
 }
 
-// A document without plants must be handled like others.
+// Every command must handle a drawing without plants like any other.
 TEST_F(EveryTool, AnEmptySheetGoesThroughEveryCommand)
 {
     HandLog log;
-    log.draw_all(); // Shapes a branch, although there is none.
+    log.draw_all(); // The current tool shapes branches, although there are none.
     auto const hand = write_log(log.text()).string();
     auto const kept = path("kept.tractus").string();
     auto const out = [&](char const* name) { return path(name).string(); };

@@ -12,7 +12,7 @@
 #include <limits>
 #include <sstream>
 
-// Limbs that are drawn on plants of every method, and on our models.
+// Tests of limbs drawn on plants of every method, and on the program's own models.
 
 namespace tractus::methods {
 namespace {
@@ -24,7 +24,8 @@ scene::Scene made_by(MethodOfPair const& method)
     return steps.scene();
 }
 
-// A model's plant as if somebody had measured it.
+// Returns a plant of one of the program's models as if it had been measured: loaded from a
+// multiscale tree graph.
 scene::Scene measured(std::string_view model)
 {
     std::ostringstream text;
@@ -42,7 +43,7 @@ std::vector<NamedScene> plants_to_draw_on()
 {
     std::vector<NamedScene> all;
     for (auto const& method : kMethods)
-        if (std::string_view(method.name) != "a leaf") // It has no branches.
+        if (std::string_view(method.name) != "a leaf") // A leaf has no branches.
             all.push_back({ method.name, made_by(method) });
     for (auto const* const name : { "birch", "conifer", "fern", "daisy", "palm", "vine" })
         all.push_back({ name, our_plant(name) });
@@ -55,7 +56,7 @@ double height_mm(scene::Scene const& scene)
     return scene.placement.shown_height_mm;
 }
 
-// A stroke that begins beside the middle of the plant's longest way up, and rises outwards.
+// Returns a stroke that begins beside the middle of the plant's first axis, and rises outwards.
 Stroke limb_stroke(scene::Scene const& scene)
 {
     auto const& trunk = scene.base->axes[0];
@@ -120,7 +121,8 @@ TEST(LimbsOfAll, AreSoundAndGrowAndAreErased)
         ASSERT_EQ(limbs.size(), 1u);
         auto const id = axis_of(*scene.base, limbs[0].second);
         auto const& limb = scene.base->axes[id];
-        // As many laterals per length as some branch of about this length.
+        // The limb must have as many laterals per length as a similar branch. The branch with the
+        // nearest number is found, scaled by the ratio of lengths.
         double least = std::numeric_limits<double>::infinity();
         for (AxisId other = 0; other < before.base->axes.size(); ++other) {
             double const ratio

@@ -17,7 +17,7 @@ std::vector<scene::Edit> made(MethodOfPair const& method, scene::Scene const& be
     return steps.edits();
 }
 
-// Returns the number of segments of a part in the plant that bears it.
+// Returns the number of segments that a part has in the plant on which it was grafted.
 std::size_t segments_of_part(scene::Scene const& scene, scene::ItemId part)
 {
     std::size_t count = 0;
@@ -28,7 +28,8 @@ std::size_t segments_of_part(scene::Scene const& scene, scene::ItemId part)
 
 class Pairs : public session::SessionFolder {
 protected:
-    // Begins a session with both plants, the guest on the host, and a stroke on the guest.
+    // Begins a session in which the guest plant is grafted on the host plant, with a stroke on the
+    // guest.
     Result<session::Session> begin(MethodOfPair const& host, MethodOfPair const& guest)
     {
         std::vector<scene::Edit> first { scene::SetScale { 0.1 } };
@@ -76,13 +77,13 @@ TEST_F(Pairs, AreOnePlantWhateverMadeTheTwo)
             ASSERT_EQ(drawn.associations.size(), 1u);
             EXPECT_FALSE(drawn.associations[0].what.is_orphaned);
             check_plant(*drawn.base);
-            // When the host is changed, the guest must still be on it, with its stroke.
+            // After the host has changed, the guest must still be on it, with the guest's stroke.
             ASSERT_TRUE(session.append(std::vector<scene::Edit> { host.change(host_) }));
             auto const file = exported(drawn);
             EXPECT_TRUE(exported(session.scene()) != file);
             EXPECT_EQ(segments_of_part(session.scene(), guest_), segments_of_part(drawn, guest_));
             EXPECT_FALSE(session.scene().associations[0].what.is_orphaned);
-            // The document must be the same after undoing, saving, opening and exporting.
+            // After undoing, saving, opening and exporting, the document must be the same.
             ASSERT_TRUE(session.undo());
             EXPECT_TRUE(session::same_scene(session.scene(), drawn));
             opened = tl::unexpected(Error {});
@@ -95,8 +96,8 @@ TEST_F(Pairs, AreOnePlantWhateverMadeTheTwo)
         }
 }
 
-// A part is changed by its own method if that supports parts; otherwise the change is refused with
-// a message, and the part can be detached, changed and attached again.
+// If a guest's method supports parts, the guest can be changed on its host. Otherwise the change is
+// refused with a message, and the guest can be taken off, changed and grafted again.
 TEST_F(Pairs, TheSecondIsChangedAsAPartOrByItself)
 {
     for (auto const& guest : kMethods) {
@@ -108,7 +109,7 @@ TEST_F(Pairs, TheSecondIsChangedAsAPartOrByItself)
         bool const is_sketch = guest.make == grow_along_stroke;
         sketch::ChangeSketch const in_place { host_, guest_, { .laterals = 3, .shortest_mm = 8 } };
         EXPECT_EQ(scene::apply_edit(scene, in_place).has_value(), is_sketch);
-        if (guest.make != load_model) { // Models are loaded for the active plant.
+        if (guest.make != load_model) { // A change of a model always loads it for the active plant.
             EXPECT_FALSE(scene::apply_edit(scene, guest.change(guest_)));
         }
         auto const off

@@ -14,7 +14,7 @@
 
 namespace tractus::methods {
 
-// Applies edits one after the other, so that later ones can refer to the results of earlier ones.
+// Applies edits one after the other, so that later edits can refer to the results of earlier ones.
 class Steps {
 public:
     explicit Steps(scene::Scene scene)
@@ -55,7 +55,7 @@ inline void load_model(Steps& steps, double x_mm)
     steps.add(model);
 }
 
-// Changes the model: equal rules with longer internodes.
+// Returns an edit that changes the small model: its rules stay, but its internodes are longer.
 inline scene::Edit change_model(scene::ItemId)
 {
     auto model = small_model();
@@ -140,7 +140,7 @@ inline scene::Edit change_leaf(scene::ItemId plant)
     return leaf::FormLeaf { plant, { .bend_deg = 40 } };
 }
 
-// A method to make a plant, and an edit that changes the plant afterwards.
+// A method: a function that makes a plant with it, and an edit that then changes the plant.
 struct MethodOfPair {
     char const* name;
     void (*make)(Steps& steps, double x_mm);

@@ -14,7 +14,8 @@ namespace {
 
 using RandomEdits = session::SessionFolder;
 
-// Draws until the given number of steps exists; some are undone and redone on the way.
+// Draws random strokes until the session has `steps` steps. In between, some steps are undone and
+// redone.
 void draw_at_random(document::Document& document, RandomHand& hand, std::size_t steps)
 {
     while (document.session().step() < steps) {
@@ -39,8 +40,8 @@ void draw_at_random(document::Document& document, RandomHand& hand, std::size_t 
     }
 }
 
-// Undoes all steps, which must give the empty sheet, and redoes them, which must give the same
-// file.
+// Undoes all steps, which must lead to the empty sheet. Then redoes them, which must lead to the
+// same exported file. Returns that file.
 std::string exported_again(document::Document& document, std::size_t steps)
 {
     auto const file = exported(document.newest()->scene);
@@ -57,8 +58,8 @@ std::string exported_again(document::Document& document, std::size_t steps)
 
 TEST_F(RandomEdits, OfAllMethodsAreUndoneAndDoneAgain)
 {
-    constexpr std::size_t kSteps = 1200; // Twenty for each tool.
-    // Number of tools that random drawing rarely uses successfully.
+    constexpr std::size_t kSteps = 1200; // Twenty steps for each tool.
+    // Maximum number of tools that may be refused every time, as random strokes seldom suit them.
     constexpr std::ptrdiff_t kMaxRefused = 2;
     document::Document document(scene::Scene {}, document::Document::Working::AtOnce);
     RandomHand hand(6);
@@ -74,7 +75,7 @@ TEST_F(RandomEdits, OfAllMethodsAreUndoneAndDoneAgain)
 
 TEST_F(RandomEdits, OfAllMethodsAreInTheSessionsFile)
 {
-    constexpr std::size_t kSteps = 150; // Each step waits for the disk.
+    constexpr std::size_t kSteps = 150; // Few steps, because each one waits for the disk.
     std::string file;
     {
         document::Document document(

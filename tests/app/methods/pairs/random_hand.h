@@ -17,7 +17,8 @@
 
 namespace tractus::methods {
 
-// Simulated user who takes random tools with random options and draws anywhere, usually on plants.
+// A simulated user who takes random tools with random options and draws at random places, usually
+// on plants.
 class RandomHand {
 public:
     explicit RandomHand(std::uint64_t seed)
@@ -27,8 +28,7 @@ public:
 
     bool happens(double share) { return random_.uniform() < share; }
 
-    // Notes that a tool has succeeded; tools without success are tried more often, and where they
-    // were used before.
+    // Notes that a tool has succeeded. Tools that have never succeeded are tried more often.
     void has_done(tools::Tool const& tool) { ++done_[tool.kind().word]; }
     std::size_t times_done(tools::ToolKind const& kind) { return done_[kind.word]; }
 
@@ -54,8 +54,8 @@ private:
                         count - 1);
     }
 
-    // Returns a random tool. If there are many plants, it removes plants more often than it adds
-    // them.
+    // Returns a random tool. If there are many plants, the tool often removes one, so that their
+    // number stays small.
     tools::Tool any_tool(scene::Scene const& scene)
     {
         constexpr std::size_t kMany = 5;
@@ -75,7 +75,8 @@ private:
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             auto const& [option, value] = numbers[i];
             if (happens(
-                    // Short strokes, since otherwise nearly all plants would have the maximum size.
+                    // Numbers are changed only sometimes, and not by much: otherwise nearly all
+                    // plants would have the maximum size.
                     0.4))
                 tool = tools::with_number(tool, i,
                                           std::clamp(std::round(value * random_.uniform(0.7, 1.2)),
@@ -108,7 +109,7 @@ private:
         std::vector<Vec3> places { place() };
         for (std::size_t more = 1 + below(4); more > 0; --more)
             places.push_back(happens(0.3) ? place() : Vec3(places.back() + 0.3 * anywhere()));
-        if (happens(0.2)) // A path that returns to its beginning, as an outline does.
+        if (happens(0.2)) // The path returns to its beginning, as an outline does.
             places.push_back(places.front());
         if (tool.kind().surface != tools::Surface::Space)
             for (auto& at : places) {

@@ -12,9 +12,9 @@
 namespace tractus::pictures {
 namespace {
 
-// Position in a picture, 200 mm wide with its middle at (10, 20), of a point on level ground and of
-// a height above it, for a horizontal camera 1.6 m above the ground with a field of view of 53
-// degrees.
+// The picture is 200 mm wide with its middle at (10, 20). It shows level ground, seen by a
+// horizontal camera 1.6 m above the ground with a field of view of 53 degrees. seen_mm() gives the
+// position of a point in the picture.
 constexpr double kCamera_m = 1.6;
 constexpr double kWidth_mm = 200;
 Vec2 const kMiddle_mm(10, 20);
@@ -101,7 +101,7 @@ TEST(PictureTool, TakesTheHorizonAndAKnownHeight)
     auto scene = ground_after(with_view(), line_mm({ -60, 19 }, { 90, 21 }));
     ASSERT_TRUE(scene.state.picture->ground.horizon);
     EXPECT_NEAR(*scene.state.picture->ground.horizon, 0, 1e-12);
-    // Drawn from its top down, and from its base up.
+    // A reference line of 1.8 m, drawn once from its top down and once from its base up.
     auto const foot = seen_mm(-2, 12, 0);
     auto const top = seen_mm(-2, 12, 1.8);
     auto const up = ground_after(scene, line_mm(foot, top));
@@ -110,7 +110,7 @@ TEST(PictureTool, TakesTheHorizonAndAKnownHeight)
     EXPECT_NEAR(
         scene::place_on_ground(*up.state.picture, seen_mm(4, 24, 0)).value().value().behind_m, 12,
         1e-6);
-    // The ground moves with the picture.
+    // When the picture is moved and enlarged, its ground moves with it.
     auto moved = up.state.picture->place;
     moved.x_mm += 30;
     moved.width_mm *= 2;

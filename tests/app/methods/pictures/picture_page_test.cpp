@@ -123,7 +123,7 @@ TEST_F(Pictures, ThatCannotBeReadAreRefusedByName)
     EXPECT_NE(window.state().status.find("nothing.png"), std::string::npos);
 }
 
-// The file is not needed, since the session contains it.
+// The session contains the picture, so its file is no longer needed.
 TEST_F(Pictures, AreKeptInTheSession)
 {
     auto const session = folder_ / "drawing.tractus";
@@ -144,7 +144,7 @@ TEST_F(Pictures, AreKeptInTheSession)
     window.settle();
     ASSERT_TRUE(window.state().picture);
     EXPECT_EQ(window.state().picture->image->height(), 70);
-    for (int i = 0; i < 3; ++i) // The devices have drawn a stroke in each window.
+    for (int i = 0; i < 3; ++i) // Each window's devices have drawn a stroke, which is undone first.
         window.perform(view::Undo {});
     window.settle();
     EXPECT_FALSE(window.state().picture);
@@ -154,7 +154,8 @@ TEST_F(Pictures, AreKeptInTheSession)
     EXPECT_TRUE(window.state().picture);
 }
 
-// Needed so that a recording replays with the picture over which it was drawn.
+// A recording must contain the picture, so that its replay shows the picture over which it was
+// drawn.
 TEST_F(Pictures, AreStepsOfARecording)
 {
     auto const png = small_png(50, 70);

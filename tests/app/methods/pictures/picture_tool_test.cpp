@@ -112,7 +112,8 @@ TEST(PictureEdits, RefuseWhatCannotBe)
         << "before there is a plant";
 }
 
-// The bytes must be among the record's numbers, since they would be larger by half in its fields.
+// A picture's bytes must be stored in EditRecord::numbers: as text in its JSON `fields` they would
+// take about half as much space again.
 TEST(PictureEdits, KeepTheFileAsItIs)
 {
     auto const png = small_png();
@@ -123,8 +124,8 @@ TEST(PictureEdits, KeepTheFileAsItIs)
     EXPECT_EQ(edit.get<scene::LayPicture>()->file, png);
 }
 
-// While a stroke is in progress, the picture's resulting position must be shown; a refused stroke
-// must restore it.
+// While the stroke is in progress, the picture must be shown at its resulting position. If the
+// stroke is refused, the picture must return to its old position.
 TEST(PictureTool, ShowsTheOutcomeWhileThePenMoves)
 {
     auto station = station_on(with_picture(), PictureTool {});

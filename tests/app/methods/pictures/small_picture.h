@@ -8,7 +8,7 @@
 
 namespace tractus::pictures {
 
-// Returns a PNG of the given size.
+// Returns the bytes of a PNG image of the given size in pixels.
 inline std::string small_png(int width = 40, int height = 30)
 {
     std::ostringstream out;

@@ -118,7 +118,7 @@ TEST(PlantTools, PutAPlantOnABranchAndTakeItOff)
 TEST(PlantTools, PutAPlantInThePlaceOfABranch)
 {
     auto const two = after(CopyPlantTool {}, {}, small_scene());
-    auto const& branch = two.base->axes[2]; // A branch of four internodes.
+    auto const& branch = two.base->axes[2]; // The branch has four internodes.
     auto const drag = stroke_through(
         { two.placement.origin_mm, end_of(*two.plants[0], branch.first_segment + 2) });
     auto const on = after(GraftPlantTool { tools::Grafting::InPlace }, drag, two);
@@ -135,7 +135,7 @@ TEST(PlantTools, HideTheBranchesThatAreSelected)
     EXPECT_FALSE(tools::Tool(HideBranchTool {}).edits_for({}, scene)) << "nothing is selected";
     EXPECT_FALSE(tools::Tool(HideBranchTool { HideBranchTool::What::None }).edits_for({}, scene));
     auto path = segments_of(scene.base->axes[2]);
-    path.insert(path.begin(), { 0, 1, 2 }); // The path begins at the ground, as a pen selects it.
+    path.insert(path.begin(), { 0, 1, 2 }); // A path selected by pen begins at the ground.
     select(scene, { path });
     auto const hidden = after(HideBranchTool {}, {}, scene);
     EXPECT_EQ(hidden.base->segment_count(), 8u) << "the stem stays";

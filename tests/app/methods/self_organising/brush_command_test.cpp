@@ -76,7 +76,8 @@ TEST_F(BrushCommand, BeginsASessionThatGivesTheSameTree)
 TEST_F(BrushCommand, GrowsFromAPlant)
 {
     ASSERT_EQ(commands::run({ "grow", "shrub", "-o", path("shrub.mtg") }).exit_code, 0);
-    // Returns the number of internodes.
+    // Runs `tractus brush` on the shrub with further arguments, and returns the number of
+    // internodes.
     auto const from = [&](std::vector<std::string> const& more, char const* file) {
         std::vector<std::string> arguments { "brush", "--from", path("shrub.mtg"), "--years", "3" };
         arguments.insert(arguments.end(), more.begin(), more.end());
@@ -102,7 +103,8 @@ TEST_F(BrushCommand, GrowsFromAPlant)
               std::string::npos);
 }
 
-// A simulated hand brushes, lets a year pass, prunes, chooses another species and clears space.
+// The recording of a simulated hand that brushes, lets a year pass, prunes, chooses another species
+// and clears space must replay.
 TEST_F(BrushCommand, ReplaysPruningAndClearing)
 {
     std::ofstream(folder_ / "hand.toml") << R"(version = 1

@@ -20,7 +20,7 @@
 namespace tractus::self_organising {
 namespace {
 
-// Returns a stroke that rises and then goes to the side, with a given duration.
+// Returns a stroke that rises and then goes aside by `aside_mm`, and takes the given time.
 Stroke drawn_stroke(Vec3 const& from_mm, double seconds = 5, double aside_mm = 60)
 {
     std::vector<TipSample> tips;
@@ -122,7 +122,7 @@ TEST(GrowthBrushTool, PreviewsTheTreeThatTheStrokeLeaves)
     auto const lines = previewer->show({ .scene = scene, .tool = tool, .ink = tips });
     auto const after = drawn(*scene, {}, stroke);
     ASSERT_EQ(lines.size(), after.base->axes.size());
-    // The preview is in the frame of the previously active plant.
+    // The preview's points are in the frame of the plant that was active before the stroke.
     Vec3 const tip_mm
         = after.placement.world_of_plant(after.base->positions(after.base->axes.front()).back());
     Vec3 const shown_mm
@@ -175,7 +175,7 @@ TEST(GrowthBrushTool, GrowsFromAnyPlantAsItStands)
     ASSERT_EQ(brushed.plants.size(), 1U);
     EXPECT_EQ(years_of(brushed), 12);
     EXPECT_GT(bounds(*brushed.base).max_mm.z(), bounds(*before.base).max_mm.z());
-    // What is a tree already goes on as it would have.
+    // A plant that the growth brush has made continues with its own history of growth.
     auto const again = drawn(year, { .what = GrowthBrushTool::What::FromYear });
     EXPECT_EQ(grown_tree_of(again.drawn->source)->life.size(), 2U);
     EXPECT_NE(refusal_of(GrowthBrushTool { .what = GrowthBrushTool::What::From }, {},
@@ -251,7 +251,7 @@ TEST(PruneTool, IsWhatTheOtherEndOfThePenDoes)
     EXPECT_EQ(GrowthBrushTool::kKind.other_end.kind, &PruneTool::kKind);
 }
 
-// Returns a tree drawn by a trunk and a round outline, with one drawn branch.
+// Returns a tree drawn by its trunk, a round outline and one branch.
 scene::Scene outlined_tree()
 {
     auto const flat = [](std::vector<Vec2> const& points) {
@@ -290,13 +290,13 @@ TEST(FillCrownTool, FillsAnOutlinedCrown)
     auto const* const tree = grown_tree_of(after.drawn->source);
     ASSERT_TRUE(tree);
     EXPECT_EQ(tree->start->kept_axes.size(), 2U) << "the trunk and the branch that was drawn";
-    // In plant millimetres the crown is a ball of radius 2000 at a height of 4000.
+    // In the plant's frame, the crown is a ball with a radius of 2000 mm at a height of 4000 mm.
     Vec3 const middle(0, 0, 4000);
     std::array<int, 8> in_octant {};
     int outside = 0;
     for (auto const& node : after.base->node_position_mm) {
         if (node.z() < 2000)
-            continue; // The trunk below the crown.
+            continue; // The node is on the trunk below the crown.
         Vec3 const at = node - middle;
         outside += at.norm() > 2000 * 1.12 ? 1 : 0;
         if (at.norm() > 1000)

@@ -1,4 +1,4 @@
-// Compares trees grown with each habit with measurements by foresters.
+// Compares trees grown with each growth habit with measurements by foresters.
 
 #include "app/methods/self_organising/habit_file.h"
 #include "app/methods/self_organising/habit_text.h"
@@ -20,11 +20,11 @@ struct Range {
     double most = 0;
 };
 
-// Known ranges for old trees of a habit, where they are narrower than for all trees.
+// Known ranges for old trees of one habit, where these are narrower than for trees in general.
 struct Known {
     Range slenderness { 20, 110 };
-    Range crown_width { 0.14, 1.3 }; // Width as a share of the height.
-    Range crown_length { 0.6, 1 };   // Length as a share of the height.
+    Range crown_width { 0.14, 1.3 }; // Width of the crown as a share of the tree's height.
+    Range crown_length { 0.6, 1 };   // Length of the crown as a share of the tree's height.
     Range height_m { 6, 26 };
 };
 
@@ -89,7 +89,7 @@ TEST(Habits, GrowTreesOfTheirKind)
             check_plant(plant);
             auto const measures = measure_tree(plant);
             expect_within(measures.pipe_exponent, { 1.8, 2.5 }, "pipe exponent");
-            // Young trees have few orders.
+            // Young trees have few branching orders, so their bifurcation ratio may be smaller.
             auto const least = year == 10 ? 2.3 : 2.6;
             expect_within(measures.bifurcation_ratio, { least, 7.2 }, "bifurcation ratio");
             EXPECT_GE(bounds(plant).min_mm.z(), -0.1 * measures.height_mm);

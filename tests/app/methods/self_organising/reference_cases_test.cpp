@@ -1,4 +1,4 @@
-// Compares with trees grown by the same laws in a program in another language.
+// Compares grown trees with those of a program in another language that implements the same laws.
 
 #include "app/methods/self_organising/case_file.h"
 #include "engine/base/file.h"
@@ -18,7 +18,8 @@ using nlohmann::json;
 
 void expect_as_reference(json const& grown, json const& expected)
 {
-    constexpr double kPlace = 1.1e-9; // Tolerance, since both sides are rounded to nine decimals.
+    // Tolerance for positions: both programs round to nine decimals.
+    constexpr double kPlace = 1.1e-9;
     EXPECT_EQ(grown["steps"], expected["steps"]);
     EXPECT_EQ(grown["strahler"], expected["strahler"]);
     EXPECT_NEAR(grown["total_length"].get<double>(), expected["total_length"].get<double>(), 1e-7);

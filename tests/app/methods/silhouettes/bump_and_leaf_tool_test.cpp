@@ -16,7 +16,7 @@ namespace {
 using namespace drawn_trees;
 using silhouette::DrawTree;
 
-// Returns the trace of a tap with the pen near a position.
+// Returns the short stroke that the pen draws in a tap at a position.
 Stroke tap(double x, double y)
 {
     return stroke_through({ { x, y, 150 }, { x + 0.3, y + 0.1, 150 }, { x, y + 0.1, 150 } });
@@ -35,8 +35,8 @@ std::size_t bumps_of_crown(scene::Scene const& scene)
         .bumps.size();
 }
 
-// A touch splits the lobe at the upper right, and another one joins it with that at the lower
-// right; both must be undoable, erasable, and kept by logs.
+// One touch splits the crown's upper right lobe; another joins that lobe and the lower right one.
+// Both effects can be undone and erased, and logs must keep them.
 TEST(OutlineTool, SplitsAndJoinsBumps)
 {
     using What = OutlineTool::What;
@@ -100,7 +100,7 @@ TEST(OutlineTool, WritesTouchesInSessions)
     EXPECT_EQ(usual.fields.find("is_leaf"), std::string::npos) << "as before there were leaves";
 }
 
-// An outline is drawn as a leaf, reverted by a touch, declared a leaf again, and undone.
+// An outline is drawn as a leaf, reverted to a crown by a touch, declared a leaf again, and undone.
 TEST(OutlineTool, DeclaresOutlinesLeaves)
 {
     tools::Tool const leaf = with_what(OutlineTool::What::Leaf);

@@ -21,10 +21,10 @@ OutlineTool leaf_tool(StyleScope style = StyleScope::Siblings)
     return { .what = OutlineTool::What::Leaf, .style = style };
 }
 
-// A position in the upper right lobe.
+// A position in the crown's upper right lobe, in mm on the sheet.
 Vec2 const kLobe(20, 30);
 
-// Fixture with a tree of four lobes.
+// Fixture with a tree whose crown has four lobes.
 class BumpLeafTool : public ::testing::Test {
 protected:
     BumpLeafTool()
@@ -82,7 +82,7 @@ TEST_F(BumpLeafTool, SiblingsTakeItAsTheyDoADrawnOne)
     EXPECT_EQ(leaves_on_trunk(), branches);
     EXPECT_EQ(axes(), scene().base->organs.size() + 1) << "nothing but leaves";
     ASSERT_EQ(tree().own_outlines.size(), 1u);
-    // Drawing an outline there must have the same effect.
+    // Drawing the outline of the same leaf must have the same effect as the touch.
     document::Document drawn({}, document::Document::Working::AtOnce);
     for (auto const& stroke : { trunk_at(0), crown_around(0, 10) })
         drawn.draw({ stroke, OutlineTool {} });
@@ -90,7 +90,7 @@ TEST_F(BumpLeafTool, SiblingsTakeItAsTheyDoADrawnOne)
     EXPECT_EQ(drawn.newest()->scene.base->node_position_mm, scene().base->node_position_mm);
 }
 
-// Elsewhere a touch concerns the outline around it, as in logs without this option.
+// A touch outside the bumps concerns the outline around it, as all touches do in older logs.
 TEST_F(BumpLeafTool, LeavesTheCrownsMiddleToTheCrown)
 {
     touch({ 0, 10 });
@@ -104,7 +104,7 @@ TEST_F(BumpLeafTool, LeavesTheCrownsMiddleToTheCrown)
     EXPECT_TRUE(tree().own_outlines.empty());
 }
 
-// A leaf on a branch's own outline, and then on the bump that contains it.
+// First a branch is given an outline of its own. Then a bump of that outline is made a leaf.
 TEST_F(BumpLeafTool, IsOfTheSmallestOutline)
 {
     document_.draw({ lobe_of_crown(), OutlineTool { .style = StyleScope::None } });

@@ -22,7 +22,7 @@ using nlohmann::json;
 
 constexpr double kTurn = 2 * 3.14159265358979;
 
-// Tests of crowns in space given by files.
+// Tests of crowns in space whose lines are given in files.
 class CrownSurfaceCommand : public ::testing::Test {
 protected:
     CrownSurfaceCommand()
@@ -49,7 +49,7 @@ protected:
         return line;
     }
 
-    // Returns rings of an ellipse whose width is twice its depth.
+    // Returns a drawing with a trunk and elliptic rings whose width is twice their depth.
     static json rings()
     {
         json drawing { { "trunk", { { 0, 0 }, { 0, 100 } } } };
@@ -69,7 +69,7 @@ protected:
         return json::parse(outcome.out);
     }
 
-    // Returns the distances every 30 degrees about halfway up.
+    // Returns the crown's radii about halfway up, in steps of 30 degrees.
     static std::array<double, 12> halfway(json const& report)
     {
         std::array<double, 12> distances {};
@@ -137,13 +137,13 @@ TEST_F(CrownSurfaceCommand, TakesALineThatClimbs)
     auto const report = reported({ { "climbs", json::array({ climb }) } });
     EXPECT_EQ(report["surface"]["climbs"], 1);
     auto const& row = report["surface"]["radius"][5];
-    // The trunk's base is a quarter of the line's height below it.
+    // The trunk's base is below the lower end of the line, by a quarter of the line's height.
     double const up = row["height"].get<double>() - 22;
     for (auto const& distance : row["at"])
         EXPECT_NEAR(distance.get<double>(), 40 * (1 - up / 0.22 / 420), 0.5);
 }
 
-// The session's tree must be the command's, as if a pen had drawn the file's lines.
+// The tree in the session must be the command's, as if a pen had drawn the lines of the file.
 TEST_F(CrownSurfaceCommand, WritesASessionOfItsLines)
 {
     auto drawing = rings();

@@ -23,7 +23,7 @@ namespace {
 using namespace drawn_trees;
 using silhouette::EraseTreePart;
 
-// Returns a ring around a position on the desk, at a height.
+// Returns a ring of the given width and depth around a position in space.
 Stroke ring_at(Vec3 const& middle_mm, double wide_mm, double deep_mm)
 {
     std::vector<Vec3> places;
@@ -35,7 +35,8 @@ Stroke ring_at(Vec3 const& middle_mm, double wide_mm, double deep_mm)
     return stroke_through(places);
 }
 
-// Returns a line that climbs on a cone around the world's origin, from 40 to 140 mm.
+// Returns a line that climbs around a cone on the vertical axis of the world, from a height of 40
+// mm to 140 mm.
 Stroke climb_on_cone()
 {
     std::vector<Vec3> places;
@@ -69,7 +70,7 @@ silhouette::OutlinedTree const& tree_of(scene::Scene const& scene)
     return *silhouette::outlined_tree(*scene.drawn);
 }
 
-// Returns the plant's extent along an axis of the world.
+// Returns the maximum extent of the plant along an axis of the world frame.
 double reach(scene::Scene const& scene, int axis)
 {
     auto const box = bounds(*scene.base);
@@ -88,7 +89,7 @@ TEST(CrownTool, SaysItsWordsInLogs)
               tools::Tool(CrownTool { CrownTool::What::New }));
 }
 
-// Rings alone must make a tree, which stands on the desk below them with their width and depth.
+// Rings alone must make a tree. It stands on the desk below the rings, with their width and depth.
 TEST(CrownTool, RingsMakeATreeUnderThem)
 {
     scene::Scene scene;
@@ -120,7 +121,7 @@ TEST(CrownTool, AClimbingLineIsACrownAndAnotherTakesItsPlace)
     EXPECT_EQ(tree_of(scene).crown_lines.size(), 1U);
 }
 
-// Rings around a tree drawn on the sheet define its crown; its outline stays.
+// Rings around a tree that was drawn on the sheet define its crown, while its outline stays.
 TEST(CrownTool, RingsAroundATreeSayHowDeepItIs)
 {
     auto const flat = crowned();
@@ -159,14 +160,14 @@ TEST(CrownTool, ErasesWhatTheEraserComesNear)
     auto const after = drawn_after(scene, stroke_through({ { 36, 0, 91 }, { 44, 2, 93 } }), eraser);
     ASSERT_EQ(tree_of(after).crown_lines.size(), 2U);
     EXPECT_FALSE(meant_by(stroke_through({ { 0, 0, 75 }, { 1, 2, 75 } }), after, eraser));
-    // The last line is kept, since otherwise nothing would be left of the tree.
+    // The last line cannot be erased, since nothing of the tree would be left.
     auto one = drawn_after(after, stroke_through({ { 40, 0, 60 }, { 41, 0, 60 } }), eraser);
     auto const edits = meant_by(stroke_through({ { 40, 0, 120 }, { 41, 0, 120 } }), one, eraser);
     ASSERT_TRUE(edits);
     EXPECT_FALSE(scene::apply_edits(one, *edits));
 }
 
-// The lines must be shown where they were drawn.
+// The lines of the crown must be shown where they were drawn in space.
 TEST(CrownTool, ShowsItsLinesInSpace)
 {
     auto const scene = drawn_after({}, ring_at({ 20, 15, 60 }, 45, 18));
@@ -194,7 +195,8 @@ TEST(CrownTool, PreviewsTheTreeThatComesOut)
             .empty());
 }
 
-// Recorded, replayed and directly drawn lines must give the same tree, and a session must keep it.
+// The lines must give the same tree when they are recorded, replayed or drawn directly, and a
+// session must keep the tree.
 TEST(CrownTool, ReplaysToTheSameTree)
 {
     std::string hand = "version = 1\nseed = 8\n";
@@ -221,7 +223,7 @@ TEST(CrownTool, ReplaysToTheSameTree)
     }
     ASSERT_EQ(tree_of(replay.scene).crown_lines.size(), 3U);
     EXPECT_EQ(alone.base->node_position_mm, replay.scene.base->node_position_mm);
-    // The edit must be the same when it is read from a session's record.
+    // The edit must be the same after it is written to a session's record and read again.
     auto const edits = meant_by(replay.strokes[0].stroke, {}).value();
     auto const again = session::edit_of(session::record_of(edits[0]), methods::all_methods().edits);
     ASSERT_TRUE(again) << again.error().message;

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <fstream>
 
-// Tests of drawings on an inferred tree: branches, styles, touches, leaves.
+// Tests of what can be drawn on an inferred tree: branches, styles, touches and leaves.
 
 namespace tractus::silhouette {
 namespace {
@@ -34,7 +34,7 @@ TEST_F(SilhouetteCommand, ReportsBranchesWithOutlinesOfTheirOwn)
     EXPECT_EQ(outlined, 1);
 }
 
-// A part that is an open line is a branch on a branch; siblings take the style of its parent.
+// An open line in "parts" is a branch of a branch. The branch's siblings take its style.
 TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
 {
     std::ofstream(folder_ / "plain.json") << crown();
@@ -78,8 +78,8 @@ TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
     EXPECT_TRUE(file_bytes(path("out/twig.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
 
-// A line on a branch of a part must belong to a deeper level, whether it is drawn by pen or read
-// from a file.
+// A line on a branch of a part must be drawn on a deeper level of the tree, whether it is drawn by
+// pen or read from a file.
 TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
 {
     auto drawing = crown();
@@ -88,7 +88,7 @@ TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
     auto const plain
         = json::parse(commands::run({ "silhouette", path("part.json"), "--report" }).out);
     EXPECT_FALSE(plain.contains("refined"));
-    // A line from the end of the branch in the part's upper lobe.
+    // This line begins at the end of the branch in the upper lobe of the part.
     json const twig = { { 62, 34 }, { 58, 36 }, { 56, 40 } };
     drawing["parts"].push_back(twig);
     std::ofstream(folder_ / "deep.json") << drawing;
@@ -107,8 +107,8 @@ TEST_F(SilhouetteCommand, DrawsOnBranchesOfParts)
     EXPECT_TRUE(file_bytes(path("out/deep.glb")) == file_bytes(path("again.glb"))) << "as by a pen";
 }
 
-// A line from the branch with an outline of its own across the next branches must make these follow
-// the branch's style, as a pen's line does.
+// A line in the file may lead from a branch that has its own outline across other branches. These
+// must then take the style of that branch, as with a line drawn by pen.
 TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
 {
     auto drawing = crown();
@@ -155,8 +155,8 @@ TEST_F(SilhouetteCommand, CarriesAStyleToTheChosen)
               std::string::npos);
 }
 
-// Touches in the file, on the crown's upper right lobe, between the two lobes next to it and in the
-// part, must have the same effect as a pen's.
+// The file contains touches: on the crown's upper right lobe, between the two lobes next to it, and
+// in the part. They must have the same effect as touches by pen.
 TEST_F(SilhouetteCommand, SplitsAndJoinsBumps)
 {
     auto const reported = [&](json const& drawing, std::vector<std::string> more = {}) {
@@ -224,8 +224,8 @@ TEST_F(SilhouetteCommand, DrawsLeaves)
     EXPECT_EQ(again.base->organs.size(), 1u);
 }
 
-// A point where a branch ends makes a leaf of that branch's part of the crown, as a pen's touch
-// does.
+// A point at the end of a branch must make a leaf of that branch's part of the crown, as a touch of
+// the pen does.
 TEST_F(SilhouetteCommand, MakesALeafOfABump)
 {
     auto const plain

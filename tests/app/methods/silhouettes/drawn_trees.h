@@ -7,12 +7,12 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-// Strokes of a tree drawn by its outline, and the documents after them.
+// Strokes for a tree that is drawn by its outline, and the scenes that result.
 namespace tractus::silhouette::drawn_trees {
 
 using silhouette::DrawTree;
 
-// Returns an outline around (x, y) with a radius of 30 mm and four lobes.
+// Returns an outline around (x, y), in mm, with four lobes and a radius of 30 mm.
 inline Stroke crown_around(double x, double y, double share = 1)
 {
     std::vector<Vec3> places;
@@ -29,7 +29,7 @@ inline Stroke trunk_at(double x)
     return stroke_through({ { x, -60, 150 }, { x + 2, -20, 150 }, { x, 20, 150 } });
 }
 
-// Returns an outline around the upper right lobe.
+// Returns an outline around the crown's upper right lobe.
 inline Stroke lobe_of_crown(double size = 1)
 {
     std::vector<Vec3> places;

@@ -3,7 +3,8 @@
 #include "engine/methods/silhouettes/measured_style.h"
 #include "tests/app/methods/silhouettes/drawn_trees.h"
 
-// Trees with only an outline take the style of the nearest tree that has one.
+// Tests that a tree with only a crown outline takes the style of the nearest tree that has its own
+// style.
 
 namespace tractus::silhouette {
 namespace {
@@ -25,7 +26,7 @@ Plant const& plant_of(scene::Scene const& scene, scene::ItemId plant)
     return *scene.plants[scene::plant_number(scene.state, plant).value()]->base;
 }
 
-// Returns a scene with another tree, consisting of a trunk and a crown, whose ids begin with `id`.
+// Returns the scene with an additional tree that has a trunk and a crown, with ids from `id`.
 scene::Scene with_tree(scene::Scene const& scene, double x_mm, scene::ItemId id,
                        OutlineTool const& tool = {})
 {
@@ -38,7 +39,7 @@ scene::Scene with_tree(scene::Scene const& scene, double x_mm, scene::ItemId id,
     return scene::apply_edit(*begun, crown).value();
 }
 
-// Returns the scene after a step, including the edits that follow it.
+// Returns the scene after an edit, including the dependent edits that belong to the same step.
 scene::Scene stepped(scene::Scene const& scene, scene::Edit const& edit)
 {
     auto step = std::vector { edit };
@@ -47,7 +48,7 @@ scene::Scene stepped(scene::Scene const& scene, scene::Edit const& edit)
     return scene::apply_edits(scene, step).value();
 }
 
-// Returns the form of newly begun trees.
+// Returns the form of trees that are newly begun.
 TreeForm begun_form()
 {
     return { .has_whole_nodes = true, .plane_branches = kUsualPlaneBranches };
@@ -81,14 +82,14 @@ TEST(NearestStyle, IsThatOfTheNearestTree)
     EXPECT_EQ(tree_of(scene, 30).form, style_of(scene, 10));
     EXPECT_EQ(tree_of(scene, 40).form, style_of(scene, 20));
     EXPECT_NE(style_of(scene, 10), style_of(scene, 20));
-    // After it is moved, another tree is the nearest.
+    // After plant 20 has moved, it is the nearest tree with a style.
     auto const moved = stepped(scene, scene::MovePlant { 20, Vec3(-70, 0, 0) });
     EXPECT_EQ(tree_of(moved, 30).form, style_of(moved, 20));
     auto const removed = stepped(scene, scene::RemovePlant { 10 });
     EXPECT_EQ(tree_of(removed, 30).form, style_of(removed, 20));
 }
 
-// The tree is drawn first, and a neighbour is refined afterwards.
+// A tree is drawn first. When its neighbour is refined later, it takes the neighbour's new style.
 TEST(NearestStyle, FollowsARefinedTree)
 {
     auto const drawn = with_tree(with_tree({}, 100, 10), 0, 20);
@@ -100,10 +101,10 @@ TEST(NearestStyle, FollowsARefinedTree)
     EXPECT_TRUE(has_own_style(tree_of(refined, 20)));
     EXPECT_EQ(tree_of(refined, 10).form, style_of(refined, 20));
     EXPECT_NE(tree_of(refined, 10).form, begun_form());
-    // The style is not taken again if nothing relevant has changed.
+    // The style must not be taken again if nothing that matters to it has changed.
     EXPECT_TRUE(
         dependent_style_edits(refined, { scene::SetScale { refined.placement.scale } }).empty());
-    // Until it is refined itself, or its form is set by the user.
+    // If the user has set the form of the tree, it no longer takes a style.
     auto const formed = scene::apply_edit(refined, FormTree { 10, {} }).value();
     EXPECT_FALSE(takes_style(tree_of(formed, 10)));
     EXPECT_TRUE(

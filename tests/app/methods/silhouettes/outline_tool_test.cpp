@@ -36,7 +36,7 @@ TEST(OutlineTool, SaysItsNumbersInLogs)
               tools::Tool(tool));
 }
 
-// Returns a stroke from the middle of the branch that ends in the upper right lobe.
+// Returns a stroke that begins in the middle of the branch of the crown's upper right lobe.
 Stroke line_from_branch(silhouette::OutlinedTree const& tree)
 {
     auto const skeleton = silhouette::skeleton_of(tree).value();
@@ -52,7 +52,7 @@ Stroke line_from_branch(silhouette::OutlinedTree const& tree)
     return stroke_through(places);
 }
 
-// Returns the tool of old logs, in which lines could not be branches of branches.
+// Returns the tool as it was in old logs, in which a line could not be a branch of a branch.
 OutlineTool tool_of_old_logs()
 {
     return { .branches = OutlineTool::Branches::OfTrunk,
@@ -67,7 +67,7 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     auto const tools = methods::all_methods().tools;
     EXPECT_EQ(tools::parse_tool(tools, "outline", "").value(), tools::Tool(tool_of_old_logs()));
     EXPECT_EQ(tools::words_for(tool_of_old_logs()).arguments, "");
-    // In old logs, lines belonged only to the trunk's branches.
+    // In old logs, lines could only be drawn on the branches of the trunk.
     auto const of_branches = tools::parse_tool(tools, "outline", "of_nearest siblings").value();
     EXPECT_EQ(of_branches,
               tools::Tool(OutlineTool { .branches = OutlineTool::Branches::OfNearest,
@@ -78,9 +78,10 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     auto const line = line_from_branch(*silhouette::outlined_tree(*tree.drawn));
     EXPECT_EQ(meant(line, tree, *of_branches.get<OutlineTool>()).search,
               silhouette::Search::OnTrunk);
-    // Only these kinds have other defaults than logs without arguments: crowns with complete nodes
-    // that are filled by spacing, plants that stand at a stroke's foot, construction lines with
-    // depths that are read together, strokes laid by heading.
+    // Without arguments, as in old logs, these tools differ from their present defaults: crowns had
+    // incomplete nodes and were not filled by spacing, plants did not stand at the foot of a
+    // stroke, construction lines had other depths and were read one by one, and strokes were not
+    // laid by heading. All other tools have the same defaults.
     constexpr auto kMinTwist = variation::StrokeLaying::LeastTwist;
     for (auto const* const kind : tools) {
         auto const begun = kind == &OutlineTool::kKind ? tools::Tool(tool_of_old_logs())
@@ -98,7 +99,7 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     }
 }
 
-// The words of the tool are the names of the forms.
+// Each word for a form in the tool must name one of the ready-made forms.
 TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
 {
     auto const tools = methods::all_methods().tools;
@@ -109,7 +110,7 @@ TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
                               .spacing = 0.05,
                               .first_angle_deg = 50,
                               .last_angle_deg = 40 };
-    // A ready-made form replaces the style.
+    // Choosing a ready-made form also replaces the style of the tree.
     auto const scene = scene::apply_edit(outlined, styled).value();
     for (auto const& ready : silhouette::tree_presets()) {
         tools::Tool tool = OutlineTool {};
@@ -131,7 +132,8 @@ TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
     }
 }
 
-// Setting only the number of leaves must not make a pine's needles broad again.
+// Setting only the number of leaves must not change the rest of a form, such as a pine's narrow
+// needles.
 TEST(OutlineTool, LeavesTheFormOfATreeToWhoGivesNumbersAlone)
 {
     auto const pine = after({}, trunk_at(0), { .form = OutlineTool::Form::Pine });
@@ -195,7 +197,8 @@ TEST(OutlineTool, TellsABranchOnABranchByWhereItBegins)
     EXPECT_EQ(meant(lobe_of_crown(), tree).style_to, silhouette::StyleScope::Siblings);
 }
 
-// Drawing, undoing, redoing and erasing must give the same plants at each step.
+// Drawing, undoing, redoing and erasing a branch of a branch must give the same plants at each
+// step.
 TEST(OutlineTool, DrawsABranchOnABranch)
 {
     document::Document document({}, document::Document::Working::AtOnce);
@@ -224,8 +227,8 @@ TEST(OutlineTool, DrawsABranchOnABranch)
     EXPECT_EQ(nodes(), before);
 }
 
-// A style is carried from the outlined lobe to the one at the upper left, and back. It must be
-// undoable, and the edit must be written and read unchanged.
+// The style of the outlined lobe is carried to the lobe at the upper left, and undone. The edit
+// must be the same after it is written and read.
 TEST(OutlineTool, CarriesAStyle)
 {
     document::Document document({}, document::Document::Working::AtOnce);
@@ -270,14 +273,14 @@ TEST(OutlineTool, CarriesAStyle)
         << "no tree with an outline";
 }
 
-// A line on a branch that was drawn on a branch: new logs contain the option, and old ones do not
-// search there.
+// A line can be drawn on a branch that was itself drawn on a branch. New logs contain the option
+// for this. In old logs, the tool does not search for such branches.
 TEST(OutlineTool, DrawsOnBranchesOfBranches)
 {
     OutlineTool const alone { .style = silhouette::StyleScope::None };
     auto tree = crowned();
     Vec3 const base = line_from_branch(*silhouette::outlined_tree(*tree.drawn)).tips[0].position_mm;
-    std::vector<Vec3> places; // Across the branch, which rises to the right.
+    std::vector<Vec3> places; // A line across the branch, which rises to the right.
     for (int i = 0; i <= 8; ++i)
         places.push_back(base + i * Vec3(-0.7, 1, 0));
     tree = after(tree, stroke_through(places), alone);
@@ -433,7 +436,8 @@ TEST(ArrangeTool, StandsAsManyBranchesInAWhorlAsItSays)
     EXPECT_EQ(patterns()[1], Pattern::whorls_of(4));
 }
 
-// Logs from before complete nodes must draw their old trees, whatever arrangement a tool chooses.
+// A log from the time before complete nodes must give its old tree, whatever arrangement a tool
+// chooses.
 TEST(ArrangeTool, KeepsNodesAsTheyWereWhenTheTreeWasDrawn)
 {
     auto const tools = methods::all_methods().tools;
@@ -448,7 +452,8 @@ TEST(ArrangeTool, KeepsNodesAsTheyWereWhenTheTreeWasDrawn)
         auto const& form = outlined_tree(*document.newest()->scene.drawn)->form;
         EXPECT_EQ(form.has_whole_nodes, is_whole) << words;
         EXPECT_EQ(form.patterns[0], Pattern(Pattern::Whorls));
-        EXPECT_EQ(form.plane_branches, 0) << words; // Neither log has the option of later trees.
+        // Neither log has this option, which later trees have.
+        EXPECT_EQ(form.plane_branches, 0) << words;
     }
 }
 
@@ -468,8 +473,8 @@ TEST(OutlineTool, FillsOutlinesBySpacingUnlessALogIsOlder)
     EXPECT_EQ(older.base_angle_deg, 0);
 }
 
-// A branch must be erased before the trunk that bears it, and the outline last, which leaves a bare
-// stem.
+// The tool must erase a branch before the trunk that carries it, and the crown's outline last. A
+// bare stem is then left.
 TEST(EraseOutlineTool, TakesLinesOfTheDrawingAway)
 {
     document::Document document({}, document::Document::Working::AtOnce);
@@ -512,8 +517,8 @@ TEST(OutlineTool, ShowsBranchesBeforeTheCrownIsClosed)
     EXPECT_GE(lines(1), 4u);
 }
 
-// The preview of a small line over the crown must show a branch's part of it, as soon as there is
-// one.
+// While a small line is drawn over the crown, the preview must show the branches in the branch's
+// own part of the crown as soon as they exist.
 TEST(OutlineTool, ShowsBranchesInABranchsOwnOutline)
 {
     auto const tree
@@ -550,8 +555,8 @@ TEST(OutlineLayer, ShowsTheLinesWhereTheTreeStands)
     EXPECT_TRUE(kOutlineLayer.lines(small_scene()).empty());
 }
 
-// Shows the inference: chord and middle of each bump with a branch, and each branch's part of the
-// crown.
+// The layers must show the result of the inference: the chord and the middle of each bump with a
+// branch, and each branch's part of the crown.
 TEST(OutlineLayer, ShowsWhatWasSeenInTheOutline)
 {
     auto const tree = crowned();

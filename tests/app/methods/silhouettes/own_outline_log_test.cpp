@@ -20,7 +20,8 @@ namespace {
 
 using nlohmann::json;
 
-// Returns a gesture around a position with some lobes, for the simulated hand.
+// Returns the text of a gesture for the simulated hand: a closed line around a position, with
+// `lobes` lobes.
 std::string gesture_around(Vec2 const& middle_mm, double radius_mm, int lobes)
 {
     std::string points;
@@ -36,7 +37,7 @@ std::string gesture_around(Vec2 const& middle_mm, double radius_mm, int lobes)
                        points);
 }
 
-// Returns a recording of a trunk, a crown of four lobes, and the outline of the upper right one.
+// Returns a recording of a trunk, a crown with four lobes, and an outline of the upper right lobe.
 drivers::Log recorded_tree()
 {
     std::string hand = "version = 1\nseed = 8\n[[gesture]]\ntool = \"draw\"\npropagation = "
@@ -58,7 +59,8 @@ json points_of(Stroke const& stroke)
     return points;
 }
 
-// Returns what the command infers from a file of the strokes, with the branches of older logs.
+// Returns the report of `tractus silhouette` on a file of the strokes, with the option --branches 0
+// as in older logs.
 json reported(std::vector<document::DrawnStroke> const& strokes)
 {
     auto const file = std::filesystem::temp_directory_path()
@@ -73,7 +75,7 @@ json reported(std::vector<document::DrawnStroke> const& strokes)
     return json::parse(outcome.out);
 }
 
-// Returns a recording of strokes with the tool's words for each.
+// Returns a recording of gestures in which the tool has the given words for each gesture.
 drivers::Log recorded_lines(std::string const& gestures, std::vector<std::string> const& words)
 {
     auto log
@@ -95,7 +97,7 @@ std::string touch_at(double x_mm, double y_mm)
                        x_mm, y_mm, x_mm + 1);
 }
 
-// Returns the scene after the same lines without a log.
+// Returns the scene after the same strokes are drawn without a log.
 scene::Scene drawn_alone(std::vector<document::DrawnStroke> const& strokes,
                          std::vector<OutlineTool> const& tools)
 {
@@ -109,7 +111,8 @@ scene::Scene drawn_alone(std::vector<document::DrawnStroke> const& strokes,
     return scene;
 }
 
-// A bump is split, two are joined, and a leaf is outlined and reverted: by replay and directly.
+// A bump is split, two bumps are joined, and a leaf is outlined and reverted. The replay must give
+// the same tree as drawing directly.
 TEST(OwnOutlineLog, GivesTheTreeOfItsTouches)
 {
     auto const log = recorded_lines(touch_at(22, 32) + touch_at(-30, 10)
@@ -140,7 +143,7 @@ TEST(OwnOutlineLog, GivesTheTreeOfItsTouches)
               replay.scene.base->node_position_mm);
 }
 
-// Recorded, replayed and typed lines must give the same tree.
+// The same lines must give the same tree whether they are recorded, replayed or given in a file.
 TEST(OwnOutlineLog, GivesTheTreeOfItsLines)
 {
     auto const log = recorded_tree();

@@ -23,9 +23,10 @@ using silhouette::DrawTree;
 
 constexpr int kWidth = 480;
 constexpr int kHeight = 320;
-constexpr double kSheet_mm = 240; // Two pixels per millimetre; the middle is at (0, 0).
+// Width of the sheet: two pixels per millimetre, with the middle at (0, 0).
+constexpr double kSheet_mm = 240;
 
-// Returns the radius of a crown with five lobes, in pixels with y up.
+// Returns the radius of a crown with five lobes in the direction `angle`, in pixels with y upwards.
 double crown_radius(double size, double angle)
 {
     return size * (1 + 0.1 * std::cos(5 * angle));
@@ -44,7 +45,7 @@ struct PaintedTree {
     }
 };
 
-// Returns a picture of sky above level grass, and trees with rough foliage.
+// Returns a picture of trees with rough foliage before sky and level grass.
 render::Image painted(std::vector<PaintedTree> const& trees)
 {
     render::Image image(kWidth, kHeight);
@@ -97,7 +98,8 @@ Stroke touch_at(Vec2 const& sheet_mm)
         { { sheet_mm.x(), sheet_mm.y(), 80 }, { sheet_mm.x() + 0.2, sheet_mm.y(), 80 } });
 }
 
-// Returns the pixels in both areas, as a share of those in either.
+// Returns the number of pixels inside both the outline and the tree's crown, as a share of those
+// inside either.
 double likeness(std::vector<Vec2> const& outline_px, PaintedTree const& tree)
 {
     double both = 0;
@@ -185,7 +187,7 @@ Stroke trunk_of(PaintedTree const& tree)
     return stroke_through({ { foot.x(), foot.y(), 80 }, { top.x(), top.y(), 80 } });
 }
 
-// A touch is accepted as if the outline had been drawn.
+// A touch on a crown in the picture must have the same effect as drawing the crown's outline.
 TEST(OutlineTool, TakesTheCrownThatATouchLiesIn)
 {
     auto const picture = with_photo({ kNear });
@@ -197,7 +199,7 @@ TEST(OutlineTool, TakesTheCrownThatATouchLiesIn)
     auto const tree = scene::apply_edit(stem, edit).value();
     EXPECT_GT(tree.base->axes.size(), 20U);
     EXPECT_FALSE(drawn(stroke_through({ { 0, 0, 80 } }), small_scene())) << "there is no picture";
-    // The outline is shown before pen-up.
+    // The crown's outline must be shown before the pen is lifted.
     tools::Tool const tool = OutlineTool {};
     std::vector<TipSample> const ink(touch.tips.begin(), touch.tips.end());
     EXPECT_GT(
@@ -205,8 +207,8 @@ TEST(OutlineTool, TakesTheCrownThatATouchLiesIn)
         10U);
 }
 
-// Both trees are 9 m tall, the far one at twice the distance; the horizon is in the picture's
-// middle.
+// Both trees are 9 m tall; the far one is twice as far away. The horizon is in the middle of the
+// picture.
 TEST(OutlineTool, StandsTreesOnThePicturesGround)
 {
     auto scene = with_photo({ kNear, kFar });
@@ -227,16 +229,18 @@ TEST(OutlineTool, StandsTreesOnThePicturesGround)
     scene = after(scene, touch_at(sheet_of(kFar.middle())));
     ASSERT_EQ(scene.plants.size(), 2U);
     auto const far_mm = bounds(*scene.base);
-    // Crowns end at 0.98 of the height, and axes slightly below that.
+    // The crown ends at 0.98 of the tree's height, and the axes end slightly below that.
     EXPECT_NEAR(near_mm.max_mm.z(), 8600, 450);
     EXPECT_NEAR(far_mm.max_mm.z(), 8600, 450);
     double const scale = scene.placement.scale;
     Vec3 const apart_m = (scene.drawn->stands_at_mm - near_at_mm) / scale / 1000;
-    // The bases are 100 and 50 pixels below the horizon, so the camera's height is 100/210 of 9 m.
+    // The trees' bases are 100 and 50 pixels below the horizon. The near tree, of 9 m, is 210
+    // pixels high, so the camera's height is 100/210 of 9 m.
     double const camera_m = 9 * 100.0 / 210;
     EXPECT_NEAR(apart_m.x(), camera_m * ((350 - 240) / 50.0 - (130 - 240) / 100.0), 0.05);
     EXPECT_NEAR(apart_m.y(), camera_m * kWidth * (1 / 50.0 - 1 / 100.0), 0.1);
-    // Later lines on the far tree must use the scale at which it was drawn, not its real size.
+    // Later lines on the far tree must use the scale of the picture at that tree, as when it was
+    // drawn.
     auto const paper = scene::paper_of(scene.state);
     EXPECT_NEAR(paper.unit, 2, 1e-6);
     Vec2 const top_mm = sheet_of(kFar.foot + Vec2(0, kFar.height));

@@ -88,7 +88,7 @@ TEST_F(SilhouetteCommand, WhorlsHaveAsManyBranchesAsAreAskedFor)
     std::set<double> nodes;
     for (auto const& place : fives["places"])
         nodes.insert(std::round(1e9 * place["u"].get<double>()));
-    EXPECT_EQ(nodes.size(), 4U); // Nodes with five branches each.
+    EXPECT_EQ(nodes.size(), 4U); // Each of the four nodes has five branches.
     auto const report = [&](std::vector<std::string> options) {
         options.insert(options.begin(), { "silhouette", path("oak.json"), "--report" });
         return json::parse(commands::run(options).out)["arrangement"];
@@ -120,7 +120,7 @@ TEST_F(SilhouetteCommand, PatternsAreOfLevels)
     EXPECT_NE(report("even")["arrangement"][0], flat["arrangement"][0]);
 }
 
-// The session's tree must be the command's, as if a pen had drawn the file's lines.
+// The tree in the session must be the command's, as if a pen had drawn the lines of the file.
 TEST_F(SilhouetteCommand, WritesASessionOfItsLines)
 {
     auto drawing = crown();
@@ -141,12 +141,12 @@ TEST_F(SilhouetteCommand, WritesASessionOfItsLines)
     EXPECT_NE(flat.err.find("a session needs a folder"), std::string::npos);
 }
 
-// The hand has stopped 4 mm below the crown: as by pen, the trunk belongs to the crown. The outline
-// may consist of two strokes.
+// The trunk ends 4 mm below the crown. It must belong to the crown nevertheless, as when drawn by
+// pen. The outline may consist of two strokes.
 TEST_F(SilhouetteCommand, TakesATrunkThatEndsJustBelowItsCrown)
 {
     auto drawing = crown();
-    constexpr double kLow = -70; // Lowest point of the crown above the trunk.
+    constexpr double kLow = -70; // The crown's lowest point above the trunk.
     auto const trunk_to = [&](double top) {
         drawing["trunk"] = { { 0, top - 60 }, { 1, top - 30 }, { 0, top } };
         std::ofstream(folder_ / "below.json") << drawing;

@@ -16,7 +16,7 @@ namespace tractus::silhouette {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// Fixture that runs `tractus silhouette` in an empty folder in which oak.json is the drawing of a
+// Fixture that runs `tractus silhouette` in a folder whose only file is oak.json, the drawing of a
 // crown.
 class SilhouetteCommand : public ::testing::Test {
 protected:
@@ -30,7 +30,7 @@ protected:
 
     std::string path(std::string const& name) const { return (folder_ / name).string(); }
 
-    // Returns a round crown with five lobes at the top.
+    // Returns the drawing of a trunk and a round crown with five lobes at its top.
     static json crown()
     {
         json drawing { { "trunk", { { 0, -90 }, { 0, 50 } } } };

@@ -13,8 +13,8 @@ namespace {
 
 using TreeInSession = session::SessionFolder;
 
-// As in memory, the inference of a tree must be known after its crown is redrawn, and after that is
-// undone.
+// After a tree's crown is redrawn, and after that is undone, the inference of the tree must be
+// known to the session, as it is to a scene in memory.
 TEST_F(TreeInSession, IsKnownWhenItsLinesChange)
 {
     using namespace drawn_trees;

@@ -8,12 +8,13 @@
 
 #include <fstream>
 
-// Tests of forms and styles accepted by the command, and of the arrangement of branches at nodes.
+// Tests of the forms and styles that `tractus silhouette` accepts, and of the arrangement of
+// branches at nodes.
 
 namespace tractus::silhouette {
 namespace {
 
-// A form must be equivalent to its options, and other options override it in any order.
+// A ready-made form must be equivalent to its options. Other options override it in any order.
 TEST_F(SilhouetteCommand, AReadyFormIsItsOptions)
 {
     auto const written = [&](std::vector<std::string> arguments) {
@@ -34,7 +35,8 @@ TEST_F(SilhouetteCommand, AReadyFormIsItsOptions)
     EXPECT_TRUE(bare == written({ "--form", "fir", "--leaves", "2" }));
 }
 
-// The style must agree within 10 % with the plant's on each level, and so must the report.
+// The style of the tree must agree within 10 % with that of the given plant on each level, and so
+// must the report.
 TEST_F(SilhouetteCommand, TakesTheStyleOfAPlant)
 {
     auto low = crown();
@@ -74,7 +76,7 @@ TEST_F(SilhouetteCommand, TakesTheStyleOfAFile)
         ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
         auto const style = json::parse(outcome.out)["style"];
         EXPECT_EQ(style["measured"].size(), 2U);
-        // The session's tree must have the style, too.
+        // The tree in the session must have the style, too.
         auto const scene
             = batch::load_session_scene(path(again + "/oak.tractus"), methods::all_methods().edits)
                   .value();
@@ -83,7 +85,7 @@ TEST_F(SilhouetteCommand, TakesTheStyleOfAFile)
     }
 }
 
-// The file must be the same as before styles existed.
+// A form without styles must be written as it was before styles existed.
 TEST_F(SilhouetteCommand, AFormWithoutStylesIsWrittenWithoutThem)
 {
     using silhouette::FormTree;
@@ -98,7 +100,7 @@ TEST_F(SilhouetteCommand, AFormWithoutStylesIsWrittenWithoutThem)
     EXPECT_EQ(again->get<FormTree>()->form, edit.form);
 }
 
-// The default, also for older forms, is three branches per node; the form states any other number.
+// A whorl has three branches by default, also in older forms. The form states only other numbers.
 TEST_F(SilhouetteCommand, AFormSaysWhorlsThatAreNotOfThree)
 {
     using silhouette::FormTree;
@@ -113,7 +115,7 @@ TEST_F(SilhouetteCommand, AFormSaysWhorlsThatAreNotOfThree)
     EXPECT_EQ(again->get<FormTree>()->form, edit.form);
 }
 
-// Trees in sessions without this setting keep their old nodes.
+// Sessions that lack this setting are older: their trees keep their incomplete nodes.
 TEST_F(SilhouetteCommand, AFormSaysThatNodesAreWhole)
 {
     using silhouette::FormTree;

@@ -10,7 +10,7 @@ namespace {
 using namespace drawn_trees;
 using Part = DrawTree::Part;
 
-// Returns a crown whose lowest point is at -20.
+// Returns a crown whose lowest point is at y = -20 mm.
 Stroke crown_above()
 {
     return crown_around(0, 10);
@@ -55,12 +55,13 @@ TEST(TrunkReachTool, TheTrunkBelowACrownIsItsTrunk)
         auto const tree = scene::apply_edit(alone, edit).value();
         EXPECT_EQ(tree.plants.size(), 1u);
         EXPECT_EQ(meant(trunk_up_to(top), alone, as_at_first()).plant, 0u) << top;
-        // A crown with a trunk is not given another one.
+        // A crown that has a trunk is not given another trunk.
         EXPECT_EQ(meant(trunk_up_to(-24, 15), tree).plant, 0u) << top;
     }
 }
 
-// The crown is redrawn within the trunk's reach, around its tip, and out of reach.
+// The crown is drawn anew three times: within the trunk's reach, around the trunk's tip, and out of
+// reach.
 TEST(TrunkReachTool, OutlastsACrownThatIsDrawnAnew)
 {
     auto const tree = after(after({}, trunk_up_to(-24)), crown_above());
@@ -89,7 +90,7 @@ TEST(TrunkReachTool, IsKeptBySessionsAndLogs)
     EXPECT_EQ(again.get<DrawTree>()->trunk_goes_on_mm, edit.trunk_goes_on_mm);
     auto const usual = session::record_of(meant(crown_above(), after({}, trunk_at(0))));
     EXPECT_EQ(usual.fields.find("trunk_goes_on"), std::string::npos) << "as it always was";
-    // The log must contain the tool as it was.
+    // The words in a log must give the same tool again.
     auto const words = tools::words_for(tools::Tool(OutlineTool {}));
     auto const tool
         = tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value();

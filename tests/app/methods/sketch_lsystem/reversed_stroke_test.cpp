@@ -10,7 +10,8 @@
 #include <gtest/gtest.h>
 #include <string>
 
-// Strokes that are drawn from the tip of a plant to its foot, and laterals that give way.
+// Tests of strokes drawn from the tip of a plant to its foot, and of laterals that give way to
+// others.
 
 namespace tractus::sketch {
 namespace {
@@ -20,7 +21,7 @@ Stroke upward_stroke()
     return stroke_through({ { 10, 0, 0 }, { 20, 10, 70 }, { 20, 40, 140 } });
 }
 
-// Returns a stroke on paper from a tree's tip down to its foot, a little to the right.
+// Returns a stroke on paper from the tip of a tree down to its foot, slightly to the right.
 Stroke falling_stroke()
 {
     return stroke_through({ { -5, 150, 100 }, { 0, 80, 100 }, { 5, 0, 100 } });
@@ -37,11 +38,12 @@ TEST(SketchTool, TurnsAStrokeRoundThatWasDrawnFromTheTip)
     double lowest_mm = 0;
     for (auto const& node_mm : scene.base->node_position_mm)
         lowest_mm = std::min(lowest_mm, node_mm.z());
-    EXPECT_GT(lowest_mm, -100); // Plant millimetres; upside down it would be 1500 below the desk.
+    // In plant millimetres. An inverted plant would reach 1500 mm below the desk.
+    EXPECT_GT(lowest_mm, -100);
     EXPECT_NE(SketchTool::kKind.describe(tool, scene).find("turned round"), std::string::npos)
         << SketchTool::kKind.describe(tool, scene);
 
-    // One touch turns it back, and another one gives the first plant again.
+    // The tool TurnRound reverses the plant's stroke; used again, it restores the first plant.
     tools::Tool const turn = SketchTool { .place = SketchTool::Place::TurnRound };
     auto const back = scene::apply_edits(scene, turn.edits_for({}, scene).value()).value();
     auto const newest = *sketch::newest_grown(*back.drawn)->sketch;

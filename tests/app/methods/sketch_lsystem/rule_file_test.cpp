@@ -10,10 +10,10 @@ TEST(RuleFile, TakesWhatIsMissingFromTheRest)
     auto const rule = parse_rule("k = 3\nl = 40\n", "three.toml");
     ASSERT_TRUE(rule) << rule.error().message;
     EXPECT_EQ(rule->laterals, 3);
-    EXPECT_EQ(rule->first_width_mm, 6); // The default is 0.15 of the first length.
-    // The default is 180 degrees over the number of laterals.
+    EXPECT_EQ(rule->first_width_mm, 6); // The default width is 0.15 of the first length.
+    // The default twist is 180 degrees divided by the number of laterals.
     EXPECT_EQ(rule->axis_twist_deg, 60);
-    // The default is 180 degrees over the number of laterals.
+    // The default twist is 180 degrees divided by the number of laterals.
     EXPECT_EQ(rule->lateral_twist_deg, 60);
     EXPECT_EQ(rule->length_ratio, 0.9);
 }

@@ -32,7 +32,7 @@ Vec2 place_of_handle(SketchTool const& tool, std::string_view sign)
     return handle_of(gizmo, sign).place;
 }
 
-// Returns the end of the parent, which is the gizmo's first line.
+// Returns the end of the parent segment, which is the gizmo's first line.
 Vec2 node_of(SketchTool const& tool)
 {
     return tools::Tool(tool).gizmo().lines.front().points.back();
@@ -70,8 +70,8 @@ private:
     std::mt19937 random_;
 };
 
-// Around the lateral, the variation in a collection is shown: 12 degrees to both sides, and 12 %
-// longer.
+// Around the lateral, the gizmo must show how much plants in a collection vary: by 12 degrees to
+// both sides, and up to 12 % longer.
 TEST(RuleGizmo, ShowsHowFarPlantsDiffer)
 {
     SketchTool const tool { .angle_deg = 40 };
@@ -112,7 +112,8 @@ TEST(RuleGizmo, SetsWhatAHandleIsDraggedTo)
     EXPECT_NEAR(rule_of(turned).axis_twist_deg, 90, 1e-9);
     EXPECT_NEAR(rule_of(dragged(tool, "E", top - Vec2(0.3, 0))).axis_twist_deg, -90, 1e-9);
     Vec2 const end = place_of_handle(tool, "A");
-    auto const aside = dragged(tool, "B", end + (end - node)); // The handle is dragged straight on.
+    // The handle is dragged in the lateral's direction.
+    auto const aside = dragged(tool, "B", end + (end - node));
     EXPECT_NEAR(rule_of(aside).lateral_twist_deg, 0, 1e-9);
     EXPECT_EQ(dragged(tool, "+", {}).laterals, 3);
     EXPECT_EQ(dragged(tool, "-", {}).laterals, 1);
@@ -131,7 +132,8 @@ TEST(RuleGizmo, ComesToRestInWholeSteps)
     EXPECT_NEAR(at_deg(57.4), 57, 1e-9);
 }
 
-// However a handle is dragged, the rule must remain valid, and the tool's words must contain it.
+// However a handle is dragged, the rule must remain valid, and the tool's words must give the same
+// rule.
 TEST(RuleGizmo, StaysWithinTheRangesOfRules)
 {
     AnyRule any(4711);

@@ -94,7 +94,8 @@ protected:
             << "#define N 0\nLsystem: 1\nderivation length: 1\nAxiom: F(1)\nendlsystem\n";
     }
 
-    // Returns the model on the manual's page: the first block without a language.
+    // Returns the example model in the manual: the first code block without a language on the page
+    // models.md.
     static std::string model_of_manual()
     {
         std::string const text = file_bytes(files::find_resource("manual/models.md").value());
@@ -119,7 +120,8 @@ TEST_F(SketchedModel, ReportsItsAxisAndNoDepth)
     EXPECT_EQ(report["counts"].back()["Z"], segments);
 }
 
-// The written model must derive to the plant, and keep the contract for another stroke.
+// The written model must derive to the same plant, and must also be able to grow along another
+// stroke.
 TEST_F(SketchedModel, IsWrittenAsAModel)
 {
     ASSERT_EQ(

@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Returns the messages to other programs while a pen draws to the right in steps of 2 mm, 5 ms
-// apart, and is lifted.
+// Returns the messages that other programs receive while a pen draws to the right and is lifted.
+// The pen moves 2 mm every 5 ms.
 std::vector<Json> steps_along_a_line(SketchTool const& tool, double length_mm,
                                      scene::Scene const& scene = {})
 {
@@ -59,8 +59,8 @@ SketchTool in_space()
     return tool;
 }
 
-// The rule is applied when the chord is l, l r, l r^2, ... (Ijiri 2006, section 3): along a
-// straight line at 30, 57, 81.3 and 103.17 mm.
+// The rule is applied whenever the chord has grown by l, l r, l r^2, ... (Ijiri 2006, section 3).
+// Along a straight line this happens at 30, 57, 81.3 and 103.17 mm.
 TEST(SketchSteps, ComeWhenTheRuleIsApplied)
 {
     auto const lines = steps_along_a_line(in_space(), 110);
@@ -72,7 +72,7 @@ TEST(SketchSteps, ComeWhenTheRuleIsApplied)
         EXPECT_EQ(steps[i]["number"], i + 1);
         EXPECT_NEAR(double(steps[i]["position_mm"][0]) - begin_mm, ends_mm[i], 0.002);
         EXPECT_NEAR(steps[i]["position_mm"][2], 100, 0.002);
-        // The time of the first sample at or beyond the end; samples are 2 mm apart.
+        // The step has the time of the first sample at or beyond its end; samples are 2 mm apart.
         EXPECT_NEAR(steps[i]["time_s"], 0.005 * std::ceil(ends_mm[i] / 2), 1e-9);
     }
 }
@@ -99,8 +99,8 @@ TEST(SketchSteps, AreNoneOfAStrokeThatIsTooShort)
     EXPECT_EQ(of_type(lines, "stroke").size(), 1u);
 }
 
-// With the card Birch, segments have the model's lengths, whatever the numbers: each step must end
-// at a node of the plant's trunk.
+// With the card Birch, segments have the lengths of the model, whatever numbers the tool has. Each
+// step must end at a node of the plant's trunk.
 TEST(SketchSteps, EndAtAModelsNodes)
 {
     auto tool = in_space();
@@ -125,7 +125,7 @@ TEST(SketchSteps, EndAtAModelsNodes)
     }
 }
 
-// On an upright sheet, a line away from the user means upwards from the ground.
+// On an upright sheet, a line drawn away from the user goes up from the ground.
 TEST(SketchSteps, StandOnTheGroundOnPaper)
 {
     auto tool = in_space();
@@ -153,7 +153,8 @@ TEST(SketchSteps, AreNoneWhereNumbersAreChanged)
     EXPECT_TRUE(of_type(steps_along_a_line(tool, 110), "step").empty());
 }
 
-// Between two applications nothing may be rebuilt, neither lines nor their display.
+// Between two applications of the rule, neither the preview's lines nor their display may be
+// rebuilt.
 TEST(SketchSteps, AreWhenThePreviewChanges)
 {
     auto station = flat_station(in_space());

@@ -35,7 +35,8 @@ TEST(SketchTool, SaysItsRuleInLogs)
               tools::Tool(tool));
 }
 
-// Logs must contain all numbers of a card, so that their meaning stays if the card changes.
+// Logs must contain all numbers of a chosen card, so that they keep their meaning if the card
+// changes.
 TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
 {
     auto const tools = methods::all_methods().tools;
@@ -44,7 +45,7 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
     for (auto const& card : tools::ready_cards(tools::Tool(SketchTool {})))
         chosen.push_back(card.tool);
     ASSERT_EQ(chosen.size(), 17u);
-    chosen.resize(9); // The others are models, and the active plant's rule.
+    chosen.resize(9); // The other cards are models, and the rule of the active plant.
     EXPECT_EQ(tools::words_for(chosen[1]).arguments,
               "whorls laterals=4 angle=75 first=28 ratio=0.88 at_foot");
     EXPECT_EQ(tools::words_for(chosen[5]).arguments,
@@ -63,7 +64,7 @@ TEST(SketchTool, TakesAReadyRuleWithItsNumbers)
     EXPECT_EQ(plants, 9u);
 }
 
-// Returns the edit made by a stroke with a model's card.
+// Returns the edit that a stroke makes with the card of a model.
 sketch::GrowAlongStroke drawn_with(SketchTool::Card card, scene::Scene const& scene = {})
 {
     auto const edits
@@ -104,7 +105,7 @@ TEST(SketchTool, ShowsAModelUnderThePen)
     EXPECT_EQ(lines.size(), after.base->axes.size());
 }
 
-// When another card is chosen, the plant must follow, from rules to models and back.
+// When another card is chosen, the plant must follow: from a rule to a model, and back.
 TEST(SketchTool, ChangesRulesIntoModels)
 {
     SketchTool const rule;
@@ -124,13 +125,13 @@ TEST(SketchTool, ChangesRulesIntoModels)
     EXPECT_TRUE(SketchTool::kKind.follow(tools::Tool(rule), tools::Tool(rule), grown).empty());
 }
 
-// The compound leaf of The Algorithmic Beauty of Plants (Ijiri 2006, figure 2): A --> I[+A][-A]A
-// with internodes that double. After n steps it has 3^0 + 3^1 + ... + 3^(n-1) internodes, that is
-// (3^n - 1) / 2, and each lateral is the leaf after the remaining steps.
+// The card gives the compound leaf of The Algorithmic Beauty of Plants (Ijiri 2006, figure 2): A
+// --> I[+A][-A]A with internodes that double. After n steps it has 3^0 + 3^1 + ... + 3^(n-1)
+// internodes, that is (3^n - 1) / 2. Each lateral is the same leaf after the remaining steps.
 TEST(SketchTool, HasTheCompoundLeafAsACard)
 {
     auto const card = tools::ready_cards(tools::Tool(SketchTool {}))[8].tool;
-    // Lengths of 60 + 30 + 15 + 7.5 mm.
+    // The stroke suffices for internodes of 60 + 30 + 15 + 7.5 mm.
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 113 } });
     auto const scene
         = scene::apply_edits(scene::Scene {}, card.edits_for(stroke, {}).value()).value();
@@ -149,7 +150,7 @@ TEST(SketchTool, HasTheCompoundLeafAsACard)
               SketchTool::Laterals::AsAxis);
 }
 
-// The user's own model is loaded into the tool from its plant.
+// The user's own model is loaded into the tool from the plant that it made.
 TEST(SketchTool, GrowsTheModelOfThePlant)
 {
     scene::LoadModel own { .source = ready_model("birch").source };
@@ -170,7 +171,7 @@ TEST(SketchTool, GrowsTheModelOfThePlant)
               SketchTool::Card::Plant);
 }
 
-// A rule that only a file can express is loaded as well.
+// A rule that can only be written in a file is also loaded into the tool from its plant.
 TEST(SketchTool, GrowsTheRuleOfThePlant)
 {
     sketch::GrowAlongStroke first { .rule = { .laterals = 3 } };
@@ -202,7 +203,7 @@ TEST(SketchTool, RefusesAPlantThatCannotGrowAnew)
                     .empty());
 }
 
-// Sessions with rules must stay unchanged, byte for byte.
+// Edits with rules must be written to sessions as before, without the fields of models.
 TEST(SketchTool, KeepsNothingOfModelsWithRules)
 {
     auto const fields_of = [](scene::Edit const& edit) { return session::record_of(edit).fields; };
@@ -216,7 +217,7 @@ TEST(SketchTool, KeepsNothingOfModelsWithRules)
     EXPECT_EQ(read.get<sketch::GrowAlongStroke>()->model, grown.model);
 }
 
-// A log must contain only the model's name, not its text.
+// A log must contain only the name of a model, not its text.
 TEST(SketchTool, GrowsTheSameModelFromALog)
 {
     constexpr std::string_view kVine = R"(
@@ -241,7 +242,7 @@ speed_mm_s = 120
     EXPECT_EQ(one.base->node_position_mm, two.base->node_position_mm);
 }
 
-// A number that is set back to the tool's default still counts as set by the user.
+// If a card's number is set back to the default of the tool, it still counts as set by the user.
 TEST(SketchTool, KeepsNumbersThatArePutBackBesideACard)
 {
     SketchTool const tool { .card = SketchTool::Card::Whorls, .laterals = 2 };
@@ -259,7 +260,7 @@ TEST(SketchTool, DrawsAStrokeAgain)
                              tools::Tool(tool).edits_for(rising_stroke(), scene::Scene {}).value())
               .value();
     tool.place = SketchTool::Place::Again;
-    tool.laterals = 5; // The plant must keep its own rule.
+    tool.laterals = 5; // Drawing the stroke again must keep the plant's own rule.
     auto const stroke = stroke_through({ { 0, 0, 0 }, { 0, 0, 150 }, { 60, 0, 200 } });
     auto const edits = tools::Tool(tool).edits_for(stroke, scene).value();
     ASSERT_EQ(edits.size(), 1u);
@@ -297,7 +298,7 @@ TEST(SketchTool, AddsAPlantInTheDocumentsScale)
     EXPECT_EQ(both.plants[0], scene.plants[0]) << "it stays as it was";
 }
 
-// The plant shown while the pen draws must equal the resulting plant.
+// The plant shown while the pen draws must be equal to the plant that results.
 TEST(SketchTool, ShowsThePlantThatItWillGrow)
 {
     tools::Tool const tool = SketchTool { .leaves = sketch::Leaves::Bare };
@@ -319,7 +320,7 @@ TEST(SketchTool, ShowsThePlantThatItWillGrow)
     EXPECT_TRUE(sketch_previewer()->show({ scene, tool, too_short.tips.vector(), 99 }).empty());
 }
 
-// While the preview is complete there is no message.
+// There is no message while the preview shows the whole plant.
 TEST(SketchTool, SaysWhatAPreviewLeavesOut)
 {
     auto const scene = std::make_shared<scene::Scene const>(small_scene());
@@ -343,9 +344,9 @@ TEST(SketchTool, SaysWhatAPreviewLeavesOut)
     EXPECT_EQ(note(forking, { 0, 0, 30 }), "") << "it is about the last one";
 }
 
-// Compares the lines of the preview with the plant of the finished stroke. The first axes of a
-// plant with a part are those of the plant that bears it. The part's stem begins on its branch,
-// which the pen need not have met.
+// Compares the lines of the preview with the plant of the finished stroke. If the stroke makes a
+// part, the axes before `first` are those of the plant on which the part grows. The stem of the
+// part begins on its branch, which the pen need not have met, so its first node is not compared.
 void expect_shown(scene::Scene const& scene, tools::Tool const& tool, Stroke const& stroke,
                   std::size_t first)
 {
@@ -397,7 +398,8 @@ TEST(SketchTool, GrowsOnTheBranchWhereTheStrokeBegins)
     EXPECT_FALSE(tool.edits_for(from({ 0, 0, 0 }), scene::Scene {})) << "no plant at all";
 }
 
-// A stroke on a branch that was bent by another stroke: the new branch must be where it was drawn.
+// A stroke begins on a branch that another stroke has bent. The new branch must be where it was
+// drawn.
 TEST(SketchTool, GrowsOnWhatStrokesHaveBent)
 {
     auto scene = small_scene();
@@ -481,14 +483,15 @@ TEST(SketchTool, LetsLateralsGoOnByARuleOfTheirOwn)
                                               .value());
     auto const goes_on
         = scene::apply_edits({}, tool.edits_for(rising_stroke(), {}).value()).value();
-    // The drawn axis is the same; its laterals have several internodes.
+    // The drawn axis is the same as with forks, but its laterals have several internodes.
     auto const& axes = goes_on.base->axes;
     EXPECT_EQ(axes[0].segment_count, forks->base->axes[0].segment_count);
     auto const longest = std::max_element(axes.begin() + 1, axes.end(), [](auto& a, auto& b) {
         return a.segment_count < b.segment_count;
     });
     EXPECT_EQ(longest->segment_count, axes[0].segment_count - 1);
-    // Other numbers keep this setting, and loading the rule into the tool includes it.
+    // The setting `go_on_by` is kept if other numbers change, and is loaded into the tool with the
+    // rule.
     auto faster = options;
     faster.angle_deg = 60;
     auto const followed
@@ -522,7 +525,7 @@ TEST(ShortenSketchTool, TakesTheEndAwayWhereItRunsOverTheAxis)
     EXPECT_FALSE(tool.edits_for(across({ 0, 0, 50 }), small_scene()));
 }
 
-// Undo, redo and a replay must work as for any other tool.
+// Strokes of this tool must be undone, redone and replayed like those of any other tool.
 TEST(SketchTool, IsUndoneAndDoneAgain)
 {
     document::Document document(small_scene(), document::Document::Working::AtOnce);

@@ -56,7 +56,7 @@ Result<std::vector<scene::Edit>> blow(tools::Tool const& tool, Stroke const& str
     return std::vector<scene::Edit> { BlowGust { { std::move(tips) }, options.strength } };
 }
 
-// Returns vertical lines to the ground below each gust's end.
+// Returns lines from the end of each gust down to the ground.
 std::vector<std::vector<Vec3f>> reaches(scene::BuiltPlant const& plant)
 {
     std::vector<std::vector<Vec3f>> lines;

@@ -6,10 +6,11 @@
 
 namespace tractus::methods {
 
-// A minimal method that has every kind of part: a gust of wind along a stroke. It exists only in
-// tests, to show that a method can be added without changing the program.
+// A minimal method, a gust of wind along a stroke, that has every kind of component: an edit, a
+// tool and a layer. It exists only in tests, to show that a method can be added without changing
+// the program.
 
-// Edit that leans the plant along a stroke, by a multiple of the stroke's length.
+// Edit that leans the plant in a stroke's direction, by a multiple of the stroke's length.
 struct BlowGust {
     static scene::EditKind const kKind;
 
@@ -17,7 +18,7 @@ struct BlowGust {
     double strength = 1;
 };
 
-// Tool that draws the gust.
+// Tool that draws a gust.
 struct GustTool {
     static tools::ToolKind const kKind;
 
@@ -26,10 +27,10 @@ struct GustTool {
     double strength = 1; // Multiple of the stroke's length, from 0.1 to 5.
 };
 
-// Layer that shows the reach of the gusts.
+// Layer that shows how far the gusts reach.
 extern tools::Layer const kGustLayer;
 
-// Returns the program's methods and the gust.
+// Returns all methods of the program and the gust.
 tools::Methods methods_with_gust();
 
 } // namespace tractus::methods

@@ -8,7 +8,8 @@
 namespace tractus::methods {
 namespace {
 
-// Sets random values in fields of the kinds that edits of methods have.
+// Sets the fields of an edit to random values. It supports the field types used by the edits of
+// methods.
 class RandomFields final : public scene::Fields {
 public:
     void field(char const*, scene::FieldRef value) override
@@ -30,10 +31,11 @@ private:
     static void set(double& value) { value = session::random_double(); }
     static void set(std::string& value) { value = session::random_file_name(); }
     static void set(Vec3& value) { value = session::random_vec3(); }
-    template<typename T> static void set(T&) { } // Kinds that only core edits have.
+    // Only edits of the scene itself have fields of other types.
+    template<typename T> static void set(T&) { }
 };
 
-// The record of any method's edit must be read back bit by bit.
+// An edit of any method must be equal, bit by bit, when it is read back from its record.
 RC_GTEST_PROP(MethodEdits, ComeBackFromTheirRecords, ())
 {
     for (auto const* const kind : all_methods().edits) {

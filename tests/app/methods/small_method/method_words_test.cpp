@@ -1,4 +1,5 @@
-// Only a tool's own file and the list of methods may contain its word, or that of a kind of edit.
+// The word of a tool or of a kind of edit may occur only in the file that defines it and in the
+// list of methods.
 
 #include "app/methods/all_methods.h"
 #include "engine/base/file.h"
@@ -20,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SourceText {
-    std::string path; // Path from the root.
-    std::string text; // Text without comments.
+    std::string path; // Path from the root of the sources.
+    std::string text; // The source's text without its comments.
 };
 
 std::string without_comments(std::string const& text)
@@ -47,7 +48,7 @@ std::vector<SourceText> sources()
     return all;
 }
 
-// True if the source defines a word, in one of these forms: .word = "draw", or
+// True if the source defines `word` as a tool, .word = "draw", or as an edit,
 // make_edit_kind<...>("draw").
 bool defines(SourceText const& source, std::string const& word)
 {
@@ -67,7 +68,7 @@ bool defines(SourceText const& source, std::string const& word)
     return false;
 }
 
-// Returns the headers of this program that a source includes, such as "app/tools/tool.h".
+// Returns the headers of this program that a source file includes, such as "app/tools/tool.h".
 std::vector<fs::path> includes_of(SourceText const& source)
 {
     constexpr std::string_view kInclude = "\n#include \"";
@@ -80,7 +81,7 @@ std::vector<fs::path> includes_of(SourceText const& source)
     return included;
 }
 
-// Returns the method to whose folders a file belongs; empty if there is none.
+// Returns the method in whose folder a file is; empty if it belongs to no method.
 std::string method_of(fs::path const& file)
 {
     std::vector<std::string> const parts(file.begin(), file.end());
@@ -90,17 +91,18 @@ std::string method_of(fs::path const& file)
     return "";
 }
 
-// True for equal words in other languages, in the files that use those.
+// True if a file uses a word in another sense, as part of another language.
 bool is_another_language(std::string const& path, std::string const& word)
 {
     static std::set<std::pair<std::string, std::string>> const others {
-        { "sim/gesture_script.cpp", "select" }, // A command in scripts of a simulated hand.
+        { "sim/gesture_script.cpp", "select" }, // A command in the scripts of simulated hands.
         { "sim/gesture_script.cpp", "draw" },
-        { "app/commands/window.cpp", "draw" }, // The word in "tractus draw".
-        // The word in "tractus leaves draw".
+        { "app/commands/window.cpp", "draw" }, // The subcommand of "tractus draw".
+        // The subcommand of "tractus leaves draw".
         { "app/methods/leaves/commands/leaves_command.cpp", "draw" },
-        { "engine/methods/leaves/read_directive.cpp", "outline" }, // A block in a leaf's grammar.
-        // The tool line "calibrate" uses this word, too.
+        // A block in the grammar of a leaf.
+        { "engine/methods/leaves/read_directive.cpp", "outline" },
+        // The log's tool "calibrate" also has this word.
         { "app/controllers/calibration_panel_controller.cpp", "press" },
         { "app/calibration/calibration_controller.cpp", "press" },
     };
@@ -124,7 +126,7 @@ TEST(MethodWords, StandInTheFilesOfTheirRowsAlone)
     for (auto const& word : all_words()) {
         auto const literal = fmt::format("\"{}\"", word);
         int definitions = 0;
-        std::set<std::string> methods; // Methods with this word.
+        std::set<std::string> methods; // Methods that define the word.
         for (auto const& file : files)
             if (defines(file, word)) {
                 ++definitions;
@@ -142,15 +144,15 @@ TEST(MethodWords, StandInTheFilesOfTheirRowsAlone)
     }
 }
 
-// True for files beside the list of all methods, which may join several methods.
+// True for a file beside the list of all methods. Such files may combine several methods.
 bool is_beside_list(fs::path const& path)
 {
     return path.parent_path() == "app/methods"
         || path.string().starts_with("app/methods/commands/all_");
 }
 
-// A tool's header may be included only in its own folder, or its method's, and beside the list;
-// except eraser tools, which may be any tool's other end.
+// A tool's header may be included only in the tool's folder, in its method's folder, and beside the
+// list of methods. Eraser tools are excepted, since any tool may use them for the pen's other end.
 TEST(MethodWords, ToolsAreIncludedByTheirFolderAndTheList)
 {
     int count = 0;
@@ -172,7 +174,8 @@ TEST(MethodWords, ToolsAreIncludedByTheirFolderAndTheList)
     EXPECT_GT(count, 10);
 }
 
-// Only files beside the list may include headers from a method's folders.
+// Headers in the folders of methods may be included only in these folders and beside the list of
+// methods.
 TEST(MethodWords, MethodsAreIncludedByTheListAlone)
 {
     int count = 0;

@@ -85,7 +85,7 @@ protected:
         rig.tool = strong_gust();
         return rig;
     }
-    // Draws strokes with the simple pen and the tool into a document.
+    // Draws strokes into a document with the simple pen and the gust tool.
     void draw(document::Document& document) const
     {
         auto station
@@ -138,7 +138,7 @@ TEST_F(SmallMethodSession, HasALayerInTheViews)
     EXPECT_EQ(layers[1].lines_mm[0].back().z(), 0);
 }
 
-// A program without the method must open the session.
+// A program that lacks the method must still be able to open the session.
 TEST_F(SmallMethodSession, StaysInASessionThatDoesNotKnowIt)
 {
     {

@@ -2,12 +2,12 @@
 
 #include "tests/engine/methods/construction_lines/sketches.h"
 
-// Organs measured from boundaries around a stem, compared with shapes known in closed form.
+// Tests of organs that reach to boundaries around a stem, compared with shapes in closed form.
 
 namespace tractus::lines {
 namespace {
 
-constexpr double kAcross_mm = 40; // Half-axes of the cross-section: in the sheet
+constexpr double kAcross_mm = 40; // Half-axis of the cross-section in the sheet.
 constexpr double kDeep_mm = 25;   // Half-axis of the cross-section towards the viewer.
 
 double on_ellipse(double azimuth_deg)
@@ -16,7 +16,7 @@ double on_ellipse(double azimuth_deg)
     return 1 / std::hypot(std::cos(angle) / kAcross_mm, std::sin(angle) / kDeep_mm);
 }
 
-// Returns a vertical line at an azimuth around the stem, on the elliptic cylinder.
+// Returns a vertical line on the elliptic cylinder, at the given azimuth around the stem.
 std::vector<Vec3> on_cylinder(double azimuth_deg)
 {
     double const far_mm = on_ellipse(azimuth_deg);
@@ -49,7 +49,7 @@ TEST(AroundStem, FourBoundariesGiveAnEllipticCrossSectionBack)
     }
 }
 
-// In the plant made from the text, each tip must lie on the cylinder.
+// In the plant made from the text of the model, the tip of each organ must lie on the cylinder.
 TEST(AroundStem, OrgansOfTheModelReachTheEllipticCylinder)
 {
     for (auto const kind : { Pattern::Kind::Distichous, Pattern::Kind::Decussate,
@@ -62,7 +62,7 @@ TEST(AroundStem, OrgansOfTheModelReachTheEllipticCylinder)
     }
 }
 
-// The boundaries may be anywhere around the stem.
+// Any set of azimuths of boundaries must give back the elliptic cross-section.
 TEST(AroundStem, ManyBoundariesGiveAnEllipticCrossSectionBack)
 {
     std::vector<std::vector<double>> const azimuths_deg {
@@ -82,7 +82,7 @@ TEST(AroundStem, ManyBoundariesGiveAnEllipticCrossSectionBack)
     }
 }
 
-// Around an arc of a circle, the cross-section must be the same ellipse everywhere.
+// If the stem is an arc of a circle, the cross-section must be the same ellipse all along it.
 TEST(AroundStem, FollowsABentStem)
 {
     constexpr double kRadius_mm = 150;
@@ -159,7 +159,8 @@ TEST(AroundStem, ALineKeepsItsAzimuth)
     EXPECT_EQ(degrees_between(0, 180), 180);
 }
 
-// For a stem that leans towards the viewer by 30 degrees, front and back are perpendicular to it.
+// The stem leans towards the viewer by 30 degrees. Front and back are then directions perpendicular
+// to the stem.
 TEST(AroundStem, AzimuthsAreThoseAroundAStemThatLeans)
 {
     double const sine = std::sin(radians(30));

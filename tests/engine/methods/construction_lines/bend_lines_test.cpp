@@ -31,7 +31,8 @@ StemSide other(StemSide side)
     return side == StemSide::Left ? StemSide::Right : StemSide::Left;
 }
 
-// Only the line's half is rotated: the other half, the other line and the boundaries stay.
+// Only one half of the inclination line may be rotated. Its other half, the other line and the
+// boundaries must stay.
 RC_GTEST_PROP(WithAngle, TurnsOneHalfOfOneLine, ())
 {
     static auto const drawing = whole_sketch();
@@ -51,8 +52,8 @@ RC_GTEST_PROP(WithAngle, TurnsOneHalfOfOneLine, ())
     RC_ASSERT(sketch.lines.size() == drawing.sketch().lines.size());
 }
 
-// The boundary reaches the requested size there on its ray, and is unchanged beyond the next
-// positions.
+// At the given position, the boundary must reach the requested size along the ray. Beyond the
+// neighbouring positions it must not change.
 RC_GTEST_PROP(WithSize, MovesTheBoundaryThereAlone, ())
 {
     static auto const drawing = whole_sketch();

@@ -29,7 +29,7 @@ TEST(WithHeading, BendsTheStemThereAndNotAtTheNextPlaces)
         }
 }
 
-// Organs along an inclination line must keep their position and angle on the stem.
+// When the stem is bent, its inclination lines must keep their positions and angles on the stem.
 TEST(WithHeading, TakesTheStemsLinesAlong)
 {
     auto const sketch = whole_sketch().sketch();

@@ -2,14 +2,14 @@
 #include "engine/methods/construction_lines/recognise_line.h"
 #include "tests/engine/methods/construction_lines/drawn_sketch.h"
 
-// Boundaries drawn while the surface moves, in sketches and by the pen.
+// Tests of boundaries drawn while the surface moves, given in sketches and drawn by pen.
 
 namespace tractus::lines {
 namespace {
 
 using Kind = Pattern::Kind;
 
-// Returns a curved boundary in front of the hand sketch's stem, or behind it.
+// Returns a curved boundary in front of the stem of hand_sketch(), or behind it.
 std::vector<Vec3> bow_in_depth(double far_mm)
 {
     std::vector<Vec3> points;
@@ -38,7 +38,8 @@ std::vector<std::string> texts_of(LineSketch const& sketch, Pattern const& patte
     return texts;
 }
 
-// A stem that comes towards the viewer, with a boundary on each side that follows it.
+// A stem that comes towards the viewer, with a boundary on each side that follows it, is the case
+// of the paper.
 TEST(BoundariesInSpace, OnTheLeftAndTheRightAreThePapersCase)
 {
     auto const deep
@@ -76,12 +77,13 @@ TEST(BoundariesInSpace, KeepTheSidesOfTheSheet)
         EXPECT_NEAR(deep.nodes[i].right_size, flat.nodes[i].right_size, 1e-12);
         EXPECT_EQ(deep.nodes[i].left_deg, flat.nodes[i].left_deg);
     }
-    // Organs on the left and right are those of the sheet, and so is the text.
+    // Boundaries in front and behind must not change the organs on the left and right, nor the text
+    // of their functions.
     EXPECT_EQ(texts_of(with_depth()), texts_of(hand_sketch()));
     EXPECT_EQ(write_model(deep, { .kind = Kind::Spiral }, "plant").functions.size(), 11U);
 }
 
-// The tip of each organ in front and behind must lie on the curve drawn there.
+// The tip of each organ in front of the stem or behind it must lie on the boundary drawn there.
 TEST(BoundariesInSpace, OrganTipsLieOnThem)
 {
     auto const sketch = with_depth();
@@ -155,7 +157,7 @@ TEST(BoundariesInSpace, SaysWhatIsWrongWithThem)
               "the boundary where the inclination lines point");
 }
 
-// A plant with two stems, one of which has boundaries in space.
+// The plant has two stems, one of which has boundaries in space.
 TEST(BoundariesInSpace, StandAroundTheStemThatTheyBelongTo)
 {
     auto second = with_depth();
@@ -184,7 +186,7 @@ TEST(BoundariesInSpace, StandAroundTheStemThatTheyBelongTo)
         EXPECT_NEAR((tips[i] - flat[i]).norm(), 0, 0.01) << i;
 }
 
-// With two boundaries in the sheet, the pattern decides.
+// With only two boundaries, in the sheet, the pattern decides how sizes change between them.
 TEST(BoundariesInSpace, SizesMayFollowHalfEllipsesWithoutThem)
 {
     Pattern const linear { .kind = Kind::Decussate };
@@ -196,7 +198,7 @@ TEST(BoundariesInSpace, SizesMayFollowHalfEllipsesWithoutThem)
     auto const spiral = tips_of(
         hand_sketch(),
         { .kind = Kind::Spiral, .divergence_deg = 45, .sizes = Pattern::Sizes::HalfEllipses });
-    // Node 1 is at an eighth of the circle, between .300672 and .180403.
+    // Node 1 is at an eighth of a full turn, between the sizes 0.300672 and 0.180403.
     double const size = size_between({ 0.300672, 0.180403, 180 }, 0.25);
     EXPECT_NEAR((spiral[1] - Vec3(0, 70, 0)).norm() / 200, size, 1e-4);
 }
@@ -213,20 +215,20 @@ TEST(BoundariesInSpace, AreTakenForWhatTheyAreWhereTheirDepthCounts)
     EXPECT_EQ(recogniser.add(bow_in_depth(-40), InSpace).replaces, std::nullopt);
     EXPECT_EQ(recogniser.add(bow_in_depth(45), InSpace).replaces, 1U);
     EXPECT_EQ(recogniser.sketch().around.size(), 2U);
-    // A boundary in space on the left replaces one in the sheet, and the other way round.
+    // On the left, a boundary in space replaces one in the sheet, and the other way round.
     EXPECT_EQ(recogniser.add(line({ Vec2(-50, 0), Vec2(-50, 200) })).role, Role::Left);
     std::vector<Vec3> const left { Vec3(-40, 0, 0), Vec3(-45, 200, 25) };
     EXPECT_EQ(recogniser.add(left, InSpace).replaces, 4U);
     EXPECT_EQ(recogniser.add(line({ Vec2(-55, 0), Vec2(-60, 200) })).replaces, 5U);
-    // A line that crosses the stem is an inclination line at any height.
+    // A line that crosses the stem is an inclination line, whatever its depth is.
     EXPECT_EQ(
         recogniser.add({ Vec3(-60, 100, 0), Vec3(0, 80, 40), Vec3(60, 100, 0) }, InSpace).role,
         Role::Inclination);
-    // The stem, redrawn at its place.
+    // The stem is redrawn in its place.
     EXPECT_EQ(recogniser.add({ Vec3(1, 0, 0), Vec3(0, 200, 11) }, InSpace).role, Role::Stem);
 }
 
-// Returns a stroke by the pen; the tablet's middle is (0, 0), the stem 120 mm long.
+// Returns a stroke drawn by pen in front of a stem of 120 mm. The middle of the tablet is (0, 0).
 Stroke in_front(double far_mm)
 {
     return pen_stroke(
@@ -253,7 +255,7 @@ TEST(BoundariesInSpace, AreDrawnWhileTheSurfaceMoves)
     EXPECT_NEAR(construction.around[3].azimuth_deg, 270, 3);
     EXPECT_NEAR(construction.around[3].sizes[2] / construction.around[1].sizes[2], 4.0 / 3, 0.05);
     EXPECT_EQ(drawing.organs(), 6U);
-    // The line can be changed to another role and back, like any line.
+    // The role of the line can be changed and changed back, as for any line.
     auto const back = drawing.sketch().lines.back().id;
     drawing.apply(SetLineRole { drawing.plant(), back, Role::Unsure });
     EXPECT_EQ(line_sketch(drawing.sketch())->around.size(), 1U);
@@ -261,7 +263,7 @@ TEST(BoundariesInSpace, AreDrawnWhileTheSurfaceMoves)
     EXPECT_EQ(line_sketch(drawing.sketch())->around.size(), 2U);
 }
 
-// Sessions from before boundaries in space.
+// Older sessions ignore depth: their lines lie on the sheet.
 TEST(BoundariesInSpace, LieOnTheSheetWhereTheirDepthDoesNotCount)
 {
     auto flat = whole_sketch();
@@ -287,15 +289,15 @@ TEST(BoundariesInSpace, GoAlongWithAStemThatIsDrawnAgainAtAnotherHeight)
     EXPECT_NEAR(after[20].z(), before[20].z() - 25, 0.01) << "the stem is nearer to it now";
 }
 
-// The pen's pressure changes from a quarter to three quarters of its range, along 120 mm.
+// Along the stem of 120 mm, the pen's pressure rises from a quarter to three quarters of its range.
 TEST(DepthByPressure, BringsTheStemTowardsTheViewer)
 {
     auto stroke = stem();
     auto tips = stroke.tips.vector();
     for (std::size_t i = 0; i < tips.size(); ++i)
         tips[i].pressure = 0.25 + 0.5 * (tips[i].position_mm.y() + 60) / 120;
-    tips.front().pressure = 0; // The pen touches.
-    tips.back().pressure = 0;  // The pen is lifted.
+    tips.front().pressure = 0; // The first sample, in which the pen touches.
+    tips.back().pressure = 0;  // The last sample, in which the pen is lifted.
     stroke.tips = SharedVector<TipSample>(std::move(tips));
     Drawing drawing;
     drawing.apply(AddLine { .stroke = stroke, .depth_by = DepthBy::Pressure });

@@ -23,7 +23,7 @@ TEST(CaptureLine, TakesTremorOutOfALine)
         tips.emplace_back(0.4 * std::sin(i * 1.9), i / 2.0, 0);
     double farthest_mm = 0;
     for (auto const& point : capture_line(tips))
-        if (point.y() > 10 && point.y() < 190) // The ends stay as they were drawn.
+        if (point.y() > 10 && point.y() < 190) // Only the ends must stay as they were drawn.
             farthest_mm = std::max(farthest_mm, std::fabs(point.x()));
     EXPECT_LT(farthest_mm, 0.25);
 }
@@ -34,8 +34,8 @@ TEST(CaptureLine, TakesADotAndAnEndlessLine)
     EXPECT_LT(capture_line(std::vector<Vec3> { Vec3(0, 0, 0), Vec3(0, 1e5, 0) }).size(), 8'001U);
 }
 
-// Returns points of a pen that accelerates, moves and stops, in a trembling hand, with a given
-// report rate.
+// Returns the points that a pen reports at the given rate while a trembling hand accelerates, moves
+// and stops.
 std::vector<Vec3> drawn(std::vector<Vec2> const& corners, double rate_hz)
 {
     constexpr double kDuration_s = 1.5;

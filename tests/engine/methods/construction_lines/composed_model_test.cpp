@@ -20,7 +20,7 @@ std::string refusal_of(ComposedSketch const& sketch)
     return model ? "it is written" : model.error().message;
 }
 
-// Converts a position to the sheet, relative to the base of the first stem.
+// Converts a position to the sheet, relative to the base of the first stem and in its scale.
 Vec3 on_sheet(Vec3 const& place_mm)
 {
     return Vec3(place_mm.x(), place_mm.z(), -place_mm.y()) / 10;
@@ -34,7 +34,8 @@ std::vector<Vec3> tops_of(Plant const& plant)
     return tops;
 }
 
-// Returns a sketch whose layers bear other sketches, by their numbers from 1, or leaves: 0.
+// Returns a sketch whose organs are other sketches. `of_layers` has the organ of each layer: the
+// number of a sketch, from 1, or 0 for leaves.
 ComposedSketch composition(LineSketch lines, Pattern const& pattern = {},
                            std::vector<ComposedSketch> const& organs = {},
                            std::vector<std::size_t> const& of_layers = {})
@@ -52,8 +53,8 @@ ComposedSketch leaf()
     return composition(bent_sketch());
 }
 
-// The paper's double-compound leaf: the compound leaf has as many leaflet-bearing leaves as the
-// first sketch has leaves, and their tops are on its boundaries.
+// The sketch is the double-compound leaf of the paper. It must have as many compound leaves as its
+// first sketch has leaves, and their tops must lie on the boundaries of that sketch.
 TEST(ComposedModel, OrgansReachTheBoundariesOfWhatBearsThem)
 {
     for (auto const& sketch : { hand_sketch(), bent_sketch() }) {
@@ -64,8 +65,8 @@ TEST(ComposedModel, OrgansReachTheBoundariesOfWhatBearsThem)
         auto const tops = tops_of(plant);
         auto const length_mm = measured(sketch).stem.length_mm();
         for (std::size_t i = 1; i < tops.size(); ++i) {
-            // The organ's own stem bends, so the distance from base to top is compared, not its
-            // length.
+            // The stem of the organ bends. So the distance from its base to its top is compared,
+            // not its length.
             auto const foot = on_sheet(plant.positions(plant.axes[i]).front());
             EXPECT_LT(std::fabs(foot.z()), 1e-3) << "in the plane of a frond";
             EXPECT_GT((tops[i] - foot).norm(), 0.1 * length_mm);
@@ -73,7 +74,7 @@ TEST(ComposedModel, OrgansReachTheBoundariesOfWhatBearsThem)
     }
 }
 
-// With a straight stem, an organ must end where the leaf in its place would end.
+// An organ with a straight stem must end where the tip of a leaf in its place would be.
 TEST(ComposedModel, AnOrgansTopIsWhereTheLeafsTipWouldBe)
 {
     for (auto const kind : { Kind::Distichous, Kind::Decussate, Kind::Spiral, Kind::Whorled })
@@ -114,7 +115,7 @@ TEST(ComposedModel, AnOrganIsThePlantOfItsSketch)
     }
 }
 
-// A sketch with leaves below and flowers above.
+// The sketch has leaves in its lower layer and flowers above.
 TEST(ComposedModel, LayersMayBearDifferentOrgans)
 {
     auto sketch = hand_sketch();
@@ -143,7 +144,7 @@ TEST(ComposedModel, OrgansMayHaveOrgansOfTheirOwn)
     EXPECT_EQ(plant.organs.size(), 5U * 10 * 10);
 }
 
-// The derivation must end when the last leaf is there.
+// The derivation must end with the step that adds the last leaf.
 TEST(ComposedModel, GrowsUntilAllIsThere)
 {
     auto const text = compiled(composed(composition(hand_sketch(), {}, { leaf() }, { 1 })));

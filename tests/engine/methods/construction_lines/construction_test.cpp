@@ -5,8 +5,8 @@
 namespace tractus::lines {
 namespace {
 
-// Expected values computed by hand: rays at 45 to 90 degrees to boundaries at 0.25 and 0.15 of the
-// stem's length.
+// The expected values were computed by hand. The rays make angles of 45 to 90 degrees with the
+// stem, and the boundaries are at 0.25 and 0.15 of the stem's length.
 TEST(Construction, MeasuresASketchAsComputedByHand)
 {
     auto const result = measured(hand_sketch());
@@ -36,7 +36,8 @@ TEST(Construction, FunctionsAreLinearBetweenNodesAndConstantBeyond)
     EXPECT_DOUBLE_EQ(values_at(result, 0.5).heading_deg, 0);
 }
 
-// Between circles about the stem's own centre, every reach is the distance between the circles.
+// The stem and the boundaries are arcs with the same centre. So every reach is the distance between
+// two circles.
 TEST(Construction, ReachesFromABentStemAreTheGaps)
 {
     auto const ring = [](double radius_mm) {
@@ -213,7 +214,8 @@ TEST(Construction, RefusesWhatIsNoSketchAtAll)
               "the sketch's lines have 20011 points together, more than 200");
 }
 
-// If a stem crosses itself, an inclination line is assigned near its own middle.
+// The stem crosses itself. An inclination line there must belong to the part of the stem near the
+// line's own middle.
 TEST(Construction, AStemMayCrossItself)
 {
     LineSketch const sketch { .stem = { Vec3(0, 0, 0), Vec3(0, 100, 0), Vec3(30, 100, 0),

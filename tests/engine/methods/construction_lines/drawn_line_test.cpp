@@ -40,7 +40,7 @@ TEST(DrawnLine, ALinesLastPointBelongsToIt)
     EXPECT_EQ(crossings(upright, DrawnLine({ Vec2(-9, 101), Vec2(9, 101) })).size(), 0U);
 }
 
-// Two crossing scribbles have millions of intersections.
+// Two scribbles that cross have millions of intersections, which must not fill the memory.
 TEST(DrawnLine, ScribblesDoNotFillTheMemory)
 {
     std::vector<Vec2> upright;

@@ -11,8 +11,8 @@
 
 namespace tractus::lines {
 
-// Returns a line as a pen draws it on the tablet, with points 4 mm apart, and with the surface 100
-// mm above the desk.
+// Returns a line as a pen draws it on the tablet, with a point every 4 mm. The surface is 100 mm
+// above the desk.
 inline Stroke pen_stroke(std::vector<Vec3> const& corners_mm)
 {
     Stroke stroke;
@@ -33,7 +33,7 @@ inline Stroke pen_stroke(std::vector<Vec3> const& corners_mm)
     return stroke;
 }
 
-// Returns a stem of 120 mm through (0, 0), the middle of the tablet.
+// Returns the stroke of a stem of 120 mm through (0, 0), the middle of the tablet.
 inline Stroke stem()
 {
     return pen_stroke({ { 0, -60, 0 }, { 0, 60, 0 } });
@@ -54,13 +54,13 @@ inline Stroke high_line()
 {
     return pen_stroke({ { -50, 60, 0 }, { 0, 30, 0 }, { 60, 70, 0 } });
 }
-// Returns a short stroke far from the stem.
+// Returns a short stroke that is far from the stem.
 inline Stroke odd_stroke()
 {
     return pen_stroke({ { 80, 0, 0 }, { 90, 10, 0 } });
 }
 
-// A document to which edits are applied as in a session, each with an id.
+// A document to which edits are applied as in a session. Each edit gets an id.
 class Drawing {
 public:
     void apply(scene::Edit const& edit)

@@ -48,7 +48,7 @@ int misread(std::vector<Habit> const& habits, int count)
     return wrong;
 }
 
-// Returns a stem with both boundaries and two inclination lines, as polylines.
+// Returns the strokes of a stem, both boundaries and two inclination lines, as polylines.
 std::vector<StrokeToExplain> plain_sketch()
 {
     return { stroke({ { 0, 0, 0 }, { 0, 200, 0 } }), stroke({ { -50, -5, 0 }, { -40, 205, 0 } }),
@@ -63,7 +63,8 @@ TEST(ExplainSketch, ReadsOneHabitAtATime)
     int wrong = 0;
     for (std::size_t i = 0; i < kHabitCount; ++i)
         wrong += misread({ static_cast<Habit>(i) }, kEach);
-    EXPECT_LE(wrong, 3) << "of " << kEach * kHabitCount; // At least 95 of 100 must be right.
+    // At least 95 of 100 sketches must be read correctly.
+    EXPECT_LE(wrong, 3) << "of " << kEach * kHabitCount;
 }
 
 TEST(ExplainSketch, ReadsTwoHabitsAtATime)
@@ -82,8 +83,9 @@ TEST(ExplainSketch, ReadsTwoHabitsAtATime)
     EXPECT_LE(wrong, 2) << "of " << count;
 }
 
-// For long runs, and for the table in the manual: --gtest_also_run_disabled_tests. Reads 40
-// sketches with each habit, then pairs of habits up to 1,000.
+// Disabled, since it takes long; its results are the table in the manual. Run it with
+// --gtest_also_run_disabled_tests. It reads 40 sketches with each habit, then sketches with pairs
+// of habits, up to 1,000 in total.
 TEST(ExplainSketch, DISABLED_CountsAThousandSketchesByHabit)
 {
     constexpr int kEach = 40;
@@ -204,7 +206,7 @@ TEST(ExplainSketch, TurnsAStemRoundThatWasDrawnFromItsTop)
     EXPECT_TRUE(explanation.strokes[0].is_drawn_reversed);
     EXPECT_EQ(explanation.strokes[1].role, Role::Left);
     EXPECT_EQ(explanation.sketch.stem.front(), Vec3(0, 0, 0));
-    strokes[0].turn_round = true; // The user has rejected the reversal.
+    strokes[0].turn_round = true; // The user has rejected the reversal of the stroke.
     auto const hanging = explain_sketch(strokes).front();
     EXPECT_FALSE(hanging.strokes[0].is_drawn_reversed);
     EXPECT_EQ(hanging.sketch.stem.front(), Vec3(0, 200, 0));
@@ -213,7 +215,7 @@ TEST(ExplainSketch, TurnsAStemRoundThatWasDrawnFromItsTop)
 
 TEST(ExplainSketch, ALeaningPlantThatHangsStaysAsItWasDrawn)
 {
-    // A stem from a branch downwards, with leaves that lean towards the tip.
+    // The stem hangs down from a branch, and its leaves lean towards its tip.
     std::vector<StrokeToExplain> strokes {
         stroke({ { 0, 200, 0 }, { 10, 100, 0 }, { 0, 0, 0 } }),
         stroke({ { -40, 190, 0 }, { -25, 0, 0 } }),
@@ -230,7 +232,7 @@ TEST(ExplainSketch, WhatSomebodySaysCounts)
 {
     auto strokes = plain_sketch();
     strokes[4].assigned = Role::Unsure;
-    // A short stroke far from the stem.
+    // This short stroke is far from the stem, but the user has set its role.
     strokes.push_back(stroke({ { -60, 60, 0 }, { -80, 90, 0 } }));
     strokes.back().assigned = Role::Left;
     auto const explanation = explain_sketch(strokes).front();

@@ -6,7 +6,7 @@
 namespace tractus::lines {
 namespace {
 
-// Returns the function tables as a model uses them.
+// Returns the functions of a construction as the tables that a model uses.
 std::vector<lsystem::FunctionTable> tabulated(Construction const& construction)
 {
     std::vector<lsystem::FunctionTable> tables;
@@ -35,8 +35,8 @@ TEST(FunctionCurves, TablesHaveTheNodesValuesExactly)
     }
 }
 
-// The paper's chain: beginning at the base, each node's position is the previous one plus the
-// internode there.
+// The chain of nodes in the paper begins at the stem's base. The position of each next node is that
+// of the previous one plus the internode at the previous one.
 TEST(FunctionCurves, InternodesLeadFromNodeToNode)
 {
     auto sketch = hand_sketch();
@@ -56,7 +56,8 @@ TEST(FunctionCurves, FilesAreWhatCpfgTakes)
 {
     auto sketch = hand_sketch();
     sketch.nodes_per_layer = { 0 };
-    sketch.inclinations[1] = { Vec2(-60, 200), Vec2(40, 200) }; // A line at the very top.
+    // The line is at the very top of the stem.
+    sketch.inclinations[1] = { Vec2(-60, 200), Vec2(40, 200) };
     for (auto const& curve : function_curves(measured(sketch))) {
         EXPECT_GE(curve.points.size(), 4U) << curve.name;
         EXPECT_EQ(curve.points.front().x(), 0) << curve.name;

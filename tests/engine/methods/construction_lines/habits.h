@@ -11,22 +11,24 @@
 
 namespace tractus::lines {
 
-// Habits of illustrators that a reader of sketches has to understand.
+// Drawing habits of illustrators that the reader of sketches has to understand.
 enum class Habit {
     None,
     Hooks,
     StemInPieces,
-    StemRedrawn, // The top 15 to 25 mm of the stem, at most an eighth of it, redrawn to one side.
+    // The top of the stem is redrawn to one side, over 15 to 25 mm but at most an eighth of the
+    // stem.
+    StemRedrawn,
     BoundaryInTwo,
     BoundaryInFour,
-    BoundaryPart, // The middle of a boundary redrawn up to 8 mm further out.
-    Restated,     // A line drawn twice.
-    Outline,      // Both boundaries in one closed stroke.
-    OpenOutline,  // Both boundaries in one stroke from base to base.
-    HalvesApart,  // Halves of inclination lines that begin up to 7 mm beside the stem.
+    BoundaryPart, // The middle of a boundary is redrawn, up to 8 mm further out.
+    Restated,     // A line is drawn twice.
+    Outline,      // Both boundaries are drawn in one closed stroke.
+    OpenOutline,  // Both boundaries are drawn in one stroke from base to base.
+    HalvesApart,  // The halves of inclination lines begin up to 7 mm beside the stem.
     AnyOrder,     // The stem is not drawn first.
     TipToBase,    // The stem is drawn from its top.
-    Crown,        // A palm: boundaries only around the crown.
+    Crown,        // Boundaries are drawn only around the crown, as for a palm.
     Overshoot,    // Lines extend further than intended.
 };
 constexpr std::array kHabitNames { "none",
@@ -46,7 +48,7 @@ constexpr std::array kHabitNames { "none",
                                    "overshoot" };
 constexpr std::size_t kHabitCount = kHabitNames.size();
 
-// True if one sketch can show both habits.
+// True if the same sketch can show both habits.
 inline bool go_together(Habit a, Habit b)
 {
     auto const group = [](Habit habit) {
@@ -75,12 +77,12 @@ struct DrawnStroke {
 
 struct DrawnSketch {
     std::vector<DrawnStroke> strokes;
-    LineSketch meant {}; // The intended sketch, without numbers of nodes.
+    LineSketch meant {}; // The intended sketch, without the numbers of nodes.
     double tremor_mm = 0;
 };
 
-// Draws a sketch with given habits. Half of the illustrators are left-handed: their drawing is the
-// mirror image.
+// Draws a sketch as an illustrator with given habits. Half of the illustrators are left-handed;
+// their drawing is mirrored.
 class HabitualIllustrator {
 public:
     HabitualIllustrator(std::uint64_t seed, double height_mm, double tremor_mm,
@@ -104,7 +106,7 @@ public:
     {
         DrawnSketch sketch { .strokes = {}, .tremor_mm = tremor_mm_ };
         auto stem = draw_stem(sketch);
-        // Groups of strokes, each drawn one after the other.
+        // Groups of strokes. The strokes of a group are drawn one after the other.
         std::vector<std::vector<DrawnStroke>> rest;
         draw_boundaries(sketch, rest);
         draw_inclinations(sketch, rest);
@@ -124,7 +126,8 @@ private:
         return std::find(habits_.begin(), habits_.end(), habit) != habits_.end();
     }
 
-    Vec3 place(double t, double beside) const // Shares of the height; positive on the left.
+    // Arguments are shares of the height; `beside` is positive on the left.
+    Vec3 place(double t, double beside) const
     {
         double const turn = bow_ * t;
         double const small = 1e-6;
@@ -209,7 +212,8 @@ private:
         }
         for (auto const role : { Role::Left, Role::Right }) {
             auto const& line = role == Role::Left ? left : right;
-            auto const is_one = hand_.chance(0.5); // Some habits apply to only one of the lines.
+            // Some habits apply to only one of the boundaries.
+            auto const is_one = hand_.chance(0.5);
             if (has(Habit::BoundaryInTwo))
                 rest.push_back(as_strokes(hand_.pieces(line, 2), role));
             else if (has(Habit::BoundaryInFour) && (is_one || role == Role::Left))
@@ -298,12 +302,13 @@ private:
         return stroke;
     }
 
-    // Puts the strokes in order, with corrections after what they correct.
+    // Arranges the strokes in the order in which they are drawn. A correction comes after the
+    // stroke that it corrects.
     void arrange(DrawnSketch& sketch, std::vector<DrawnStroke> stem,
                  std::vector<std::vector<DrawnStroke>> rest)
     {
         std::vector<std::vector<DrawnStroke>> corrections;
-        if (has(Habit::BoundaryPart)) { // A correction after both boundaries.
+        if (has(Habit::BoundaryPart)) { // The correction comes after both boundaries.
             corrections.push_back(rest[2]);
             rest.erase(rest.begin() + 2);
         }
@@ -315,7 +320,7 @@ private:
         if (has(Habit::AnyOrder))
             rest.insert(rest.begin() + 1 + static_cast<std::ptrdiff_t>(hand_.below(rest.size())),
                         stem);
-        // Redrawn last, when the illustrator sees it with the lines on it.
+        // The stem is redrawn last, when the illustrator sees it with the other lines.
         else if (has(Habit::StemRedrawn)) {
             rest.insert(rest.begin(), { stem[0] });
             rest.push_back({ stem[1] });

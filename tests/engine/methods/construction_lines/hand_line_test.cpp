@@ -9,7 +9,7 @@
 namespace tractus::lines {
 namespace {
 
-// Returns a curved stem of 180 mm.
+// Returns the points of a curved stem of 180 mm.
 std::vector<Vec3> bowed_line()
 {
     std::vector<Vec3> points;
@@ -25,7 +25,8 @@ double heading_deg(std::vector<Vec3> const& line, double share)
     return degrees(std::atan2(-way.x(), way.y()));
 }
 
-// Returns the root mean square error of the headings along the middle 90 % of a line.
+// Returns the root mean square error of a line's headings, in degrees, over the middle 90 % of its
+// length.
 double rms_heading_error_deg(std::vector<Vec3> const& line, std::vector<Vec3> const& meant)
 {
     double sum = 0;
@@ -79,7 +80,7 @@ TEST(HandLine, CornersStaySharp)
         for (auto const& point : cleaned)
             min_mm = std::min(min_mm, (point - Vec3(0, 0, 0)).norm());
         EXPECT_LT(min_mm, 1.0) << seed;
-        // The line must be straight up to 3 mm before the corner.
+        // The line must be straight to within 3 mm of its corner.
         for (auto const& point : cleaned) {
             double const off_mm = std::fabs(point.y() - std::fabs(point.x())) / std::sqrt(2.0);
             EXPECT_LT(off_mm, 1.2) << seed << ": " << point.transpose();

@@ -10,8 +10,8 @@
 
 namespace tractus::lines {
 
-// Sketches as a hand draws them, with known meaning of the lines, independent of how lines are
-// recognised.
+// Draws sketches like a hand, with known roles of the lines. It shares nothing with the code that
+// recognises lines.
 class Illustrator {
 public:
     explicit Illustrator(unsigned seed)
@@ -31,13 +31,13 @@ public:
         std::vector<Vec3> stroke;
     };
 
-    // Returns how far the lines extend beside the stem.
+    // Returns how far lines extend beside the stem on one side, in mm.
     double width_mm(Role side) const
     {
         return side == Role::Left ? width_left_mm_ : width_right_mm_;
     }
 
-    // Draws a sketch, beginning with the stem.
+    // Draws the lines of a sketch. The stem is the first one.
     std::vector<Meant> draw()
     {
         std::vector<Meant> rest;
@@ -47,7 +47,7 @@ public:
             add_boundary(rest, Role::Right);
         add_inclinations(rest);
         std::shuffle(rest.begin(), rest.end(), random_);
-        if (chance(0.3)) { // A line that did not please is redrawn later.
+        if (chance(0.3)) { // An illustrator who does not like a line draws it again later.
             auto const& earlier = rest[random_() % rest.size()];
             rest.push_back({ earlier.role, trembling(earlier.stroke) });
         }
@@ -67,7 +67,8 @@ private:
     }
     bool chance(double share) { return between(0, 1) < share; }
 
-    // Returns a position given along the axis and beside it, positive on the left.
+    // Returns the position at the share `t` of the axis, and `beside_mm` beside it, positive on the
+    // left.
     Vec3 place(double t, double beside_mm) const
     {
         double const turn = bow_ * t;

@@ -11,14 +11,15 @@
 
 namespace tractus::lines {
 
-// A reader's interpretation of a drawn sketch.
+// The interpretation of a drawn sketch by one of the readers.
 struct ReadSketch {
-    std::vector<Role> roles; // One role for each stroke.
+    std::vector<Role> roles; // Role of each stroke.
     LineSketch sketch;
-    std::vector<std::string> reasons {}; // Reasons why strokes were left out.
+    std::vector<std::string> reasons {}; // For each stroke that was left out: the reason.
 };
 
-// Reads strokes one after the other, as was done before sketches were read as a whole.
+// Reads the strokes one after the other. Sketches were read like this before they were read as a
+// whole.
 inline ReadSketch read_one_by_one(DrawnSketch const& drawn)
 {
     LineRecogniser recogniser;
@@ -43,8 +44,8 @@ inline ReadSketch read_as_whole(DrawnSketch const& drawn)
     return read;
 }
 
-// Returns what was misread; empty if the sketch was read as intended. Lengths are compared as
-// shares of the stem's, with 1 mm more for the hand's inaccuracy.
+// Describes what was misread; empty if the sketch was read as intended. Lengths are compared as
+// shares of the stem's length, with a further tolerance of 1 mm for the inaccuracy of the hand.
 inline std::string describe_misreading(DrawnSketch const& drawn, ReadSketch const& read)
 {
     for (std::size_t i = 0; i < drawn.strokes.size(); ++i)
@@ -95,7 +96,7 @@ inline std::string describe_misreading(DrawnSketch const& drawn, ReadSketch cons
     return most > 0.05 + 2 * slack ? fmt::format("sizes differ by {:.3f}", most) : "";
 }
 
-// Returns a sketch with these habits, 30 to 300 mm high, by a hand with a tremor of 0.05 to 0.35
+// Returns a sketch with the given habits, 30 to 300 mm high. The tremor of the hand is 0.05 to 0.35
 // mm.
 inline DrawnSketch draw_with(std::uint64_t seed, std::vector<Habit> const& habits)
 {

@@ -1,6 +1,6 @@
 #include "tests/engine/methods/construction_lines/sketches.h"
 
-// Laws that hold for every sketch.
+// Tests of laws that hold for every construction-line sketch.
 
 namespace tractus::lines {
 namespace {
@@ -29,7 +29,7 @@ TEST(ConstructionLaws, AMirroredSketchGivesTheMirroredPlant)
             ASSERT_EQ(tips.size(), others.size());
             for (auto& other : others)
                 other.x() = -other.x();
-            // The organs of a ring come in another order.
+            // The organs of a node come in another order, so each is compared with the nearest one.
             auto const nearest_mm = [&](Vec3 const& tip) {
                 double least = std::numeric_limits<double>::infinity();
                 for (auto const& other : others)
@@ -81,7 +81,8 @@ TEST(ConstructionLaws, AScaledAndMovedSketchIsTheSame)
     expect_equal(result, measured(sketch));
 }
 
-// Expects the tips on the boundaries, for the plant made from the text, with few and many nodes.
+// Expects the tips of organs on the boundaries, for models with few and many nodes, whose plants
+// are made from their text.
 void expect_tips_on_boundaries(LineSketch sketch, double tolerance, int most_nodes = 500)
 {
     for (int const nodes : { 1, 3, 20, 60, 150, most_nodes }) {
@@ -100,7 +101,8 @@ void expect_tips_on_boundaries(LineSketch sketch, double tolerance, int most_nod
 TEST(ConstructionLaws, OrganTipsLieOnTheBoundaryOfAStraightStem)
 {
     expect_tips_on_boundaries(hand_sketch(), 1e-3);
-    auto steep = hand_sketch(); // The angles change by 45 degrees within a tenth of the stem.
+    // The angles of organs change by 45 degrees within a tenth of the stem.
+    auto steep = hand_sketch();
     steep.inclinations[1] = { Vec2(-60, 60), Vec2(0, 60), Vec2(40, 60) };
     steep.nodes_per_layer = { 4 };
     expect_tips_on_boundaries(steep, 1e-3);
@@ -109,7 +111,7 @@ TEST(ConstructionLaws, OrganTipsLieOnTheBoundaryOfAStraightStem)
 TEST(ConstructionLaws, OrganTipsLieOnTheBoundaryOfACurvedStem)
 {
     expect_tips_on_boundaries(bent_sketch(), 3e-3);
-    // Near a sharp corner, a model's tables cannot resolve that many nodes.
+    // Near a sharp corner, the function tables of a model are too coarse for 500 nodes.
     expect_tips_on_boundaries(coarse_sketch(), 3e-3, 150);
 }
 
@@ -124,7 +126,7 @@ TEST(ConstructionLaws, TipsOfEvenDecussateNodesLieOnTheBoundary)
     }
 }
 
-// A stem that comes towards the viewer and goes back: in the front view, organs end on their
+// The stem comes towards the viewer and goes back. Seen from the front, organs must end on their
 // boundaries.
 TEST(ConstructionLaws, OrganTipsOfADeepStemAreSeenOnTheBoundary)
 {

@@ -9,8 +9,8 @@ namespace {
 using Kind = Pattern::Kind;
 using Face = Pattern::Face;
 
-// Returns a sketch with three nodes between the first two lines, two between the next, and one on
-// the topmost.
+// Returns a sketch with three nodes between the first two inclination lines, two between the next
+// lines, and one on the topmost line.
 LineSketch two_layers(std::vector<LayerOrgans> layers)
 {
     auto sketch = hand_sketch();
@@ -44,7 +44,8 @@ LineOrgan square(Vec3 const& color)
     return { .surface = { .patches = organ_surface(views).value(), .color = color } };
 }
 
-// The organs of a layer must be those that a whole plant with the layer's pattern has there.
+// In each layer, the organs must be those that a whole plant with the pattern of the layer has
+// there.
 TEST(LayerOrgans, EachLayerHasAPatternOfItsOwn)
 {
     auto const sizes = { Pattern::Sizes::Linear, Pattern::Sizes::HalfEllipses };
@@ -75,7 +76,8 @@ TEST(LayerOrgans, EachLayerHasAPatternOfItsOwn)
             }
 }
 
-// Returns how far the upper side of an organ points to the top of a vertical stem.
+// Returns how far the upper side of an organ points upwards, to the top of a vertical stem: -1 to
+// 1.
 double upwards(Organ const& organ)
 {
     return (organ.orientation * Vec3(0, 0, 1)).z();
@@ -101,7 +103,7 @@ TEST(LayerOrgans, EachLayerHasAFaceOfItsOwn)
     }
 }
 
-// Leaves below, and surfaces of two colours above.
+// The plant has leaves in its lower layer, and surfaces of two colours above.
 TEST(LayerOrgans, EachLayerHasSurfacesOfItsOwn)
 {
     auto sketch = two_layers({ {}, { .organ = 2 }, { .organ = 1 } });
@@ -118,7 +120,7 @@ TEST(LayerOrgans, EachLayerHasSurfacesOfItsOwn)
     EXPECT_EQ(std::count(shapes.begin() + 5, shapes.end(), shapes[5]), 5);
     EXPECT_NE(shapes[3], shapes[5]);
     EXPECT_NE(shapes[0], shapes[3]);
-    // The organs must be as long as leaves would be.
+    // The organs must be as long as leaves in their place would be.
     auto leaves = sketch;
     leaves.organs_per_layer.clear();
     auto const of_leaves = tips_of(leaves, { .kind = Kind::Spiral });
@@ -127,7 +129,7 @@ TEST(LayerOrgans, EachLayerHasSurfacesOfItsOwn)
         EXPECT_LT((tips[i] - of_leaves[i]).norm(), 1e-3) << i;
 }
 
-// Two stems side by side with the same lines must have the same layers.
+// Two stems with the same lines, side by side, must have the same layers.
 TEST(LayerOrgans, SeveralStemsHaveLayers)
 {
     std::vector<Pattern> const patterns { { .kind = Kind::Distichous },

@@ -40,13 +40,13 @@ TEST(AddLine, TheOnlyInclinationLineHoldsAllAlong)
     auto const construction = measure_sketch(lines, Missing::Guessed).value();
     ASSERT_EQ(construction.inclinations.size(), 2U);
     EXPECT_EQ(construction.inclinations[0].left_deg, construction.inclinations[1].left_deg);
-    // The ray from (0, -40) meets the boundary at (-50, -20).
+    // The ray of the line from (0, -40) meets the boundary at (-50, -20).
     EXPECT_NEAR(construction.inclinations[0].left_deg, 90 - degrees(std::atan2(20, 50)), 1.5);
     EXPECT_EQ(measure_sketch(lines).error().message.substr(0, 35),
               "there is only one inclination line:");
 }
 
-// The order of the lines must not matter, except that the stem comes first.
+// The stem must come first, but the order of the other lines must not matter.
 TEST(AddLine, TakesTheOtherLinesInAnyOrder)
 {
     auto const whole = whole_sketch();
@@ -80,7 +80,8 @@ TEST(AddLine, ALineDrawnAgainTakesTheEarlierOnesPlaceAndNodes)
     EXPECT_EQ(drawing.organs(), 6U);
 }
 
-// The plant's base is where the stem begins; the other lines stay where they are.
+// If the stem is redrawn, the plant must stand at its new beginning. The other lines must stay
+// where they are.
 TEST(AddLine, ThePlantStandsWhereItsStemIsDrawnAgain)
 {
     auto drawing = whole_sketch();
@@ -92,7 +93,7 @@ TEST(AddLine, ThePlantStandsWhereItsStemIsDrawnAgain)
     EXPECT_NEAR((lines.right.front() - Vec2(40, -60)).norm(), 0, 0.1);
 }
 
-// The surface is raised by 60 mm while the stem is drawn, which means towards the viewer.
+// While the stem is drawn, the surface is raised by 60 mm. Raising it means towards the viewer.
 TEST(AddLine, TheSurfacesHeightIsTheStemsDepth)
 {
     Drawing drawing;
@@ -108,8 +109,8 @@ TEST(AddLine, TheSurfacesHeightIsTheStemsDepth)
     EXPECT_EQ(line_sketch(resting.sketch())->stem.back().z(), 0) << "a sensor's noise";
 }
 
-// When the plant is moved, the sheet moves with it on the tablet; when plants are shown at another
-// size, its base stays.
+// If the plant is moved, its sheet must move with it on the tablet. If plants are shown at another
+// size, the plant's base must stay.
 TEST(AddLine, GoesOnWhereThePlantIsShownNow)
 {
     auto drawing = whole_sketch();
@@ -134,7 +135,7 @@ TEST(AddLine, GoesOnWhereThePlantIsShownNow)
     EXPECT_EQ(moved.scene().placement.scale, 0.05);
 }
 
-// Strokes on branches must be kept, and other plants must not be rebuilt.
+// A new line must not remove strokes on branches, and must not rebuild other plants.
 TEST(AddLine, ChangesThePlantsSourceAlone)
 {
     Drawing drawing;
@@ -243,7 +244,7 @@ TEST(SetLineRole, SaysWhatALineIs)
               "the sketch has no line");
 }
 
-// The previous boundary is kept, and can be restored.
+// A new boundary replaces the previous one, which is kept and can be restored.
 TEST(SetLineRole, AnotherBoundaryTakesItsPlace)
 {
     Drawing drawing;
@@ -280,7 +281,7 @@ TEST(SaidOf, NamesTheLineAndWhatIsMissing)
                   "This is the right boundary" }));
 }
 
-// Returns the functions at a few positions, relative to those of the sketch.
+// Returns values of the sketch's functions at several positions.
 std::vector<double> functions_of(PenSketch const& sketch)
 {
     auto const construction = measure_sketch(line_sketch(sketch).value(), Missing::Guessed).value();

@@ -8,7 +8,8 @@
 namespace tractus::lines {
 namespace {
 
-// A proposed line is already used in place of the missing one, so drawing it must change no organ.
+// A proposed line already stands for the missing one. So drawing the line as proposed must not
+// change any organ.
 void expect_same_organs(LineSketch const& lacking, LineSketch const& whole)
 {
     auto const guessed = measure_sketch(lacking, Missing::Guessed);
@@ -67,7 +68,7 @@ TEST(LinesToDraw, TheSecondInclinationLineLeansAsTheOnlyOne)
             auto whole = sketch;
             whole.inclinations.push_back(lines[0]);
             auto const drawn = measure_sketch(whole).value();
-            // The proposal is at the end of the stem where no line was drawn.
+            // The proposal is at the end of the stem where the inclination line is missing.
             auto const& proposed
                 = kept == 0 ? drawn.inclinations.back() : drawn.inclinations.front();
             auto const& there

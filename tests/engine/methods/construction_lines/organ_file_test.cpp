@@ -28,7 +28,7 @@ double length_of(OrganSurface const& surface)
     return (patches[patches.size() - kAcross].control[12] + patches.back().control[15]).norm() / 2;
 }
 
-// Returns the greatest distance of two surfaces, relative to their lengths.
+// Returns the maximum distance between two surfaces, each scaled to a length of 1.
 double apart(OrganSurface const& one, OrganSurface const& other)
 {
     double most = 0;
@@ -60,7 +60,7 @@ TEST(OrganFile, SaysALeafInThreeViews)
         << "a side that is missing is the other one's mirror image";
 }
 
-// The smallest PNG file: a green pixel.
+// The smallest PNG file, a single green pixel, in base64.
 constexpr std::string_view kPixel = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGMwWK"
                                     "AAAAH0APGutUjJAAAAAElFTkSuQmCC";
 
@@ -114,7 +114,7 @@ TEST(OrganFile, SaysWhatIsWrongAndWhere)
         std::string::npos);
 }
 
-// The error for an empty text is that for a missing first line.
+// An empty text must give the same error as a missing first line.
 TEST(OrganFile, RefusesAnEmptyText)
 {
     EXPECT_NE(refusal("\n").find("first line"), std::string::npos);
@@ -134,7 +134,7 @@ TEST(BringOrgan, DrawsTheLeafBesideThePlant)
     EXPECT_EQ(organ.color, OrganColor::Pink) << "the nearest";
     ASSERT_EQ(organ.lines.size(), 2U);
     EXPECT_NE(organ.lines[0].line.id, organ.lines[1].line.id);
-    // A pen's lines are smoothed, so the corner in their middle is rounded.
+    // Lines drawn by pen are smoothed, so the corner in the middle of these lines is rounded.
     EXPECT_LT(apart(surface_of(organ).value(), surface_of(file).value()), 0.06);
     for (auto const& line : organ.lines)
         for (auto const& tip : line.line.stroke.tips) {
@@ -158,7 +158,7 @@ TEST(BringOrgan, DrawsTheLeafBesideThePlant)
               std::string::npos);
 }
 
-// A curve drawn by hand must be read back as it was written.
+// A curve drawn by hand must be the same after it is written and read again.
 TEST(BringOrgan, GivesBackWhatWasKept)
 {
     std::vector<Vec3> edge;

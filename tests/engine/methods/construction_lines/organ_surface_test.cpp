@@ -31,7 +31,7 @@ std::vector<BezierPatch> surface_of(OrganViews const& views)
     return *patches;
 }
 
-// Returns the point at (u, v), both from 0 to 1.
+// Returns the point of the surface at (u, v), both from 0 to 1.
 Vec3 at(std::vector<BezierPatch> const& patches, double u, double v)
 {
     auto const row = std::min(static_cast<int>(u * kAlong), kAlong - 1);
@@ -69,8 +69,7 @@ TEST(OrganSurface, IsFlatOfAStraightMidribAndSection)
 
 TEST(OrganSurface, BlendsSectionAndMidribAsTheFormulaSays)
 {
-    // A strip with a width of 20 and a length of 100, folded by 45 degrees, on a midrib with a
-    // corner.
+    // A strip 20 wide and 100 long that is folded by 45 degrees. Its midrib has a corner.
     OrganViews const views { .left = { { -10, 0 }, { -10, 100 } },
                              .right = { { 10, 0 }, { 10, 100 } },
                              .midrib = { { 0, 0 }, { 50, 30 }, { 100, 0 } },

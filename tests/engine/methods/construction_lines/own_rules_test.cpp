@@ -5,7 +5,7 @@
 #include "engine/scene/write_rules.h"
 #include "tests/engine/methods/construction_lines/drawn_sketch.h"
 
-// Rules that the user writes in place of a pattern's.
+// Tests of rules that the user writes to replace those of a pattern.
 
 namespace tractus::lines {
 namespace {
@@ -24,7 +24,7 @@ std::string text_of(Drawing const& drawing)
     return model ? model->source.text : "";
 }
 
-// Adds a second organ to each node of a spiral's text.
+// Adds a second organ to each node in the text of a spiral model.
 std::string twice(std::string const& text)
 {
     return replaced(text, "    --> [/(t)", "    /* Twice. */ --> [~l(9)][/(t)");
@@ -43,7 +43,7 @@ TEST(OwnRules, AreTheModelsThatTheyWereWrittenFrom)
     EXPECT_EQ(text_of(drawing), own);
 }
 
-// Redrawing must change only functions and numbers.
+// If a line is redrawn, only functions and numbers of the model may change, not the user's rules.
 TEST(OwnRules, StayWhereTheSketchIsDrawnAgain)
 {
     auto drawing = whole_sketch();
@@ -55,7 +55,7 @@ TEST(OwnRules, StayWhereTheSketchIsDrawnAgain)
     auto const layer = layers_of(drawing.sketch()).value().front();
     drawing.apply(SetLayerNodes { drawing.scene().state.active, layer.line, layer.nodes + 4 });
     EXPECT_EQ(drawing.organs(), more + 2 * 4) << "two for each node now";
-    // A line on the left.
+    // A new boundary on the left.
     drawing.draw(pen_stroke({ { -80, -70, 0 }, { -70, 0, 0 }, { -30, 70, 0 } }));
     auto const after = model_of(drawing.sketch()).value();
     EXPECT_NE(after.functions, before.functions);
@@ -85,7 +85,8 @@ TEST(OwnRules, ThatDoNotCompileChangeNothing)
     EXPECT_FALSE(drawing.sketch().rules);
 }
 
-// A change that requires other tables than the rules read is refused until they are rewritten.
+// If a change needs a table that the user's rules do not read, the change must be refused until the
+// rules are rewritten.
 TEST(OwnRules, RefuseWhatTheyDoNotRead)
 {
     auto drawing = whole_sketch();
@@ -111,8 +112,8 @@ TEST(OwnRules, HaveAViewOfTheirOwn)
     EXPECT_NE(model_of(drawing.sketch())->source.view_text, model.source.view_text);
 }
 
-// Equally named arrays of several L-systems are separate; arrays that do not belong to the sketch
-// must stay.
+// Arrays with equal names in several L-systems must stay separate. The user's own arrays must stay
+// as they are.
 TEST(OwnRules, KeepEachLSystemsNumbers)
 {
     LineModel model;

@@ -13,7 +13,7 @@ namespace {
 
 using Says = StemRecogniser::Says;
 
-// Returns a recogniser with two vertical stems of 200 mm, 100 mm apart.
+// Returns a recogniser that knows two vertical stems of 200 mm, 100 mm apart.
 StemRecogniser two_stems()
 {
     StemRecogniser recogniser;
@@ -40,8 +40,8 @@ TEST(StemRecogniser, GivesLinesToTheNearestStem)
     EXPECT_EQ(recogniser.inclination_strokes(1), std::vector<std::size_t> { 2 });
 }
 
-// Two lines between the stems: the first belongs to the nearer stem; the second, although it is
-// nearer to the same stem, belongs to the other one, which has no line on that side yet.
+// Two lines are drawn between the stems, both nearer to the same stem. The first line belongs to
+// that stem. The second line belongs to the other stem, which has no line on this side yet.
 TEST(StemRecogniser, GivesABoundaryToTheStemThatHasNoneThere)
 {
     auto recogniser = two_stems();
@@ -83,8 +83,8 @@ struct MeantLine {
     std::size_t stem = 0;
 };
 
-// Returns two sketches side by side, which may overlap slightly, with their lines in any order in
-// which each stem precedes its own lines.
+// Returns the lines of two sketches side by side, which may overlap slightly. The order is random,
+// except that each stem precedes its own lines.
 std::vector<MeantLine> two_sketches(unsigned seed)
 {
     std::mt19937 random(seed);

@@ -8,7 +8,8 @@
 namespace tractus::lines {
 namespace {
 
-// Returns a line in the sheet with a given beginning and direction, and with constant curvature.
+// Returns a line on the sheet with the given beginning, initial heading and length, and with
+// constant curvature.
 std::vector<Vec3> bow(Vec2 from_mm, double heading_deg, double turn_deg, double length_mm)
 {
     constexpr int kPieces = 100;
@@ -42,7 +43,7 @@ LineModel model_of(std::vector<StemLines> const& stems, Pattern const& pattern =
     return write_model(measured_stems(stems), pattern, "plant");
 }
 
-// Base and top of an axis on the sheet of a sketch whose first stem begins at its middle.
+// Base and top of an axis on the sheet, relative to the base of the sketch's first stem.
 struct Ends {
     Vec3 foot_mm;
     Vec3 top_mm;
@@ -67,7 +68,7 @@ TEST(SeveralStems, ASingleOneIsThePlantThatItWas)
     }
 }
 
-// A clump: each stem must be where it is drawn, and be one axis.
+// In a clump, each stem must be a single axis where it was drawn.
 TEST(SeveralStems, StandBesideEachOtherWhereTheyAreDrawn)
 {
     auto const left = bow({ -60, -5 }, 20, 40, 120);
@@ -84,8 +85,8 @@ TEST(SeveralStems, StandBesideEachOtherWhereTheyAreDrawn)
     EXPECT_EQ(plant.organs.size(), 3U * 10) << "five nodes on each";
 }
 
-// A stem without lines of its own must bear the organs of the other stem, rotated and scaled to its
-// length.
+// A stem without lines of its own must have the organs of the stem with lines, rotated and scaled
+// to its own length.
 TEST(SeveralStems, WithoutLinesOfTheirOwnAreLikeTheOneThatHasThem)
 {
     auto const sketch = hand_sketch();
@@ -117,7 +118,8 @@ TEST(SeveralStems, ALateralAxisBeginsOnTheStemAndEndsWhereItIsDrawn)
     EXPECT_NEAR((ends.foot_mm - Vec3(0, 110, 0)).norm(), 0, 1e-2);
     EXPECT_NEAR((ends.top_mm - lateral.back()).norm(), 0, 0.3);
     EXPECT_EQ(plant.organs.size(), 20U);
-    // Heading and depth of each stem; shared functions exist once.
+    // Each of the two stems has functions for heading and depth. The other five functions are
+    // shared.
     EXPECT_EQ(model.functions.size(), 2U * 2 + 5);
 }
 
@@ -131,7 +133,7 @@ TEST(SeveralStems, TwoFromItsTopAreAForkOfIt)
     auto const plant = grown(write_model(stems, {}, "plant"));
     for (std::size_t axis = 1; axis < 3; ++axis)
         EXPECT_NEAR((ends_of(plant, axis).foot_mm - Vec3(0, 200, 0)).norm(), 0, 1e-2);
-    // Axes are not thicker than those that bear them.
+    // A lateral axis must not be thicker than its parent.
     auto const radius_mm = [&](std::size_t axis, bool last) {
         auto const& of = plant.axes[axis];
         return plant.node_radius_mm[of.first_node + (last ? of.segment_count : 0)];
@@ -161,7 +163,7 @@ TEST(SeveralStems, ALateralMayBearOthersAndHaveLinesOfItsOwn)
     EXPECT_EQ(plant.organs.size(), 10U + 2 * 6);
 }
 
-// The derivation must end exactly when the last stem has grown.
+// The derivation must end with the step in which the last stem has grown.
 TEST(SeveralStems, EachStepAddsToThePlant)
 {
     auto const model = compiled(model_of({ { .sketch = coarse_sketch() },

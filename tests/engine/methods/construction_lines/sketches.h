@@ -15,8 +15,8 @@
 
 namespace tractus::lines {
 
-// Returns a sketch with an upright stem of 200 mm between boundaries at 50 and 30 mm; higher organs
-// lean less upwards.
+// Returns a sketch with an upright stem of 200 mm and boundaries 50 and 30 mm beside it. Lower
+// organs lean more upwards than higher ones.
 inline LineSketch hand_sketch()
 {
     return { .stem = { Vec3(0, 0, 0), Vec3(0, 200, 0) },
@@ -35,7 +35,7 @@ inline std::vector<Vec3> line(std::vector<Vec2> const& points)
     return result;
 }
 
-// Returns an arc of a circle about (radius, 0), from vertical to the right.
+// Returns an arc of a circle about (radius, 0). It begins vertically and bends to the right.
 inline std::vector<Vec3> arc(double radius_mm, double angle_deg, int pieces)
 {
     std::vector<Vec3> points;
@@ -47,7 +47,8 @@ inline std::vector<Vec3> arc(double radius_mm, double angle_deg, int pieces)
     return points;
 }
 
-// Returns a sketch bent to the right, with corners in its boundaries and inclination lines.
+// Returns a sketch with a stem that bends to the right, and with corners in its boundaries and
+// inclination lines.
 inline LineSketch bent_sketch()
 {
     return { .stem = arc(100, 60, 100),
@@ -58,7 +59,7 @@ inline LineSketch bent_sketch()
              .nodes_per_layer = { 6 } };
 }
 
-// Returns a stem of few points, with corners of up to 30 degrees.
+// Returns a sketch whose stem has only some points, with corners of up to 30 degrees.
 inline LineSketch coarse_sketch()
 {
     return { .stem = { Vec3(0, 0, 0), Vec3(10, 50, 0), Vec3(40, 90, 0), Vec3(55, 140, 0),
@@ -95,7 +96,7 @@ inline Construction measured(LineSketch const& sketch)
     return result ? *result : *measure_sketch(hand_sketch());
 }
 
-// Returns the error of measuring a sketch.
+// Returns the error message of measure_sketch() for a sketch.
 inline std::string refusal(LineSketch const& sketch)
 {
     auto const result = measure_sketch(sketch);
@@ -119,14 +120,14 @@ inline Plant grown(LineModel const& model)
     return *lsystem::interpret(text, *lsystem::derive(text));
 }
 
-// Returns the tips of the organs in the model of a sketch.
+// Returns the tips of the organs in the plant of a sketch's model, on the sheet.
 inline std::vector<Vec3> tips_of(LineSketch const& sketch, Pattern const& pattern)
 {
     auto const construction = measured(sketch);
     return organ_tips(construction, grown(write_model(construction, pattern, "plant")));
 }
 
-// Returns the distance of a point from a line, seen from the front.
+// Returns the distance of a point from a line as seen from the front.
 inline double distance_mm(Vec3 const& point, std::vector<Vec2> const& line)
 {
     double least = std::numeric_limits<double>::infinity();

@@ -10,13 +10,13 @@ namespace {
 
 using Line = std::vector<Vec2>;
 
-// Half of a margin as a formula: x over y.
+// Formula for half of a leaf's margin, x as a function of y.
 struct Profile {
     double width = 0.3;
-    double low = 1; // A value below 1 moves the widest place below the middle.
+    double low = 1; // Below 1: the widest place is below the middle.
     double blunt = 1;
     int waves = 0;
-    double wave_depth = 0; // Depth of the waves as a share of the leaf's width at the same place.
+    double wave_depth = 0; // Depth of the waves, as a share of the leaf's width at the same y.
 };
 
 Line half_of(Profile const& profile)
@@ -35,7 +35,8 @@ Line half_of(Profile const& profile)
     return line;
 }
 
-// Builds a line of parabolas from (0, 0), with a control point and an end each.
+// Builds a line of parabolas, beginning at (0, 0). `controls` has a control point and an end point
+// for each parabola.
 Line half_of(Line const& controls)
 {
     Line line { Vec2::Zero() };
@@ -54,16 +55,17 @@ struct Species {
     std::string name;
     Line half {};
     double stalk = 0.2;
-    std::vector<double> mains {}; // Angles of the main veins on one side.
-    int pairs = 0;                // Pairs of side veins on the midrib.
-    double first = 0.1;           // Position of the first pair, as a share of the midrib.
-    double last = 0.8;            // Position of the last pair, as a share of the midrib.
-    double angle = 45;            // Angle of the side veins at the base.
-    double angle_at_tip = 38;     // Angle of the side veins at the tip.
-    double turn = 0;              // Forward bend of the veins.
-    // Displacement of the veins on the left relative to those on the right, in intervals.
+    std::vector<double> mains {}; // Angles of the main veins on one side of the midrib, in degrees.
+    int pairs = 0;                // Number of pairs of side veins on the midrib.
+    double first = 0.1;           // Position of the first pair, as a share of the midrib's length.
+    double last = 0.8;            // Position of the last pair, as a share of the midrib's length.
+    double angle = 45;            // Angle of the side veins at the midrib's base, in degrees.
+    double angle_at_tip = 38;     // Angle of the side veins at the midrib's tip, in degrees.
+    double turn = 0;              // Bend of each vein towards the tip, in degrees.
+    // Displacement of the veins on the left relative to those on the right, as a share of the
+    // interval between pairs.
     double alternate = 0;
-    int sides_of_mains = 0; // Number of side veins on both sides of the first main vein.
+    int sides_of_mains = 0; // Number of side veins on each side of the first main vein.
 };
 
 Line const kLimeHalf { { 0.05, -0.12 }, { 0.2, -0.1 },  { 0.42, -0.07 }, { 0.48, 0.2 },
@@ -201,8 +203,8 @@ bool has_inside(Line const& ring, Vec2 const& at)
     return turns != 0;
 }
 
-// Returns a vein from a point to the margin, with a given initial direction and total rotation to
-// the left.
+// Returns a vein from a point to the margin. It has the given initial heading, and turns to the
+// left by the given total angle.
 Line vein_to(Line const& margin, Vec2 const& from, double heading_deg, double turn_left_deg)
 {
     auto const grow = [&](double length, double turn) {
@@ -218,7 +220,7 @@ Line vein_to(Line const& margin, Vec2 const& from, double heading_deg, double tu
         }
         return line;
     };
-    // Adjusts the curvature until the total rotation at the margin is as requested.
+    // Adjusts the curvature until the vein has turned by the requested angle at the margin.
     auto line = grow(1, 0);
     for (int i = 0; i < 4 && turn_left_deg != 0; ++i)
         line = grow(0.008 * double(line.size()), turn_left_deg);
@@ -267,7 +269,7 @@ void add_mains(BotanicalLeaf& leaf, Species const& species, Random& random)
         }
 }
 
-// Varies half a margin, so that the two halves are not mirror images.
+// Varies one half of a margin, so that the halves of a leaf are not mirror images.
 Line grown(Line half, double side, Random& random)
 {
     double const width = 1 + 0.015 * random.normal();

@@ -11,7 +11,8 @@ namespace {
 
 using Line = std::vector<Vec2>;
 
-// Returns the position after a distance along a line, extended beyond both its ends.
+// Gives the position on a line at a distance from its beginning. The line is extended beyond both
+// of its ends.
 class Walk {
 public:
     explicit Walk(Line const& line)
@@ -45,8 +46,8 @@ public:
     {
     }
 
-    // Draws a line of the flat leaf, in millimetres, extended before its beginning and behind its
-    // end.
+    // Draws a line of the flat leaf, in millimetres. The pen begins `before_mm` before the line and
+    // ends `behind_mm` behind it.
     std::vector<Vec3> draw(Line const& line, double before_mm, double behind_mm)
     {
         double const rate_hz = random_.uniform(100, 500);
@@ -59,7 +60,7 @@ public:
         double at = -before_mm;
         for (double time = 0; at < end; time += 1 / rate_hz) {
             tips.push_back(in_space(walk.at(at)) + trembling(waves, time));
-            // The pen starts and stops slowly.
+            // The pen moves slowly at the beginning and at the end.
             double const slow
                 = std::min({ 1.0, 0.25 + 0.1 * (at + before_mm), 0.25 + 0.1 * (end - at) });
             at += slow * usual_mm_s * (1 + 0.35 * std::sin(2 * kPi * change_hz * time)) / rate_hz;
@@ -99,11 +100,13 @@ private:
         return sum;
     }
 
-    // Bends the blade evenly from its base; the petiole is straight.
+    // Converts a point of the flat leaf to space. The blade bends evenly from its base, and the
+    // petiole is straight.
     Vec3 in_space(Vec2 const& at_mm) const
     {
         Vec3 at(at_mm.x(), at_mm.y(), 0);
-        double const bend = radians(manner_.bend_deg) / manner_.size_mm; // Bend per millimetre.
+        // In radians per millimetre.
+        double const bend = radians(manner_.bend_deg) / manner_.size_mm;
         if (bend != 0 && at.y() > 0) {
             at.z() = -(1 - std::cos(bend * at.y())) / bend;
             at.y() = std::sin(bend * at.y()) / bend;
@@ -123,7 +126,7 @@ Line scaled(Line line, double scale)
     return line;
 }
 
-// Rotates a closed line to a random beginning.
+// Rotates the points of a closed line, so that it begins at a random one.
 Line turned_round(Line ring, Random& random)
 {
     double const where = random.uniform();

@@ -1,4 +1,4 @@
-// Tests converting a leaf drawn by pen into a grammar.
+// Tests the conversion of a leaf drawn by pen into a grammar.
 #include "engine/methods/leaves/derived_outline.h"
 #include "engine/methods/leaves/drawn_leaf.h"
 #include "engine/methods/leaves/leaf.h"
@@ -19,7 +19,7 @@
 namespace tractus::leaf {
 namespace {
 
-constexpr int kDrawings = 25; // Number of drawings for each of eight species.
+constexpr int kDrawings = 25; // Number of drawings of each of the eight species.
 
 struct Drawn {
     BotanicalLeaf truth;
@@ -33,8 +33,8 @@ Drawn drawn_leaf(std::string const& species, std::uint32_t number)
     Drawn drawn;
     drawn.truth = botanical_leaf(species, random);
     double const way = random.uniform();
-    // Each number is drawn in a separate statement, since the evaluation order of a call's
-    // arguments is unspecified.
+    // Each random number has a statement of its own, since the arguments of a call are evaluated in
+    // unspecified order.
     drawn.manner.size_mm = random.uniform(60, 150);
     drawn.manner.bend_deg = random.uniform(0, 30);
     drawn.manner.turned_deg = random.uniform(0, 360);
@@ -44,14 +44,15 @@ Drawn drawn_leaf(std::string const& species, std::uint32_t number)
         : way < 0.88                 ? Manner::Outline::Halves
                                      : Manner::Outline::OneHalf;
     drawn.manner.has_stalk = random.uniform() < 0.7;
-    if (drawn.manner.outline == Manner::Outline::OneHalf) // The mirror image is the other half.
+    // The other half of the leaf is the mirror image of the drawn half.
+    if (drawn.manner.outline == Manner::Outline::OneHalf)
         for (std::size_t i = 0; i < drawn.truth.left.size(); ++i)
             drawn.truth.left[i] = { -drawn.truth.right[i].x(), drawn.truth.right[i].y() };
     drawn.hand = draw_by_hand(drawn.truth, drawn.manner, random);
     return drawn;
 }
 
-// Statistics of a species.
+// Statistics over the drawings of one species.
 struct Figures {
     int leaves = 0;
     int exact = 0;
@@ -59,7 +60,7 @@ struct Figures {
     double angle_sum = 0;
     int angles = 0;
     int far_off = 0; // Number of angles that are wrong by more than 3 degrees.
-    int well = 0;    // Outlines that overlap by at least 0.97.
+    int well = 0;    // Number of outlines that overlap by at least 0.97.
     double worst_overlap = 1;
     double overlap_sum = 0;
     double worst_bend = 0;
@@ -80,8 +81,9 @@ FlatLine moved(FlatLine ring, double turn_deg, Vec2 const& by)
     return ring;
 }
 
-// Returns the greatest overlap of two leaves over small displacements: a hand's outline and midrib
-// meet only to within a millimetre or two, which does not concern their shapes.
+// Returns the maximum overlap of two leaves over small displacements and rotations. In a drawing by
+// hand, outline and midrib meet only to within two millimetres, which does not matter for their
+// shapes.
 double best_overlap(FlatLine const& a, FlatLine const& b)
 {
     double turn_deg = 0;
@@ -116,7 +118,8 @@ bool has_all_veins(Drawn const& drawn, RecognisedLeaf const& seen, DrawnLeaf con
     return found == meant;
 }
 
-// Veins on the left of a half leaf are given as on the right.
+// Returns the error of a fitted vein's angle. For veins on the left of a half leaf, both angles are
+// given as on the right.
 double angle_off(LeafFit::Vein const& vein, BotanicalLeaf::Vein const& meant)
 {
     return std::abs(std::remainder(vein.fitted_angle_deg - meant.angle_deg, 360));
@@ -177,7 +180,7 @@ TEST(DrawnLeaf, ComesBackFromTwoHundredDrawings)
     EXPECT_GE(all.exact, 0.95 * all.leaves);
     EXPECT_LE(all.far_off, 0.01 * all.angles);
     // A willow leaf of 60 mm is narrower than 10 mm, so the tremor is a tenth of its width. In one
-    // lime leaf, the tips of two veins cross, and the space between them stays empty.
+    // of the lime leaves, the tips of two veins cross, and the space between them stays empty.
     EXPECT_GE(all.well, 0.96 * all.leaves);
 }
 
@@ -188,7 +191,7 @@ LeafFit fitted(std::string const& species, std::uint32_t number)
     return fit_leaf(*seen).value();
 }
 
-// Returns the positions of all vertices of the leaf, with its lamina filled.
+// Returns the positions of all vertices of the leaf that a grammar derives, with its lamina filled.
 std::vector<Vec3> derived_places(std::string const& text)
 {
     auto const grammar = parse_grammar(text, "drawn.leaf");

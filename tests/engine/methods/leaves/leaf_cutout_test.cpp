@@ -18,7 +18,7 @@ template<typename IsThere> std::vector<float> picture(IsThere const& is_there)
     return alpha;
 }
 
-// A cross, for which a convex shape is much larger than the cross itself.
+// True if a pixel is in a cross. The convex hull of a cross is much larger than the cross itself.
 bool is_cross(int x, int y)
 {
     bool const is_upright = x >= 56 && x < 72 && y >= 10 && y < 120;
@@ -44,7 +44,8 @@ double area(Cutout const& shape)
     return sum;
 }
 
-// True if one of the triangles contains a point. Their corners are clockwise with y downwards.
+// True if one of the triangles contains a point. The corners of a triangle are clockwise, with y
+// downwards.
 bool holds(Cutout const& shape, Vec2 const& at)
 {
     for (auto const& [a, b, c] : shape.triangles) {
@@ -78,7 +79,7 @@ TEST(LeafCutout, HoldsAllThatIsThere)
 TEST(LeafCutout, HasTwoTrianglesLessThanCorners)
 {
     for (int const corners : { 8, 16 }) {
-        // Concave corners need more corners: eight are enough for a star's hull, but not for its
+        // Bays need more corners. Eight corners are enough for the hull of a star, but not for its
         // bays.
         CutoutOptions const options { .most_corners = corners, .most_bays = corners < 16 ? 0 : 6 };
         auto const shape = cut_out(picture(is_star), kCutSide, options);

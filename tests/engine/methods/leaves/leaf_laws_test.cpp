@@ -1,4 +1,4 @@
-// Laws that hold for every leaf.
+// Tests of laws that hold for every leaf.
 #include "engine/methods/leaves/leaf.h"
 #include "engine/methods/leaves/leaf_paint.h"
 #include "tests/corpus.h"
@@ -16,7 +16,8 @@ namespace {
 
 std::string mirrored_text(std::string text)
 {
-    // Rotations about x and z change their signs; C1 and C2 are exchanged.
+    // In the mirror image, rotations about x and z have the opposite sign, and the labels C1 and C2
+    // are exchanged.
     std::string const swap[][2]
         = { { "7,30,40", "-7,30,-40" }, { "-5,10,-50", "5,10,50" }, { "3,20,90", "-3,20,-90" },
             { "]C1", "]Cx" },           { "]C2", "]C1" },           { "]Cx", "]C2" } };
@@ -50,7 +51,8 @@ TEST(LeafLaws, AMirroredGrammarGrowsTheMirrorImage)
     auto const other = grown(mirrored_text(text));
     ASSERT_EQ(one.size(), other.size());
     ASSERT_GT(one.size(), 50u);
-    // Corners are counterclockwise in both, so a face's corners come in another order.
+    // The corners of a face are counterclockwise in both leaves, so they come in another order.
+    // Each vertex is compared with the nearest one.
     for (auto const& place : one) {
         Vec3 const wanted(place.x(), -place.y(), place.z());
         double nearest = 1;

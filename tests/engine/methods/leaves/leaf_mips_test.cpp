@@ -8,7 +8,7 @@
 namespace tractus::leaf {
 namespace {
 
-// Returns two by two cells: thin stripes, a disc, an empty one, a full one.
+// Returns a page of two by two cells: thin stripes, a disc, an empty cell and a full one.
 CellPage alphas()
 {
     CellPage page { .side = 512, .cell = 256 };
@@ -46,7 +46,7 @@ TEST(LeafMips, KeepAsMuchOfEachLeafDownToSixteenPixels)
     }
 }
 
-// Shows the effect that the test above guards against.
+// Without keep_coverage(), thin parts of a leaf lose coverage in smaller pictures.
 TEST(LeafMips, LoseWhatIsThinWhereNothingIsKept)
 {
     auto page = alphas();
@@ -64,7 +64,7 @@ TEST(LeafMips, KeepOneColorAndMixTwoInTheirLight)
         ASSERT_EQ(page.pixels[i + 1], 120);
     }
     CellPage const two { .side = 2, .cell = 2, .channels = 1, .pixels = { 0, 255, 255, 0 } };
-    // Half of the light of white in sRGB.
+    // A mixture of black and white has half of the light of white. In sRGB that is 188.
     EXPECT_EQ(half_page(two, PageKind::Color).pixels[0], 188);
     EXPECT_EQ(half_page(two, PageKind::Plain).pixels[0], 128);
 }

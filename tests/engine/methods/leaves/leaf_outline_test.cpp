@@ -9,7 +9,7 @@
 namespace tractus::leaf {
 namespace {
 
-// Returns a square standing on its corner, with a height and width of 1.
+// Returns half of a square that stands on one of its corners, with a height and width of 1.
 HalfOutline diamond()
 {
     return { .points = { { .is_corner = true },
@@ -71,7 +71,8 @@ TEST(LeafOutline, HasTeethThatAddTheirArea)
     half.count = 50;
     half.depth = 0.01;
     double const wider = area(exact(half).line()) - 0.5;
-    // Half of depth times length, minus the fading at both ends (an eighth and a sixth, by half).
+    // The teeth add half of their depth times the length of the margin. The part in which they fade
+    // at both ends, an eighth and a sixth of the margin, counts by half.
     double const length = 2 * std::sqrt(2.0);
     EXPECT_NEAR(wider, 0.5 * 0.01 * length * (1 - 0.5 / 8 - 0.5 / 6), 0.001);
 }
@@ -127,7 +128,7 @@ TEST(LeafOutline, IsWhereVeinsEndAndTheLimbDoes)
             EXPECT_NEAR(std::abs(at.x()), std::min(at.y(), 1 - at.y()), 0.006);
         }
     }
-    // The blade and its petiole: half a square of area and 0.3 of a hundredth.
+    // Area of the blade, half a square, and of the petiole, 0.3 long and 0.01 wide.
     EXPECT_NEAR(std::abs(area(border)), 0.5 + 0.003, 0.003);
 }
 
@@ -139,7 +140,7 @@ TEST(LeafOutline, KeepsLeavesWholeWhereTheyVary)
     EXPECT_EQ(leaf.map().counts().euler_characteristic(), 1);
 }
 
-// The angle between the first and the last main vein must be the whole bend.
+// The angle between the directions of the first and the last main vein must be the whole bend.
 TEST(LeafPose, BendsByItsAngleAndLeavesTheFlatLeaf)
 {
     auto const grammar = parse_grammar(kText, "diamond.leaf");

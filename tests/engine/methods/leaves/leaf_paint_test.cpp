@@ -13,7 +13,7 @@
 namespace tractus::leaf {
 namespace {
 
-// Fixture with a leaf of the grammar "feather", which comes with the program, and its picture.
+// Fixture with a leaf of the grammar "feather" in the test data, and its picture.
 class LeafPaint : public ::testing::Test {
 protected:
     void SetUp() override
@@ -34,7 +34,7 @@ protected:
         return paint_leaf(*leaf_, triangles_, options);
     }
 
-    // Returns the pixels of the leaf, including its edge.
+    // Returns the indices of the pixels of the leaf, including those at its edge.
     static std::vector<std::size_t> pixels_of(LeafPicture const& picture)
     {
         std::vector<std::size_t> made;
@@ -121,7 +121,8 @@ TEST_F(LeafPaint, IsOlderNearerToVeins)
     EXPECT_LT(picture.age[order.back()], picture.age[order.front()]);
 }
 
-// The law with age reversed: the colours for old and young are exchanged.
+// If the colours for old and young leaves are exchanged, the picture must be that of the reversed
+// age.
 TEST_F(LeafPaint, TurnsRoundWithItsColors)
 {
     PaintOptions const options;
@@ -225,7 +226,8 @@ TEST_F(LeafPaint, IsTheSameAgain)
     EXPECT_EQ(once.translucency, again.translucency);
 }
 
-// The result must not depend on what the painter painted before, or on its size.
+// The picture must depend neither on what the painter has painted before, nor on the size of the
+// earlier pictures.
 TEST_F(LeafPaint, IsTheSameFromAPainterThatHasPaintedBefore)
 {
     PaintOptions const options {
@@ -242,7 +244,8 @@ TEST_F(LeafPaint, IsTheSameFromAPainterThatHasPaintedBefore)
     EXPECT_EQ(fresh.translucency, used.translucency);
 }
 
-// Reduced pictures must mix the leaf's own colours: no pixel outside is darker than the whole leaf.
+// When pictures are reduced, only the leaf's own colours may mix. So no pixel outside of the leaf
+// may be darker than the whole leaf.
 TEST_F(LeafPaint, GoesOnInItsColorsOutside)
 {
     auto const picture = paint({ .side = 128 });
@@ -286,7 +289,8 @@ TEST_F(LeafPaint, GrowsOldFromItsTip)
     EXPECT_LT(before, 0.5f);
 }
 
-// At the end, the leaf has the third colour everywhere, whatever the first two are.
+// At the end of its life, the leaf must have the third colour everywhere, whatever the first two
+// colours are.
 TEST_F(LeafPaint, DiesAtLast)
 {
     auto const one
@@ -297,7 +301,7 @@ TEST_F(LeafPaint, DiesAtLast)
     EXPECT_NE(one.color, paint({ .side = 64, .age = 1 }).color);
 }
 
-// Compares normals with the slopes of the relief, also from below, where ridges become grooves.
+// Compares the normals with the slopes of the relief. Seen from below, ridges become grooves.
 TEST_F(LeafPaint, HasTheNormalsOfItsRelief)
 {
     constexpr std::size_t kSide = 128;
@@ -333,7 +337,7 @@ TEST_F(LeafPaint, IsMinedBesideItsVeins)
     EXPECT_EQ(whole.alpha, mined.alpha);
 }
 
-// Without veins, each larva eats a disc with one bite, and overlapping discs give their union.
+// Without veins, each larva eats a disc with one bite. Overlapping discs must give their union.
 TEST(LeafLarvae, EatTheUnionOfTheirDiscs)
 {
     constexpr int kSide = 200;

@@ -65,7 +65,8 @@ std::vector<Vec3> circle_of(double radius_mm, Vec2 const& middle_mm = { 0, 0 })
     return places;
 }
 
-// Lines by a simulated hand that does not depend on the recognition, added one after the other.
+// The lines come from a simulated hand that shares no code with the recognition. They are added one
+// after the other.
 TEST(LeafSketch, IsTheLeafOfItsLinesAtTheLastAndAPlantAtEveryStage)
 {
     for (auto const& species : botanical_species()) {
@@ -91,7 +92,7 @@ TEST(LeafSketch, IsTheLeafOfItsLinesAtTheLastAndAPlantAtEveryStage)
     }
 }
 
-// Converts from the plant's frame to the sheet's.
+// Converts a position from the plant's frame to the sheet, on which the plant stands at `foot`.
 Vec2 on_paper(Vec3 const& at, Vec2 const& foot)
 {
     return Vec2(at.x(), at.z()) + foot;
@@ -220,7 +221,8 @@ TEST(LeafSketch, IsChangedByNumbers)
     EXPECT_EQ(refused.error().message, "a leaf's number of teeth cannot be 61: give 0 to 60");
 }
 
-// Another individual has other veins and an outline of the same size; the drawn one is exact.
+// Another individual must have other veins and an outline of the same size. The leaf that was drawn
+// must be exact.
 TEST(LeafSketch, VariesAsLeavesOfATreeDo)
 {
     auto const sketch = sketch_of(hand("beech", 5).drawn.drawing);

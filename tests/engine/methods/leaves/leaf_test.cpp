@@ -36,7 +36,7 @@ std::string const kPinnate = "#define A(4,1,0,0,90,2,0.2)\n"
                              "a A -> A[T]E\n"
                              "t T -> T[K[R(,,,,,3,)]C1[L(,,,,,3,)]C2[T]E]E\n";
 
-// Each quad that grows on another one adds eight darts, two vertices and three edges.
+// Each quad that grows on another quad adds eight darts, two vertices and three edges to the map.
 TEST(Leaf, ATreeOfQuadsHasTheCellsOfOne)
 {
     auto const grammar = grammar_of(kPinnate);
@@ -110,7 +110,8 @@ std::string labels_of(Leaf const& leaf, FaceId face)
         if (leaf.map().face(d) == face) {
             auto cycle = leaf.map().cycle(d);
             std::string text;
-            // Lists labels beginning with the edge O; for a part without one, with its first dart.
+            // Lists the labels of a part from its edge O on. A part without that edge is listed
+            // from its first dart on.
             for (std::size_t i = 0; i < cycle.size(); ++i)
                 if (leaf.map().label(cycle[i]) == EdgeLabel::Origin) {
                     std::rotate(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(i),

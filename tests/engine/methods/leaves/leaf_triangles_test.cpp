@@ -48,8 +48,8 @@ TEST(LeafTriangles, AreTwoLessThanAFacesEdges)
         }
 }
 
-// Each side of a triangle must also belong to another triangle in reverse, or lie on the leaf's
-// border.
+// Each side of a triangle must either belong to another triangle, in the opposite direction, or lie
+// on the border of the leaf.
 TEST(LeafTriangles, LeaveNoGaps)
 {
     for (auto const* const name : kGrammars) {
@@ -63,7 +63,8 @@ TEST(LeafTriangles, LeaveNoGaps)
                 ++sides[{ b, c }];
                 ++sides[{ c, a }];
             }
-        // Two faces of a leaf that overlaps itself may be split between the same two corners.
+        // If a leaf overlaps itself, two faces may be split between the same two corners, so sides
+        // are counted.
         std::size_t on_border = 0;
         for (auto const& [side, count] : sides) {
             auto const back = sides.find({ side.second, side.first });
@@ -89,8 +90,8 @@ TEST(LeafTriangles, FaceUpInTheFlatLeaf)
     }
 }
 
-// Leaves without bend and twist must equal the flat leaf; the others keep their lengths in the flat
-// leaf.
+// A leaf without bend and twist must be equal to the flat leaf. Leaves with bend or twist must keep
+// their lengths in the flat leaf.
 TEST(LeafTriangles, TheFlatLeafIsTheOneThatDoesNotBend)
 {
     std::string const bent = "#define A(4,1,5,30,90,2,0.4)\n#define B(4,1,-10,20,40,1,0.2)\n"

@@ -20,7 +20,7 @@ std::string error_of(std::string const& text)
     return grammar ? "understood" : grammar.error().message;
 }
 
-// Returns the value of a defined name; NaN if the text does not define it.
+// Returns the value of a name that `definitions` define; NaN if they do not define it.
 double defined(std::string const& definitions, std::string_view name)
 {
     auto grammar = parse_grammar(kFaces + definitions, "my.leaf");
@@ -93,7 +93,7 @@ TEST(ParseLeafGrammar, OptionsAreRead)
 TEST(ParseLeafGrammar, WhatIsWrongIsSaidWithItsPlace)
 {
     struct Case {
-        char const* text; // Text behind kFaces, from line 5 on.
+        char const* text; // Text that follows kFaces, from line 5 on.
         char const* message;
     };
     for (auto const& [text, message] : {
@@ -122,8 +122,8 @@ TEST(ParseLeafGrammar, WhatIsWrongIsSaidWithItsPlace)
     EXPECT_EQ(error_of("").substr(0, 26), "my.leaf:1:1: there is no a");
 }
 
-// No text may cause a hang, a crash or an accepted error: it is truncated anywhere, or any one of
-// its letters is changed.
+// The text is truncated at every position, and each of its letters is changed. No such text may
+// cause a hang or a crash, nor may an error be accepted.
 TEST(ParseLeafGrammar, AnyTextIsSafe)
 {
     std::string const text = kFaces

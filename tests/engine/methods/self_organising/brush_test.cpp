@@ -10,7 +10,8 @@
 namespace tractus::self_organising {
 namespace {
 
-// Returns a sweep of a brush of 400 mm that goes up and then to the side, in 6 s.
+// Returns a sweep of a brush with a radius of 400 mm. In 6 s, the brush moves up and then to the
+// side.
 BrushSweep bent_sweep(int years = 14)
 {
     BrushSweep sweep { .years = years, .seed = 7 };
@@ -61,7 +62,8 @@ TEST(BrushSowing, FillsTheBallEvenly)
     BrushSweep const sweep { .balls = { { 0, Vec3(1000, -500, 3000), 900 } } };
     auto const markers = sow(sweep, habit).value();
     double const volume = 4.0 / 3 * kPi * std::pow(900.0 / 50, 3);
-    double const expected = volume / 2; // One marker for each two cubic internodes.
+    // There is one marker in each volume of two cubed internodes.
+    double const expected = volume / 2;
     EXPECT_NEAR(static_cast<double>(markers.size()), expected, 4 * std::sqrt(expected));
     Vec3 mean = Vec3::Zero();
     for (auto const& marker : markers) {
@@ -107,9 +109,9 @@ TEST(BrushGrowth, WaitsOutsideTheBrush)
 {
     Habit const habit;
     auto sweep = bent_sweep(20);
-    sweep.balls.resize(61); // The brush first moves upwards.
+    sweep.balls.resize(61); // In the first half of the sweep, the brush moves upwards.
     for (int i = 0; i < 60; ++i)
-        // In the second half, the brush is far away.
+        // In the second half of the sweep, the brush is far away.
         sweep.balls.push_back({ 3 + 0.05 * i, Vec3(0, 0, 1e5), 400 });
     auto tree = plant_seed(Vec3::Zero());
     ASSERT_TRUE(grow_along(tree, sweep, habit, 1));

@@ -33,7 +33,7 @@ scene::Scene folded(std::vector<scene::Edit> const& edits)
     return scene ? *std::move(scene) : scene::Scene {};
 }
 
-// Returns a plant of a trunk with two limbs.
+// Returns an edit that loads a plant with a trunk and two limbs.
 scene::Edit measured_plant()
 {
     return scene::LoadModel { .source = { .text = "#define STEPS 1\n"
@@ -43,7 +43,7 @@ scene::Edit measured_plant()
                                                   "endlsystem\n" } };
 }
 
-// Returns the distance of a point from the plant's nearest node.
+// Returns the distance of a point from the nearest node of a plant.
 double distance_to(Plant const& plant, Vec3 const& point)
 {
     double least = 1e300;
@@ -90,7 +90,7 @@ TEST(GrowFrom, KeepsAtLeastTheWidthOfTheWood)
               before.base->node_radius_mm[before.base->axes[0].first_node] * 0.999F);
 }
 
-// Returns half a circle to the side, for the trunk.
+// Returns a stroke for the trunk: half a circle to one side.
 Stroke bow()
 {
     std::vector<TipSample> tips;

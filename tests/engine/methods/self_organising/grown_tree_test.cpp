@@ -31,7 +31,7 @@ Habit small_habit()
              .weight = 0.2 };
 }
 
-// Returns a stroke upwards and to the side, drawn on the desk in 2 s.
+// Returns a stroke that begins on the desk and leads upwards and to the side. It is drawn in 2 s.
 Stroke drawn_stroke(double aside_mm = 60)
 {
     std::vector<TipSample> tips;
@@ -172,7 +172,7 @@ TEST(GrownTree, NoBranchShrinksInWidthAsItGrowsOn)
     auto const habit = small_habit();
     auto tree = plant_seed(Vec3::Zero());
     Surroundings surroundings { .seed = 5 };
-    std::map<std::uint32_t, float> widths; // Widths at the axes' bases.
+    std::map<std::uint32_t, float> widths; // Width at the base of each axis.
     for (int year = 0; year < kYears; ++year) {
         ASSERT_TRUE(grow_year(tree, surroundings, habit));
         auto const made = plant_of(tree, habit, 5);

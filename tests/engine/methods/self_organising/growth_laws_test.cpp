@@ -1,4 +1,4 @@
-// Laws that hold for any parameters and any markers.
+// Tests of laws of growth that hold for any parameters and any markers.
 
 #include "engine/methods/self_organising/grow.h"
 #include "engine/methods/self_organising/light.h"
@@ -85,7 +85,7 @@ TEST(GrowthLaws, NoMarkerNearABudSurvives)
             for (auto const& bud : buds)
                 EXPECT_GE((marker - tree.places[bud.node].position).norm(),
                           random.laws.occupancy_radius);
-        // The other markers stay, in their order.
+        // All other markers must stay, in their order.
         auto at = random.markers.begin();
         for (auto const& marker : markers) {
             at = std::find(at, random.markers.end(), marker);
@@ -94,7 +94,7 @@ TEST(GrowthLaws, NoMarkerNearABudSurvives)
     }
 }
 
-// Compares with the law applied directly, with each marker against all buds.
+// Compares the result with the law applied directly: each marker is compared with all buds.
 TEST(GrowthLaws, MarkersGoToTheNearestBudThatPerceivesThem)
 {
     for (std::uint64_t seed = 0; seed < kCases; ++seed) {
@@ -174,7 +174,8 @@ TEST(GrowthLaws, TurningEverythingTurnsTheTree)
         for (auto& marker : turned_case.markers)
             marker = rotation * marker;
         turned_case.laws.tropism_direction = rotation * random.laws.tropism_direction;
-        // A trunk that is not vertical, because the reference normal of a vertical one is always x.
+        // The trunk must not be vertical, because the reference normal of a vertical trunk is
+        // always x.
         auto const grow = [](RandomCase const& of, Vec3 const& base, Vec3 const& direction) {
             auto tree = plant_seed(base, direction);
             Surroundings surroundings { .markers = of.markers };

@@ -35,7 +35,7 @@ GrowingTree grown(int years)
     return grow_without_brush(hedge(), years, 3).value();
 }
 
-// Returns a level cut through the whole crown.
+// Returns a horizontal path of the pruning brush through the whole crown.
 std::vector<BrushBall> level_cut(double height_mm, double radius_mm = 60)
 {
     std::vector<BrushBall> balls;
@@ -55,7 +55,7 @@ double top_of(GrowingTree const& tree)
     return top;
 }
 
-// Checks that links and laterals agree, and that all wood hangs together.
+// Expects consistent links and laterals in the tree, and that all of its wood is connected.
 void expect_sound_wood(GrowingTree const& tree)
 {
     std::vector<int> times_borne(tree.size());
@@ -99,14 +99,15 @@ TEST(Prune, CutsAHedgeThatGrowsBack)
 
 TEST(Prune, WakesBudsBelowTheCut)
 {
-    // A pole without any bud but its own, as on old wood.
+    // The pole has no buds except the one at its tip, like old wood.
     auto habit = hedge();
     habit.laterals_at_node = 0;
     auto tree = grow_without_brush(habit, 8, 1).value();
     ASSERT_GT(top_of(tree), 900);
     ASSERT_TRUE(tree.laterals.empty());
     habit.laterals_at_node = 1;
-    auto const middle = tree.size() / 2; // The nodes of the pole are in order.
+    // The nodes of the pole are in order, so this is the node in its middle.
+    auto const middle = tree.size() / 2;
     std::vector<BrushBall> const ball { { .centre = tree.places[middle].position, .radius = 10 } };
     ASSERT_GT(prune(tree, ball, habit, 1).value(), 0U);
     expect_sound_wood(tree);
@@ -164,7 +165,7 @@ TEST(Prune, TouchesNothingBesideTheTree)
 
 TEST(Prune, TurnsWithTheTree)
 {
-    // A quarter turn about the vertical axis keeps the cells of the light grid.
+    // A quarter turn about the vertical axis maps the light grid's cells onto each other.
     auto const turn_quarter = [](Vec3 const& v) { return Vec3(-v.y(), v.x(), v.z()); };
     auto tree = grown(9);
     auto turned_tree = tree;
@@ -184,7 +185,7 @@ TEST(Prune, TurnsWithTheTree)
                   1e-9);
 }
 
-// The document's side: strokes in the world's millimetres.
+// The tests below prune the trees of a document, with strokes in millimetres of the world.
 
 Stroke level_stroke(double height_mm, double reach_mm)
 {
@@ -260,7 +261,7 @@ TEST(ClearEdit, IsAsIfTheBrushHadNotBeenThere)
     auto const after = pruned_in_steps({ planted, clear });
     EXPECT_LT(bounds(*after.base).max_mm.z(), 0.75 * top_mm);
     EXPECT_GT(after.base->segment_count(), 20U);
-    // A later stroke sows there again.
+    // A later stroke of the brush sows markers there again.
     auto const again = pruned_in_steps({ planted, clear, GrowOn { before.state.active, brushed } });
     EXPECT_GT(bounds(*again.base).max_mm.z(), 0.9 * top_mm);
 }

@@ -8,7 +8,7 @@
 
 namespace tractus::self_organising {
 
-// Laws and markers chosen at random from a seed.
+// Laws of growth and markers that are chosen at random from a seed.
 struct RandomCase {
     Laws laws {};
     std::vector<Vec3> markers {};
@@ -29,7 +29,7 @@ inline RandomCase random_case(std::uint64_t seed, Laws::Environment environment)
     laws.branching_angle_deg = random.uniform(20, 80);
     laws.laterals_at_node = 1 + static_cast<int>(random.uniform(0, 3));
     laws.pipe_exponent = random.uniform(1.8, 3);
-    // Each bud of a node casts shade.
+    // Each bud of a node casts shade, so the total is divided among the laterals.
     laws.shade = random.uniform(0.04, 0.1) / laws.laterals_at_node;
     laws.shed_below = environment == Laws::Environment::Light ? random.uniform(0, 0.3) : 0;
     for (int i = 0; i < 800; ++i)

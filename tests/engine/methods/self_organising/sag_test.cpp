@@ -7,7 +7,8 @@
 namespace tractus::self_organising {
 namespace {
 
-// Returns a horizontal branch along x without laterals, with a given number of internodes.
+// Returns a horizontal branch along x with the given number and length of internodes, and without
+// laterals.
 GrowingTree straight_branch(int internodes, double length_mm)
 {
     auto tree = plant_seed(Vec3::Zero(), Vec3::UnitX());
@@ -27,7 +28,7 @@ GrowingTree straight_branch(int internodes, double length_mm)
     return tree;
 }
 
-// A uniform cantilever sinks by w L^4 / (8 E I) at its end, and turns by w L^3 / (6 E I).
+// The end of a uniform cantilever sinks by w L^4 / (8 E I), and turns by w L^3 / (6 E I).
 TEST(Sag, BendsARodAsEulerAndBernoulliSay)
 {
     constexpr double kLength_mm = 1000;
@@ -68,7 +69,7 @@ TEST(Sag, SetWoodBendsOnlyByWhatComesUponIt)
     set_wood(tree, diameters, laws);
     sag(tree, diameters, laws);
     EXPECT_NEAR(tree.places.back().position.z(), 0, 1e-9);
-    tree.step = 1; // The leaves are added again.
+    tree.step = 1; // In step 1, the internodes still carry leaves, whose weight is added.
     sag(tree, diameters, laws);
     EXPECT_LT(tree.places.back().position.z(), -1);
 }

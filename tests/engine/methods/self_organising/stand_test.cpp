@@ -33,7 +33,7 @@ Habit sapling()
 
 constexpr double kScale = 0.1;
 
-// Edits that plant trees at these places, in metres at their natural size.
+// Returns edits that plant trees at the given positions, in metres at natural size.
 std::vector<scene::Edit> planted(std::vector<Vec2> const& places_m, Habit const& habit = sapling())
 {
     std::vector<scene::Edit> edits;
@@ -85,7 +85,8 @@ TEST(Stand, DoesNotDependOnTheOrderOfTrees)
     for (std::size_t i = 0; i < places.size(); ++i) {
         auto const& one = forth.plants[i]->base->node_position_mm;
         auto const& other = back.plants[places.size() - 1 - i]->base->node_position_mm;
-        // The shades of a cell are summed in another order.
+        // The sum of the shades in a cell is formed in another order, so positions are equal only
+        // nearly.
         ASSERT_EQ(one.size(), other.size());
         for (std::size_t k = 0; k < one.size(); ++k)
             EXPECT_LT((one[k] - other[k]).norm(), 1e-6);
@@ -98,7 +99,7 @@ TEST(Stand, DrawsTreesUpAndClearsTheirTrunks)
     for (int x = -1; x <= 1; ++x)
         for (int y = -1; y <= 1; ++y)
             rows.emplace_back(0.8 * x, 0.8 * y);
-    // The middle tree, which is the fifth.
+    // The fifth tree is the one in the middle of the stand.
     auto const forest = measure_tree(*grown(rows, 16).plants[4]->base);
     auto const open = measure_tree(*grown({ { 0, 0 } }, 16).base);
     EXPECT_LT(forest.internodes, 0.9 * static_cast<double>(open.internodes));
@@ -109,7 +110,7 @@ TEST(Stand, DrawsTreesUpAndClearsTheirTrunks)
 
 TEST(Stand, IsShadedByPlantsOfOtherMethods)
 {
-    // Under a roof of branches, a metre and a half above the ground, of which any cell takes all
+    // The tree grows under a roof of branches, 1.5 m above the ground. A cell of the roof takes all
     // light.
     auto dark = sapling();
     dark.shade = 1;
@@ -140,7 +141,7 @@ TEST(Stand, KeepsNeighboursWhenATreeIsAnother)
     edits.emplace_back(ChangeHabit { 1, sapling(), 99 });
     auto const after = scene_of(edits);
     EXPECT_EQ(after.plants[1]->base->node_position_mm, before.plants[1]->base->node_position_mm);
-    // Nothing is left to chance in this habit, so that another seed is the same tree.
+    // This habit has no random variation, so another seed gives the same tree.
     EXPECT_EQ(after.plants[0]->base->node_position_mm, before.plants[0]->base->node_position_mm);
     auto other = sapling();
     other.apical_control = 0.6;

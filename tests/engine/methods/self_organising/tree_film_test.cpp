@@ -104,7 +104,7 @@ TEST(TreeFilm, KeepsLeavesOnTheShootsOfTheirYear)
         auto const leaves
             = std::count_if(plant.organs.begin(), plant.organs.end(),
                             [](Organ const& organ) { return organ.scale.x() > 0.5F; });
-        // Branches that die later bear leaves, too, which the film leaves out.
+        // The film leaves out leaves on branches that die later.
         EXPECT_LE(static_cast<std::size_t>(leaves), shown.organs.size());
         EXPECT_GT(leaves, 0);
     }

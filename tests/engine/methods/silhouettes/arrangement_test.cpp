@@ -21,12 +21,12 @@ double apart(Place const& a, Place const& b)
 }
 
 struct Spacing {
-    double clark_evans = 0; // Clark-Evans index: 1 for random points, 2.15 at most.
+    double clark_evans = 0; // Clark-Evans index: 1 for random points, and at most 2.15.
     double variation = 0;
 };
 
-// Returns the spacing computed from nearest-neighbour distances on the unrolled parent (Clark and
-// Evans, 1954).
+// Returns the spacing of places, computed from nearest-neighbour distances on the unrolled parent
+// (Clark and Evans, 1954).
 Spacing spacing_of(std::vector<Place> const& places)
 {
     double sum = 0;
@@ -57,7 +57,8 @@ Spacing mean_spacing(ArrangementOptions const& options, std::vector<DrawnPlace> 
     return mean;
 }
 
-// Values of the reference implementation, which are means over 24 seeds of another generator.
+// The expected values are those of the reference implementation: means over 24 seeds of another
+// random generator.
 TEST(SilhouetteArrangement, SpreadsAsFarAsTheReference)
 {
     auto const spacing = [](std::size_t count, std::optional<double> alpha) {
@@ -69,7 +70,7 @@ TEST(SilhouetteArrangement, SpreadsAsFarAsTheReference)
     EXPECT_NEAR(spacing(60, {}).clark_evans, 1.53, 0.08);
     EXPECT_NEAR(spacing(30, {}).variation, 0.13, 0.05);
     EXPECT_GT(spacing(30, {}).clark_evans, 1.3);
-    // Without a search the positions are random.
+    // Without proposals there is no search, so the positions are random.
     EXPECT_NEAR(mean_spacing({ .count = 30, .proposals = 0 }).clark_evans, 1, 0.06);
 }
 
@@ -143,7 +144,7 @@ TEST(SilhouetteArrangement, PatternsComeOut)
                 for (std::size_t j = 0; j < i; ++j, ++pairs)
                     sum += misfit(pattern, node_distance(pattern, 24), places[i], places[j]);
         }
-        // For random positions the mean would be 1/4.
+        // For random positions, the mean would be 1/4.
         EXPECT_LT(sum / pairs, 0.06) << name_of(pattern);
         auto const snapped = arrange({}, { .pattern = pattern, .count = 24 }, { .seed = 1 }).places;
         for (auto const& place : snapped) {
@@ -153,8 +154,8 @@ TEST(SilhouetteArrangement, PatternsComeOut)
     }
 }
 
-// Whorls of five as well as the search finds them: neighbours at a node are a fifth of a turn
-// apart.
+// Whorls of five must be found as well as by the search: neighbours at a node must be a fifth of a
+// turn apart.
 TEST(SilhouetteArrangement, WhorlsHaveTheirBranches)
 {
     constexpr int kWhorl = 5;
@@ -165,7 +166,8 @@ TEST(SilhouetteArrangement, WhorlsHaveTheirBranches)
         thetas_at[static_cast<int>(place.u / node_distance(pattern, 25))].push_back(
             place.theta_deg);
     EXPECT_EQ(thetas_at.size(), 5u);
-    double of_gap = 0; // Sum of the deviations of angles between branches from whole intervals.
+    // Sum of the deviations of the angles between branches from multiples of a fifth of a turn.
+    double of_gap = 0;
     double pairs = 0;
     for (auto& [node, thetas] : thetas_at)
         for (std::size_t i = 0; i < thetas.size(); ++i)
@@ -173,12 +175,12 @@ TEST(SilhouetteArrangement, WhorlsHaveTheirBranches)
                 double const gaps = (thetas[i] - thetas[j]) / (360.0 / kWhorl);
                 of_gap += std::fabs(gaps - std::round(gaps));
             }
-    EXPECT_LT(of_gap / pairs, 0.06); // For random angles the mean would be 1/4.
+    EXPECT_LT(of_gap / pairs, 0.06); // For random angles, the mean would be 1/4.
 }
 
 using Nodes = ArrangementOptions::Nodes;
 
-// Returns the number of branches at each u, from below.
+// Returns the number of branches at each node, from the lowest node up.
 std::vector<std::size_t> sizes_of_nodes(std::vector<Place> const& places)
 {
     std::map<double, std::size_t> at;
@@ -190,8 +192,8 @@ std::vector<std::size_t> sizes_of_nodes(std::vector<Place> const& places)
     return sizes;
 }
 
-// Returns the expected numbers: as many at each node as the pattern has, and the remainder at the
-// last one.
+// Returns the expected number of branches at each node: `whorl`, and the remainder at the last
+// node.
 std::vector<std::size_t> whole_nodes(std::size_t whorl, std::size_t count)
 {
     std::vector<std::size_t> sizes(count / whorl, whorl);
@@ -225,13 +227,13 @@ TEST(SilhouetteArrangement, NoNodeIsTorn)
                 EXPECT_LE(result.cost_after, result.cost_before);
                 EXPECT_LT(mean_misfit(pattern, node_distance(pattern, count), result.places), 0.06);
             }
-    // In older trees, where branches snap, whorls may be incomplete.
+    // In older trees, branches snap to nodes. Whorls may then be incomplete.
     auto const torn = arrange({}, { .pattern = Pattern::Whorls, .count = 24, .nodes = Nodes::Snap },
                               { .seed = 1 });
     EXPECT_NE(sizes_of_nodes(torn.places), whole_nodes(3, 24));
 }
 
-// Branches at an incomplete node must be spread all around.
+// The branches at an incomplete node must be spread all around the parent.
 TEST(SilhouetteArrangement, ALastWhorlIsSpread)
 {
     auto const places
@@ -247,7 +249,7 @@ TEST(SilhouetteArrangement, ALastWhorlIsSpread)
     }
 }
 
-// Branches of a drawing that snap to nodes, and hand-drawn ones that define nodes.
+// Most of the drawn branches snap to nodes. One was drawn by hand, and defines a node.
 TEST(SilhouetteArrangement, WholeWhorlsHaveTheDrawnBranches)
 {
     std::vector<DrawnPlace> drawn;
@@ -275,7 +277,8 @@ TEST(SilhouetteArrangement, WholeWhorlsHaveTheDrawnBranches)
         }
 }
 
-// Older trees must not change: the values are those of the version before complete whorls.
+// Older trees must not change. The expected values were computed by the version before complete
+// whorls.
 TEST(SilhouetteArrangement, SnapsAsItDidAtFirst)
 {
     auto const places
@@ -313,7 +316,7 @@ TEST(SilhouetteArrangement, PatternsHaveWords)
     EXPECT_EQ(describe(Pattern::Even), "even");
 }
 
-// Published radii of a crown that extends 40 to the right and 20 to the left.
+// The crown extends 40 to the right and 20 to the left. Its expected radii are the published ones.
 TEST(SilhouetteSurface, TurnsFromOneHalfToTheOther)
 {
     std::vector<Vec2> const outline { Vec2(0, 0),   Vec2(40, 0),    Vec2(40, 100),

@@ -16,7 +16,7 @@ TEST(SilhouetteBranch, ACurveThatArrivesAsItSetsOutIsStraight)
     EXPECT_NEAR(length_of_cubic(curve, 200), 60, 1e-9);
 }
 
-// Published numbers for a curve with a right angle.
+// The curve contains a right angle. Its expected middle and length are the published ones.
 TEST(SilhouetteBranch, TheMiddleAndTheLengthOfACurveAreKnown)
 {
     Cubic const curve { Vec2(0, 0), Vec2(60, 0), Vec2(0, 30), 30 * direction_of(Vec2(1, 1)) };
@@ -54,7 +54,7 @@ TEST(SilhouetteBranch, AtRightAnglesTheBaseIsAsHighAsTheEnd)
     EXPECT_EQ(branch.side, Side::Right);
 }
 
-// Compares with the shortest branch over all bases, tried one by one.
+// Compares the branch with the shortest branch from any base. All bases are tried, one by one.
 TEST(SilhouetteBranch, NoBaseGivesAShorterBranch)
 {
     auto const trunk = upright_trunk();

@@ -35,12 +35,14 @@ TEST(SilhouetteCoverage, CountsCellsOfAPolygon)
     EXPECT_NEAR(gap.radius, 2.5, 0.3);
 }
 
-// Checks how much of a new crown may be covered when it is added, as the filling law requires.
+// Expects that the crown of each new branch covers at most as much of the existing crowns as the
+// filling law allows.
 void expect_filled_lawfully(BranchingSystem const& system, std::string const& name)
 {
     double const diagonal = box_of(system.outline).diagonal();
     CoverageGrid grid(system.outline);
-    EXPECT_LE(system.branches.size(), 61U) << name; // The limit is 60 branches and the apex.
+    // The limit is 60 branches, in addition to the trunk's apex.
+    EXPECT_LE(system.branches.size(), 61U) << name;
     std::set<std::string> names;
     for (auto const& branch : system.branches) {
         EXPECT_TRUE(is_inside(system.outline, branch.path.curve.base)) << name;
@@ -152,7 +154,7 @@ TEST(SilhouetteSystem, ScribblesDoNotStopIt)
     EXPECT_GT(made, 300);
 }
 
-// Returns the branch of the same origin with the nearest end.
+// Returns the branch with the same origin whose end is nearest to `end`.
 Branch const* nearest_to(BranchingSystem const& system, Vec2 const& end)
 {
     Branch const* nearest = nullptr;
@@ -174,7 +176,8 @@ TEST(SilhouetteSystemCorpus, BranchesAreThoseOfThePublishedOutlines)
         EXPECT_EQ(system.inside.last, expected["trunk_samples_inside"][1]) << name;
         for (auto const& wanted : expected["branch"]) {
             if (name == "circle")
-                continue; // On a circle, the farthest point depends on the samples.
+                // On a circle, the farthest point depends on the positions of the samples.
+                continue;
             auto const* const branch = nearest_to(system, point_in(wanted["end"]));
             ASSERT_TRUE(branch) << name;
             EXPECT_LT((branch->path.curve.end - point_in(wanted["end"])).norm(), close) << name;

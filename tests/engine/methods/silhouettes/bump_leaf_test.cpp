@@ -10,8 +10,8 @@
 namespace tractus::silhouette {
 namespace {
 
-// A leaf drawn where a branch ends is that branch's part of the crown and, if drawn, becomes this
-// branch's outline.
+// A leaf made where a branch ends must be that branch's part of the crown. If it is drawn as an
+// outline, it must become the outline of this branch.
 TEST(BumpLeaf, IsTheBranchsPartOfTheCrown)
 {
     for (auto const& drawing : { lobed_crown(5), lobed_crown(7), star(8, 40, 80) }) {
@@ -41,7 +41,7 @@ TEST(BumpLeaf, IsNowhereElse)
         if (bump.role != Role::Lateral) {
             EXPECT_FALSE(leaf_on_bump(skeleton, bump.end, Search::AnyLevel)) << "the trunk's end";
         }
-    // A leaf's outline has two bumps, in which its midrib begins and ends.
+    // The outline of a leaf has two bumps, in which its midrib begins and ends.
     EXPECT_FALSE(leaf_on_bump(skeleton_of_lines(ellipse(20, 50)), { 3, 4 }, Search::AnyLevel));
 }
 

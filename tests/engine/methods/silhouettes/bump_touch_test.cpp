@@ -13,7 +13,8 @@ namespace {
 using Kind = BumpTouch::Kind;
 using Part = DrawTree::Part;
 
-// Direction of the first lobe of lobed_crown(5), on the right, and the angle between lobes.
+// Direction of the first lobe of lobed_crown(5), which is on the right, and the angle between its
+// lobes.
 constexpr double kFirst_deg = -25;
 constexpr double kStep_deg = 57.5;
 Vec2 lobe(int number)
@@ -36,7 +37,7 @@ BranchingSystem system_of(Drawing const& drawing)
     return system.value_or(BranchingSystem {});
 }
 
-// Returns the number of bump branches that end within a lobe's disc.
+// Returns the number of bump branches that end within the disc of a lobe.
 std::size_t ends_in(BranchingSystem const& system, Vec2 const& middle, double radius = 30)
 {
     return static_cast<std::size_t>(
@@ -70,14 +71,15 @@ TEST(BumpTouch, SplitsABumpWhereTheRayThroughItLeaves)
             halves.push_back(bump);
     ASSERT_EQ(halves.size(), 2u);
     EXPECT_EQ(halves[0].arc.last, halves[1].arc.first);
-    // The lobe is symmetric about the ray from the origin through its middle.
+    // The lobe is symmetric about the ray from the origin through the lobe's middle.
     Vec2 const ray = direction_of(lobe(1));
     EXPECT_LT(std::fabs(cross(ray, after.outline[halves[0].arc.last])), 3) << "a sample's step";
     EXPECT_LT(cross(ray, halves[0].end) * cross(ray, halves[1].end), 0);
     EXPECT_NEAR(halves[0].end.dot(ray), halves[1].end.dot(ray), 3);
     for (auto const& half : halves)
         EXPECT_TRUE(is_inside(after.outline, half.end));
-    // Each half is about a quarter of the lobe's circle, so the circle of its ends is the lobe's.
+    // Each half is about a quarter of the lobe's circle. So the radius of its ends must be that of
+    // the lobe.
     double const radius = 1.12 * 62 * std::sin(radians(kStep_deg) / 2);
     EXPECT_NEAR(halves[0].radius, radius, 0.15 * radius);
 }
@@ -113,7 +115,7 @@ TEST(BumpTouch, JoinsTwoBumpsByTheNotchBetweenThem)
         }
 }
 
-// The result must be equal to the last bit.
+// After a touch and its opposite, the system must be equal to the original, to the last bit.
 TEST(BumpTouch, IsTakenBackByItsOpposite)
 {
     auto const before = system_of(lobed_crown(5));
@@ -186,7 +188,7 @@ TEST(BumpTouch, IsRefusedWhereNoBumpIs)
     EXPECT_NE(added.error().message.find("is a leaf"), std::string::npos);
 }
 
-// Returns a redrawn crown, with waves of up to `most` of the diagonal.
+// Returns the crown as redrawn, displaced by waves of at most `most` of its diagonal.
 std::vector<Vec2> redrawn(std::vector<Vec2> outline, double most, std::uint32_t number)
 {
     Random random({ 77, 1, number });
@@ -232,7 +234,8 @@ protected:
     }
 };
 
-// For 100 redrawn crowns, each within 3 % of the first one, splits, joins and names must stay.
+// For 100 redrawn crowns that differ by at most 3 % from the first one, splits, joins and names of
+// bumps must stay.
 TEST_F(BumpTouchEdits, OutlastACrownThatIsDrawnAnew)
 {
     auto const both = touch(touch(lobed_tree(), Part::Split, lobe(1)), Part::Join, notch_after(3));
@@ -285,7 +288,7 @@ TEST_F(BumpTouchEdits, AreErasedOrTakenBack)
     EXPECT_EQ(again.base->axes.size(), before.base->axes.size());
 }
 
-// The tree must be the one that follows from the same touches without a document, except for names.
+// The tree must be the one that the same touches give without a document, except for names.
 TEST_F(BumpTouchEdits, MakeTheTreeOfTheirLines)
 {
     auto const scene = touch(lobed_tree(), Part::Split, lobe(1));
@@ -294,7 +297,7 @@ TEST_F(BumpTouchEdits, MakeTheTreeOfTheirLines)
     EXPECT_EQ(scene.base->axes.size(), made.plant.axes.size());
 }
 
-// An outline and a stroke on one half of a bump follow the half's name.
+// An outline and a stroke on one half of a bump must follow the name of that half.
 TEST_F(BumpTouchEdits, CarryWhatIsDrawnOnHalves)
 {
     auto scene = touch(lobed_tree(), Part::Split, lobe(1));

@@ -3,7 +3,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// True for outlines whose bumps are half circles.
+// True if the bumps of the named outline are half circles.
 bool is_circular(std::string const& name)
 {
     return name == "circle" || name == "pear";
@@ -22,7 +22,8 @@ TEST(SilhouetteBumps, AStarHasOneForEachSpike)
         ASSERT_EQ(bumps.size(), static_cast<std::size_t>(spikes));
         int apexes = 0;
         for (auto const& bump : bumps) {
-            // The end of a spike is near its tip, and a branch arrives there along the spike.
+            // The end of the spike's branch is near the tip of the spike, and the branch arrives
+            // there along the spike.
             Vec2 const tip = clean.to_sheet.point(bump.tip);
             EXPECT_NEAR(tip.norm(), 99, 2);
             EXPECT_GT(direction_of(clean.to_sheet.vector(bump.tangent)).dot(direction_of(tip)),
@@ -80,8 +81,8 @@ TEST(SilhouetteBumps, TheLongestRunInsideCounts)
     EXPECT_EQ(run->last, 3U);
 }
 
-// Drawings that are moved, rotated and scaled with their trunk must have the same bumps at the
-// transformed positions.
+// A drawing that is moved, rotated and scaled with its trunk must have the same bumps, transformed
+// in the same way.
 TEST(SilhouetteBumps, FollowTheDrawing)
 {
     for (auto const& drawing : { star(8, 45, 100), lobed_crown(9), ellipse(45, 90) }) {
@@ -104,7 +105,7 @@ TEST(SilhouetteBumps, FollowTheDrawing)
     }
 }
 
-// Expects each bump to have a counterpart in the mirrored drawing, within half a percent of the
+// Expects each bump to have a counterpart in the mirrored drawing, to within half a percent of the
 // diagonal.
 void expect_mirrored(Drawing const& drawing, std::string const& name)
 {
@@ -153,7 +154,9 @@ TEST(SilhouetteBumpsCorpus, CountsAndRolesAreThoseOfThePublishedOutlines)
                           < (clean.to_sheet.point(b.end) - end).norm();
                   });
             if (is_circular(name))
-                continue; // On a circle, the position of the end depends on the samples.
+                // On a circle, the position of a bump's end depends on the positions of the
+                // samples.
+                continue;
             EXPECT_LT((clean.to_sheet.point(nearest->end) - end).norm(), close) << name << bump;
             EXPECT_LT((clean.to_sheet.point(nearest->tip) - point_in(bump["tip"])).norm(), close)
                 << name << bump;

@@ -13,7 +13,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// Returns a crown whose right limb has an outline of its own.
+// Returns the drawing of a crown whose right limb has an outline of its own.
 Drawing with_limb()
 {
     auto drawing = lobed_crown(7);
@@ -31,7 +31,7 @@ BranchingSystem const* system_of(Skeleton const& skeleton, std::string const& pa
     return below == kNoSystem ? nullptr : &skeleton.systems[below];
 }
 
-// Returns the last branch of the trunk that fits.
+// Returns the path of the trunk's last branch that fits.
 template<typename Fits> std::string find_branch(Skeleton const& skeleton, Fits const& fits)
 {
     auto const& branches = skeleton.systems[0].branches;
@@ -50,8 +50,8 @@ bool has_copies(Skeleton const& skeleton, Branch const& branch)
     });
 }
 
-// Returns the ends of what branches bear, seen in the drawing's plane, with copies in their own
-// positions.
+// Returns the ends of the branches on a branch as points of the drawing's plane. The branches of a
+// copy are returned in the positions of the copy.
 std::vector<Vec2> ends_on(Skeleton const& skeleton, std::string const& path)
 {
     auto const& branch = skeleton.systems[0].branches[skeleton.at(path)->branch];
@@ -68,7 +68,7 @@ TEST(ChosenStyle, IsTheSourcesOnTheTargetAlone)
     auto drawing = with_limb();
     auto const plain = skeleton_of_lines(drawing);
     auto const source = drawing.own_outlines[0].branch;
-    // A target with copies, which must keep their own style.
+    // The target is a branch that has copies. The copies must keep their own style.
     auto const target = find_branch(plain, [&](Branch const& branch) {
         return !branch.is_refined() && has_copies(plain, branch);
     });
@@ -89,7 +89,7 @@ TEST(ChosenStyle, IsTheSourcesOnTheTargetAlone)
     check_plant(make_tree(styled).plant);
 }
 
-// Sources without drawn branches also have a style; copies can be sources and targets.
+// A branch without drawn branches also has a style. A copy can be a source or a target.
 TEST(ChosenStyle, GoesFromAndToAnyBranch)
 {
     auto drawing = lobed_crown(7);
@@ -111,12 +111,12 @@ TEST(ChosenStyle, GoesFromAndToAnyBranch)
     }
 }
 
-// If all siblings follow one branch, a chosen one can follow another.
+// All siblings follow one branch. A chosen sibling can nevertheless follow another one.
 TEST(ChosenStyle, GoesBeforeThatOfSiblings)
 {
     auto drawing = with_limb();
     Similarity const mirror { .turn = Vec2(-1, 0), .mirrors = true };
-    std::vector<Vec2> smooth; // An outline without lobes, which has few branches.
+    std::vector<Vec2> smooth; // An outline without lobes, in which few branches are inferred.
     for (int i = 0; i < 60; ++i)
         smooth.push_back(mirror.point(
             Vec2(52, -18) + 28 * Vec2(std::cos(i * kPi / 30), 0.8 * std::sin(i * kPi / 30))));
@@ -132,7 +132,8 @@ TEST(ChosenStyle, GoesBeforeThatOfSiblings)
     }
 }
 
-// Distances and positions do not depend on other branches: sources keep their branches.
+// The distances and positions of a style must not depend on other branches: sources keep their own
+// branches.
 TEST(ChosenStyle, IsThereWhereBranchesBearNoOthers)
 {
     auto drawing = with_limb();
@@ -162,7 +163,7 @@ TEST(ChosenStyle, IsCarriedByALine)
         std::vector const line { from, branch.path.curve.at(0.9) };
         auto const carried = copied_by(skeleton, line).value();
         EXPECT_EQ(carried.at(target), source) << target;
-        // The branch must cross exactly the branches that it reports.
+        // The line must cross exactly those branches that are reported.
         for (auto const& other : branches) {
             auto const way = other.path.curve.points(17);
             bool crosses = false;
@@ -262,7 +263,8 @@ TEST_F(ChosenStyleEdits, MakeTheTreeOfTheirChoice)
     EXPECT_FALSE(scene::apply_edit(before, back)) << "it has none";
 }
 
-// A slightly changed crown keeps the chosen styles; one without the branch makes them wait.
+// If the crown changes slightly, chosen styles must stay. If the new crown lacks the branch, they
+// must wait.
 TEST_F(ChosenStyleEdits, StayWithTheirBranches)
 {
     auto const lines = lobed_crown(7);

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-// Lines on crowns of known shape. Millimetres; the trunk is at x = 0.
+// Lines on crowns of known shape, in millimetres. The trunk is at x = 0.
 namespace tractus::silhouette::crown_lines {
 
-// Returns an ellipse at a height, traversed `turns` times.
+// Returns an ellipse with half-axes a and b at the given height, traversed `turns` times.
 inline CrownLine ring(double a, double b, double height, double turns = 1)
 {
     constexpr int kPoints = 200;
@@ -20,7 +20,8 @@ inline CrownLine ring(double a, double b, double height, double turns = 1)
     return line;
 }
 
-// Returns the radius of a cone from 30 to 120 mm, with a radius of 40 mm at its base.
+// Returns the radius of a cone at a height. The cone reaches from 30 to 120 mm and has a radius of
+// 40 mm at its base.
 inline double cone_radius(double height)
 {
     return 40 * (120 - height) / 90;
@@ -40,7 +41,7 @@ inline CrownLine cone_climb(double turns)
     return line;
 }
 
-// Returns an ellipse in a vertical plane.
+// Returns an ellipse in the vertical plane with the given azimuth.
 inline CrownLine side(double azimuth_deg, double half_width, double half_height, double middle)
 {
     constexpr int kPoints = 200;

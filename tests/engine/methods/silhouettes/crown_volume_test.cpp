@@ -10,8 +10,9 @@
 namespace tractus::silhouette {
 namespace {
 
-// Returns a tree with a round crown of this radius, in millimetres on the paper, shown at a tenth
-// of its size. The trunk is upright, and the crown's middle is twice the radius above its foot.
+// Returns a tree with a round crown of the given radius on the sheet, in millimetres. The sheet
+// shows the tree at a tenth of its size. The trunk is vertical, and the crown's middle is twice the
+// radius above the trunk's foot.
 OutlinedTree round_tree(double radius = 40)
 {
     std::vector<Vec2> circle;
@@ -28,7 +29,7 @@ OutlinedTree round_tree(double radius = 40)
 TEST(CrownVolume, IsTheSolidOfRevolutionOfARoundCrown)
 {
     auto const volume = crown_volume(round_tree()).value();
-    // In plant millimetres: a ball of radius 400 with its middle at a height of 800.
+    // In the plant's frame, the crown is a ball with a radius of 400 mm at a height of 800 mm.
     Vec3 const middle(0, 0, 800);
     for (int i = 0; i < 400; ++i) {
         Random random({ .seed = 5, .stream = 0, .substream = static_cast<std::uint32_t>(i) });

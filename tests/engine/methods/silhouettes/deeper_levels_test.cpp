@@ -11,7 +11,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// Returns a twig from the outer half of a branch, on its left.
+// Returns the line of a twig that begins on the outer half of a branch, on its left side.
 std::vector<Vec2> twig_on(Branch const& branch)
 {
     auto const line = resampled_line(branch.line(17), 21);
@@ -19,8 +19,8 @@ std::vector<Vec2> twig_on(Branch const& branch)
     return { line[12], line[12] + 0.5 * turned(way, 0.6), line[12] + turned(way, 0.9) };
 }
 
-// Adds twigs, each on the previous one, beginning at one of the trunk's branches; returns the last
-// one's path.
+// Adds `levels` twigs, each on the previous one. The first is on the trunk's branch `from`. Returns
+// the path of the last twig.
 std::string draw_down(Drawing& drawing, std::string const& from, int levels,
                       StyleScope style_to = StyleScope::None)
 {
@@ -78,7 +78,7 @@ TEST(DeeperLevels, BranchesAreDrawnOnBranchesToAnyLevel)
     }
 }
 
-// In space, twigs must stay in the plane of the drawing, and end where their strokes end.
+// In space, twigs must stay in the plane of the drawing and end where their strokes end.
 TEST(DeeperLevels, StrokesEndWhereTheyWereDrawn)
 {
     auto drawing = lobed_crown(5);
@@ -102,7 +102,7 @@ TEST(DeeperLevels, StrokesEndWhereTheyWereDrawn)
     EXPECT_EQ(found, 1u);
 }
 
-// An outline around a branch that ends in a lobe of another branch's own outline.
+// The outline is drawn around a branch that ends in a lobe of another branch's own outline.
 TEST(DeeperLevels, OutlinesAreDrawnAroundBranchesOfBranches)
 {
     auto drawing = lobed_crown(7);
@@ -116,7 +116,7 @@ TEST(DeeperLevels, OutlinesAreDrawnAroundBranchesOfBranches)
         if (branch.origin != Branch::Origin::Bump)
             continue;
         auto deeper = drawing;
-        std::vector<Vec2> around; // The branch's crown, with lobes.
+        std::vector<Vec2> around; // Crown of the branch, with lobes.
         auto const middle = box_of(branch.crown).middle();
         for (std::size_t i = 0; i < branch.crown.size(); ++i) {
             double const turn
@@ -132,7 +132,7 @@ TEST(DeeperLevels, OutlinesAreDrawnAroundBranchesOfBranches)
         EXPECT_GE(after.branches_on(child), 3u);
         check_plant(make_tree(after).plant);
         ++taken;
-        // In old logs, only the trunk's branches are considered.
+        // In old logs, outlines could only belong to the trunk's branches.
         auto old = drawing;
         auto const on_trunk_alone = add_own_outline(old, around);
         EXPECT_TRUE(!on_trunk_alone
@@ -168,7 +168,7 @@ TEST(DeeperLevels, AStyleGoesToSiblingsThere)
     check_plant(make_tree(styled).plant);
 }
 
-// Branches on the branches that follow the example must follow it, too.
+// Branches of a branch that follows the example must follow it, too.
 TEST(DeeperLevels, AStyleGoesDown)
 {
     auto drawing = lobed_crown(7);
@@ -191,8 +191,8 @@ TEST(DeeperLevels, AStyleGoesDown)
     auto const skeleton = skeleton_of_lines(drawing, options);
     auto const source = skeleton.at(drawing.own_outlines[0].branch).value();
     auto const own = seen_on(skeleton.systems[skeleton.system_of[source.system][source.branch]]);
-    // On the third level, the first branches must be at the source's share of their parents'
-    // lengths.
+    // On the third level, the position of the first branches, as a share of their parents' lengths,
+    // must be the same as for the source.
     double first = 0;
     double angle_deg = 0;
     double count = 0;
@@ -255,7 +255,8 @@ protected:
         return *outlined_tree(*scene.drawn);
     }
 
-    // Returns a limb with an outline, a twig on one of its branches, and a twig on that.
+    // Returns a scene with an outlined limb, a twig on a branch of the limb, and a twig on that
+    // twig.
     static scene::Scene three_levels()
     {
         auto const lines = lobed_crown(7);
@@ -299,8 +300,8 @@ TEST_F(DeeperEdits, StayWithTheirParents)
               before.base->node_position_mm);
 }
 
-// Without the limb the twigs wait, and without the first twig the second one does; a crown with the
-// limb restores all of them.
+// If a new crown lacks the limb, the twigs must wait. If the first twig is erased, the second must
+// wait. A crown with the limb must restore both twigs.
 TEST_F(DeeperEdits, WaitForTheirParents)
 {
     auto const lines = lobed_crown(7);

@@ -34,7 +34,7 @@ double reach(CrownSurface const& surface, double theta_deg, double height)
     return reach.value_or(-1);
 }
 
-// Returns the distance from the centre of an ellipse to its edge.
+// Returns the distance from the centre of an ellipse to its edge, in the direction theta.
 double radius_of_ellipse(double a, double b, double theta_deg)
 {
     return a * b / std::hypot(b * std::cos(radians(theta_deg)), a * std::sin(radians(theta_deg)));
@@ -57,10 +57,10 @@ TEST(CrownLine, IsKnownByItsShape)
 {
     EXPECT_EQ(kind_of(ring(40, 25, 60)).value(), CrownLineKind::Ring);
     EXPECT_EQ(kind_of(ring(40, 6, 60)).value(), CrownLineKind::Ring);
-    // A ring that is not quite closed.
+    // A line that is not quite closed is also a ring.
     EXPECT_EQ(kind_of(ring(40, 40, 60, 0.85)).value(), CrownLineKind::Ring);
     EXPECT_EQ(kind_of(ring(40, 40, 60, 1.2)).value(),
-              CrownLineKind::Ring); // A ring that continues beyond its beginning.
+              CrownLineKind::Ring); // A line that continues beyond its beginning is also a ring.
     EXPECT_EQ(kind_of(cone_climb(4)).value(), CrownLineKind::Climb);
     EXPECT_EQ(kind_of(cone_climb(1.4)).value(), CrownLineKind::Climb);
     for (double const azimuth : { 0.0, 35.0, 90.0, 150.0 }) {
@@ -83,7 +83,7 @@ TEST(CrownLine, TakesThePlaceOfOneThatLiesWhereItDoes)
     EXPECT_FALSE(takes_place_of(side(90, 30, 50, 80), side(75, 30, 50, 80)));
 }
 
-// Closed form: at each height between the rings, the section is an ellipse.
+// At each height between the rings, the section must be the given ellipse.
 TEST(DrawnSurface, RingsOfAnEllipseGiveItBack)
 {
     for (auto const& [a, b] : { std::pair(40.0, 25.0), std::pair(20.0, 60.0) }) {
@@ -100,7 +100,7 @@ TEST(DrawnSurface, RingsOfAnEllipseGiveItBack)
     }
 }
 
-// A ball is determined by rings alone, and closes above and below them.
+// Rings alone must give back the ellipsoid, including its closed top and bottom.
 TEST(DrawnSurface, RingsOfAnEllipsoidCloseAsItDoes)
 {
     std::vector<CrownLine> rings;
@@ -128,7 +128,7 @@ TEST(DrawnSurface, AClimbOnAConeGivesTheCone)
     EXPECT_NEAR(surface.heights(90).y(), 120, 2);
 }
 
-// A second outline, seen from the side, gives the other half-axis of the ellipses.
+// The second outline is seen from the side. It gives the other half-axis of the elliptic sections.
 TEST(DrawnSurface, TwoOutlinesGiveTheEllipsesBetweenThem)
 {
     auto const surface = surface_of({ side(0, 40, 50, 80), side(90, 25, 50, 80) });
@@ -140,7 +140,8 @@ TEST(DrawnSurface, TwoOutlinesGiveTheEllipsesBetweenThem)
         }
 }
 
-// The sheet's outline determines the surface in the sheet, rings determine it across.
+// In the sheet, the outline must determine the surface; across the sheet, the rings must determine
+// it.
 TEST(DrawnSurface, AnOutlineCountsInItsPlaneWhereRingsDisagree)
 {
     auto drawing = ellipse(40, 50);
@@ -188,11 +189,12 @@ TEST(DrawnSurface, RefusesLinesBesideTheTrunk)
     EXPECT_NE(refused_lines({ outline }, drawing).find("beside the trunk"), std::string::npos);
 }
 
-// Positions of the trunk's branches and of foliage, relative to the surface's reach there.
+// How far the trunk's branches and the foliage reach, as shares of the surface's radius in the same
+// direction.
 struct Reaches {
     double farthest = 0;
-    double on_average = 0; // Mean over the branches' ends.
-    double outside = 0;    // Share of the twigs whose positions are outside.
+    double on_average = 0; // Mean reach of the branches' ends.
+    double outside = 0;    // Share of the twigs whose positions are outside of the surface.
 };
 
 Reaches reaches_of(Drawing const& drawing)
@@ -242,7 +244,7 @@ TEST(DrawnSurface, BranchesAndFoliageFollowIt)
     }
 }
 
-// For a round crown, rings say the same as the outline.
+// Rings around a round crown must give the same tree as its outline alone.
 TEST(DrawnSurface, RingsOfACircleGiveTheTreeOfTheRevolution)
 {
     auto const outlined = ellipse(40, 50);
@@ -253,7 +255,7 @@ TEST(DrawnSurface, RingsOfACircleGiveTheTreeOfTheRevolution)
     ASSERT_TRUE(add_surface(ringed, rings, {}));
     auto const one = make_tree(infer_skeleton(outlined).value());
     auto const other = make_tree(infer_skeleton(ringed).value());
-    // The trunk's branches must be the same, with the same ends.
+    // The trunk's branches must be the same, and have the same ends.
     std::map<std::string, Vec3> ends;
     auto const end_of = [](Tree const& tree, std::size_t axis) {
         auto const& one_axis = tree.plant.axes[axis];

@@ -29,7 +29,8 @@ void expect_same(BranchingSystem const& one, BranchingSystem const& other)
     }
 }
 
-// Expects the stored inference of a tree to equal that from its lines and names, to the last bit.
+// Expects the stored inference of a tree to be equal, to the last bit, to a new inference from its
+// lines and names.
 void expect_known(scene::Scene const& scene)
 {
     auto const& tree = drawing(scene);
@@ -47,7 +48,7 @@ void expect_known(scene::Scene const& scene)
     }
 }
 
-// Redraws the crown, slightly rotated and larger.
+// Redraws the crown, slightly rotated and scaled.
 scene::Scene crown_again(scene::Scene const& before, double size, double turn)
 {
     Similarity const way { .turn = size * Vec2(std::cos(turn), std::sin(turn)) };
@@ -90,7 +91,7 @@ TEST(InferredTrees, KnowATreeWithLinesOnItsBranches)
     }
 }
 
-// Lines that move to other branches with the crown must be inferred again.
+// If the redrawn crown moves lines to other branches, the tree must be inferred again.
 TEST(InferredTrees, BuildWhatTheLinesSayWhereTheyHaveGoneElsewhere)
 {
     auto const outlined
@@ -101,7 +102,7 @@ TEST(InferredTrees, BuildWhatTheLinesSayWhereTheyHaveGoneElsewhere)
     auto const again = crown_again(narrow, 1, 0);
     EXPECT_NE(drawing(again).own_outlines[0].branch, path);
     EXPECT_EQ(count_without_effect(drawing(again)).value(), 0u);
-    expect_known(again); // The inference must not have changed since it was built.
+    expect_known(again); // The stored inference must not have changed since the tree was built.
 }
 
 TEST(InferredTrees, AreThoseOfTheNewestTwoVersions)
@@ -121,7 +122,7 @@ TEST(InferredTrees, AreThoseOfTheNewestTwoVersions)
     EXPECT_FALSE(inferred.find(other));
 }
 
-// A crown that is a leaf has no branches, but keeps their names for later.
+// A crown that is a leaf has no branches, but must keep their names for later.
 TEST(InferredTrees, SayNothingOfALeaf)
 {
     auto const before = crown_again(lobed_tree(), 1.02, 0);
@@ -134,7 +135,8 @@ TEST(InferredTrees, SayNothingOfALeaf)
     EXPECT_EQ(again.base->node_position_mm, before.base->node_position_mm);
 }
 
-// Plants of a collection must not evict the stored inference of the drawn plant.
+// Building other individuals for a collection must not replace the stored inference of the drawn
+// plant.
 TEST(InferredTrees, AreNotOfAnotherChance)
 {
     auto const scene = lobed_tree();

@@ -14,8 +14,8 @@ namespace {
 
 using Part = DrawTree::Part;
 
-// Returns an outline around the end of the branch in the oak's right lobe, longer than wide, with a
-// point.
+// Returns the outline of a leaf around the end of the branch in the right lobe of the oak. The
+// outline is longer than wide and has a point.
 std::vector<Vec2> leaf_outline()
 {
     std::vector<Vec2> outline;
@@ -44,7 +44,7 @@ Tree tree_of(Drawing const& drawing)
     return tree;
 }
 
-// Returns the organs that are drawn leaves.
+// Returns the organs of a plant that are drawn leaves.
 std::vector<Organ> leaves_of(Plant const& plant)
 {
     std::vector<Organ> leaves;
@@ -54,7 +54,7 @@ std::vector<Organ> leaves_of(Plant const& plant)
     return leaves;
 }
 
-// Returns a leaf's corners in the plant.
+// Returns the corners of a leaf in the plant's frame.
 std::vector<Vec3> corners_of(Plant const& plant, Organ const& organ)
 {
     std::vector<Vec3> corners;
@@ -66,7 +66,8 @@ std::vector<Vec3> corners_of(Plant const& plant, Organ const& organ)
     return corners;
 }
 
-// The tree must be one organ on a petiole, at the line's position and size, and nothing else.
+// The tree must consist only of one leaf on a petiole, which has the position and size of the drawn
+// outline.
 TEST(LeafBlade, OfACrownIsTheWholeTree)
 {
     auto drawing = ellipse(30, 50);
@@ -79,8 +80,8 @@ TEST(LeafBlade, OfACrownIsTheWholeTree)
     EXPECT_EQ(tree.plant.organs.size(), 1u);
     EXPECT_EQ(tree.leaves, 1u);
     EXPECT_EQ(tree.sprays, 0u);
-    // The leaf is drawn 100 mm high on a stem that begins 10 mm below; one millimetre becomes one
-    // metre.
+    // The leaf is drawn 100 mm high, on a stem that begins 10 mm below it. One millimetre of the
+    // drawing becomes one metre.
     Vec2 const foot = drawing.trunk.front();
     for (auto const& corner : corners_of(tree.plant, tree.plant.organs[0])) {
         EXPECT_NEAR(corner.y(), 0, 1e-3);
@@ -112,8 +113,8 @@ TEST(LeafBlade, OfABranchEndsTheRecursionThere)
     auto const leaves = leaves_of(tree.plant);
     ASSERT_GE(leaves.size(), 1u);
     EXPECT_LT(leaves.size(), tree.plant.axes.size() / 10);
-    // One of the leaves must be where the line is, except for its branch's rotation about the
-    // trunk.
+    // One of the leaves must be where its outline was drawn, except that its branch is rotated
+    // about the trunk.
     double nearest = 1e9;
     for (auto const& leaf : leaves) {
         double farthest = 0;
@@ -127,8 +128,7 @@ TEST(LeafBlade, OfABranchEndsTheRecursionThere)
     EXPECT_LT(nearest, 2.5) << "millimetres of the drawing";
 }
 
-// All branches without a drawing of their own must end in copies of the drawn leaf, and there are
-// no twigs.
+// All branches without a drawing of their own must end in copies of the drawn leaf, without twigs.
 TEST(LeafBlade, GoesToSiblings)
 {
     auto const drawing = crown_with_leaf(StyleScope::Siblings);
@@ -165,8 +165,8 @@ TEST(LeafBlade, GoesToSiblings)
     EXPECT_EQ(shapes.size(), 1u) << "one organ, many times";
 }
 
-// If a leaf is drawn on a limb, the limb's other branches must become leaves, and limbs that follow
-// the limb's style must bear leaves, too.
+// A leaf is drawn on a branch of a limb. The limb's other branches must then become leaves. Limbs
+// that follow the limb's style must also have leaves.
 TEST(LeafBlade, GoesDownWithAStyle)
 {
     auto drawing = lobed_crown(5);
@@ -189,7 +189,7 @@ TEST(LeafBlade, GoesDownWithAStyle)
     EXPECT_GE(bearing, 5u);
     auto const tree = tree_of(drawing);
     EXPECT_GT(leaves_of(tree.plant).size(), 50u);
-    // Only branches whose crowns are too small for any style bear twigs.
+    // Only branches whose crowns are too small for a style have twigs.
     std::set<SegmentId> bearing_twigs;
     for (auto const& organ : tree.plant.organs)
         if (!tree.plant.organ_shapes[organ.shape].cut)
@@ -216,7 +216,7 @@ TEST(LeafBlade, IsAStyleThatIsCarried)
     EXPECT_NE(refused.error().message.find("is a leaf as it was drawn"), std::string::npos);
 }
 
-// The leaves of a species replace the drawn leaf, with its length.
+// The leaves of a species must replace the drawn leaf, and have its length.
 TEST(LeafBlade, WearsGrownLeaves)
 {
     auto const plant = tree_of(crown_with_leaf(StyleScope::Siblings)).plant;
@@ -267,7 +267,7 @@ TEST_F(LeafEdits, DeclareAnOutlineALeafAndTakeItBack)
     EXPECT_NE(none.error().message.find("no such outline"), std::string::npos);
 }
 
-// An outline stays a leaf if it, or the crown, is redrawn.
+// An outline that is a leaf must stay one if the outline or the crown is redrawn.
 TEST_F(LeafEdits, OutlastLinesThatAreDrawnAnew)
 {
     auto const leaf = draw_on(
@@ -288,7 +288,7 @@ TEST_F(LeafEdits, OutlastLinesThatAreDrawnAnew)
     EXPECT_EQ(count_without_effect(drawing(redrawn)).value(), 0u);
 }
 
-// Branches drawn on a branch wait while that is a leaf.
+// Branches that were drawn on a branch must wait while that branch is a leaf.
 TEST_F(LeafEdits, LetBranchesOnThemWait)
 {
     auto const outlined

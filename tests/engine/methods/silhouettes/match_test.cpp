@@ -5,7 +5,8 @@
 namespace tractus::silhouette {
 namespace {
 
-// Returns the crown with its outline displaced by smooth waves, by at most 3 % of the crown.
+// Returns the crown as redrawn: its outline is displaced by smooth waves of at most 3 % of the
+// crown's size.
 Drawing redrawn(Drawing drawing, std::uint32_t number)
 {
     Random random({ 20, 3, number });
@@ -22,8 +23,8 @@ Drawing redrawn(Drawing drawing, std::uint32_t number)
     return drawing;
 }
 
-// Counts strokes that stay on their branches, for ten crowns with twenty strokes each and ten
-// changes of the outline.
+// Counts the strokes that stay on their branches: for ten crowns with twenty strokes each, and ten
+// changes of each outline.
 TEST(SilhouetteMatch, StrokesStayOnTheirBranches)
 {
     int strokes = 0;
@@ -42,7 +43,8 @@ TEST(SilhouetteMatch, StrokesStayOnTheirBranches)
                 ++kept;
                 auto const& branch
                     = later.branches[static_cast<std::size_t>(found - partners.begin())];
-                // Both branches must be in the same lobe: within half of the crown's diagonal.
+                // The old and the new branch must be in the same lobe: their ends are at most half
+                // of the crown's diagonal apart.
                 EXPECT_LT((branch.path.curve.end - earlier.branches[i].path.curve.end).norm(),
                           box_of(earlier.branches[i].crown).diagonal() / 2);
             }

@@ -11,15 +11,15 @@
 namespace tractus::silhouette {
 namespace {
 
-// A branch of a manually constructed plant.
+// A branch of a plant that the test builds itself.
 struct Twig {
-    int node = 0; // Node of the trunk.
+    int node = 0; // Index of the trunk's node with the branch.
     double angle_deg = 60;
     double azimuth_deg = 0;
     double length_mm = 100;
 };
 
-// Returns a vertical trunk of segments of 10 mm, with branches of one segment.
+// Returns a vertical trunk with segments of 10 mm, and with branches of one segment.
 Plant plant_of(int segments, std::vector<Twig> const& twigs)
 {
     Plant plant;
@@ -90,7 +90,8 @@ TEST(SilhouetteStyle, HasWhatAPlantHas)
     EXPECT_NEAR(level.lengths[2], 0.15, 1e-9);
 }
 
-// Measures nodes with `size` branches each that are rotated from node to node.
+// Returns the measured pattern of nodes with `size` branches each. From node to node, the branches
+// are rotated by `turn_deg`.
 Pattern pattern_of_nodes(int size, double turn_deg)
 {
     std::vector<Twig> twigs;
@@ -152,7 +153,7 @@ Plant tree_of(Drawing const& drawing, TreeForm const& form)
     return make_tree(*skeleton, tree_options(form, 8000)).plant;
 }
 
-// Expects numbers of children, distances and angles of a level.
+// Expects similar numbers of children, distances and angles on a level of two styles.
 void expect_near(MeasuredLevel const& given, MeasuredLevel const& wanted, std::string const& what)
 {
     constexpr double kNear = 0.1;
@@ -165,7 +166,8 @@ void expect_near(MeasuredLevel const& given, MeasuredLevel const& wanted, std::s
     expect(given.mean_angle_deg, wanted.mean_angle_deg, "angle");
 }
 
-// Builds a tree, measures it, applies its style to the same outline with other seeds, and compares.
+// Builds a tree, measures its style, applies the style to the same outline with other seeds, and
+// compares the styles.
 void expect_style_again(Drawing const& drawing, int levels, std::string const& name)
 {
     TreeForm usual;
@@ -230,7 +232,7 @@ Plant grown(std::string const& name)
     return scene ? *scene->base : Plant();
 }
 
-// The crown reaches down to the trunk's base, so there is room for a style with low branches.
+// The crown reaches down to the base of the trunk, so there is room for a style with low branches.
 TEST(SilhouetteStyle, GoesFromModelsToAnOutline)
 {
     auto drawing = ellipse(40, 80);
@@ -247,7 +249,7 @@ TEST(SilhouetteStyle, GoesFromModelsToAnOutline)
     }
 }
 
-// Drawn branches stay in their places, even if the style has fewer.
+// Drawn branches must stay in their places, even if the style has fewer branches.
 TEST(SilhouetteStyle, KeepsWhatWasDrawn)
 {
     auto drawing = lobed_crown(5);

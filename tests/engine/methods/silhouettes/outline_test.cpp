@@ -34,7 +34,7 @@ TEST(SilhouetteOutline, PutsThePlaceBackOnTheSheet)
 TEST(SilhouetteOutline, ClosesASmallGapAndRefusesAWideOne)
 {
     auto drawing = ellipse(60, 60);
-    drawing.outline[0].resize(165); // The gap is 0.19 of the drawn length.
+    drawing.outline[0].resize(165); // The gap in the outline is 0.19 of the drawn length.
     EXPECT_EQ(cleaned(drawing).outline.size(), 256U);
     drawing.outline[0].resize(120);
     EXPECT_EQ(refusal(drawing), "the outline is open: end it near its beginning");
@@ -43,7 +43,7 @@ TEST(SilhouetteOutline, ClosesASmallGapAndRefusesAWideOne)
 TEST(SilhouetteOutline, CutsOffWhatSticksOutAtTheEnds)
 {
     Drawing drawing { { {} }, upright(-80, 40) };
-    for (int i = -6; i <= 206; ++i) // A spiral beyond its beginning.
+    for (int i = -6; i <= 206; ++i) // The line is a spiral that continues beyond its beginning.
         drawing.outline[0].push_back((60 + 0.05 * i)
                                      * Vec2(std::cos(i * kPi / 100), std::sin(i * kPi / 100)));
     drawing.outline[0].insert(drawing.outline[0].begin(), Vec2(90, -30));

@@ -21,7 +21,7 @@
 
 namespace tractus::silhouette {
 
-// Returns a stroke drawn at 200 Hz with the surface at 140 mm.
+// Returns a stroke through points, drawn with 200 samples a second and with the surface at 140 mm.
 inline Stroke stroke_of(std::vector<Vec2> const& points)
 {
     Stroke stroke;
@@ -33,8 +33,8 @@ inline Stroke stroke_of(std::vector<Vec2> const& points)
     return stroke;
 }
 
-// Returns the document after an edit that draws on its active plant, or on a new plant if there is
-// none.
+// Returns the scene after an edit that draws on its active plant, or on a new plant if no plant is
+// active.
 inline scene::Scene draw_on(scene::Scene const& before, DrawTree edit)
 {
     edit.plant = before.state.active;
@@ -68,8 +68,8 @@ inline Drawing ellipse(double half_width_mm, double half_height_mm)
     return drawing;
 }
 
-// Returns the outline of overlapping discs (x, y, radius) around the origin, sampled along rays
-// from it.
+// Returns the outline of overlapping discs (x, y, radius) around the origin. Its points lie on rays
+// from the origin.
 inline std::vector<Vec2> union_of_discs(std::vector<Vec3> const& discs, int points)
 {
     std::vector<Vec2> outline;
@@ -89,7 +89,7 @@ inline std::vector<Vec2> union_of_discs(std::vector<Vec3> const& discs, int poin
     return outline;
 }
 
-// Returns a crown with a smooth bottom and with lobes from its right over its top to its left.
+// Returns a crown with a smooth bottom. Lobes lead from its right over its top to its left.
 inline Drawing lobed_crown(int lobes, double first_deg = -25, double last_deg = 205)
 {
     std::vector<Vec3> discs { Vec3(0, 0, 60) };
@@ -112,7 +112,7 @@ inline scene::Scene lobed_tree()
                    { .part = DrawTree::Part::Outline, .stroke = stroke_of(drawing.outline[0]) });
 }
 
-// Returns a closed line through random points, which crosses itself.
+// Returns a drawing whose outline is a closed line through random points, which crosses itself.
 inline Drawing scribble(std::uint32_t number)
 {
     Random random({ 20, 1, number });
@@ -145,7 +145,7 @@ inline std::string refusal(Drawing const& drawing)
     return result ? "it is taken" : result.error().message;
 }
 
-// An outline in the corpus.
+// An outline of the corpus of published drawings.
 struct Published {
     std::string name;
     Drawing drawing;
@@ -183,7 +183,7 @@ inline std::vector<Published> published_outlines()
     return result;
 }
 
-// Returns the bumps of a drawing, in its frame.
+// Returns the bumps of a drawing, in the frame of the drawing.
 inline std::vector<Bump> bumps_of(CleanDrawing const& clean)
 {
     auto bumps = find_bumps(ChordalAxis(clean.outline));

@@ -41,7 +41,7 @@ protected:
         return { from, from + 0.5 * turned(way, 0.6), from + turned(way, 0.9) };
     }
 
-    // Returns the bump branch whose end is nearest to a point.
+    // Returns the index of the bump branch whose end is nearest to `end`.
     static std::size_t nearest_bump(BranchingSystem const& system, Vec2 const& end)
     {
         std::size_t nearest = 0;
@@ -57,7 +57,7 @@ protected:
         return nearest;
     }
 
-    // Returns the scene with a line on each bump branch.
+    // Returns the scene after a line is drawn on each bump branch.
     static scene::Scene twigs_on(scene::Scene scene)
     {
         auto const system = on_trunk(scene);
@@ -87,8 +87,8 @@ TEST_F(OwnBranchEdits, MakeTheTreeOfTheirLines)
     EXPECT_FALSE(scene::apply_edit(before, erase)) << "there is none";
 }
 
-// When the crown is redrawn slightly differently, a line's parent branch is identified by the place
-// where the parent ends.
+// If the crown is redrawn slightly differently, the parent branch of a line must be found again by
+// the place where it ends.
 TEST_F(OwnBranchEdits, StayWithTheirParents)
 {
     std::size_t drawn = 0;
@@ -119,7 +119,7 @@ TEST_F(OwnBranchEdits, StayWithTheirParents)
     EXPECT_GE(static_cast<double>(kept), 0.95 * static_cast<double>(drawn));
 }
 
-// Branches whose parent is gone wait; a crown that has the parent again restores them.
+// A branch whose parent is missing must wait. A crown that has the parent again must restore it.
 TEST_F(OwnBranchEdits, WaitForTheirParents)
 {
     auto const before = twigs_on(tree(lobed_crown(5)));

@@ -17,8 +17,8 @@ Skeleton refined(Drawing const& drawing, SkeletonOptions const& options = {})
     return result ? *std::move(result) : Skeleton();
 }
 
-// Returns a curved line from a position on a branch to its left, with a share of the branch's
-// length.
+// Returns a curved line that begins at `place` on a branch and leads to its left. Its length is a
+// share of the branch's length.
 std::vector<Vec2> twig_on(Branch const& branch, double place, double share = 0.35)
 {
     auto const& curve = branch.path.curve;
@@ -75,7 +75,8 @@ TEST(OwnBranch, IsOfTheBranchThatItBeginsOn)
     EXPECT_NE(answer.error().message.find("begins on none"), std::string::npos);
 }
 
-// In the skeleton and in the plant, every node must lie on the stroke, in the drawing's plane.
+// In the skeleton and in the plant, every node of the branch must lie on the stroke, in the plane
+// of the drawing.
 TEST(OwnBranch, RunsAsItWasDrawn)
 {
     auto const drawing = lobed_crown(5);
@@ -110,12 +111,12 @@ TEST(OwnBranch, RunsAsItWasDrawn)
     EXPECT_EQ(found, 1);
 }
 
-// All other branches of the tree must stay; of the parent's, one that ended in the same bump is
-// replaced.
+// All other branches of the tree must stay. Of the parent's branches, one that ended in the same
+// bump must be replaced.
 TEST(OwnBranch, TakesThePlaceOfTheOneThatEndsThere)
 {
     auto drawing = lobed_crown(7);
-    std::vector<Vec2> limb; // An outline with bumps of its own.
+    std::vector<Vec2> limb; // An outline of the parent, with bumps of its own.
     for (int i = 0; i < 160; ++i) {
         double const angle = i * kPi / 80;
         double const r = 30 * (1 + 0.25 * std::fabs(std::sin(3.5 * angle)));
@@ -144,7 +145,7 @@ TEST(OwnBranch, TakesThePlaceOfTheOneThatEndsThere)
         EXPECT_EQ(after.systems[0].branches[i].crown, before.systems[0].branches[i].crown);
 }
 
-// If branches bear no others, a parent bears only what was drawn on it.
+// If a style gives branches no branches, a parent must have only those drawn on it.
 TEST(OwnBranch, StandsWhereNoOthersDo)
 {
     auto const drawing = lobed_crown(5);
@@ -160,7 +161,7 @@ TEST(OwnBranch, StandsWhereNoOthersDo)
     EXPECT_EQ(refined(waiting).branch_count(), refined(drawing).branch_count());
 }
 
-// A mirrored, moved or rotated drawing must give the transformed branch.
+// If the drawing is mirrored, moved or rotated, its branch must be transformed in the same way.
 TEST(OwnBranch, GoesWithItsDrawing)
 {
     auto const drawing = lobed_crown(7);

@@ -24,7 +24,7 @@ protected:
         return points;
     }
 
-    // Return outlines around the lobes at the crown's right and left.
+    // Outlines around the lobes on the right and on the left of the crown.
     static std::vector<Vec2> right_lobe() { return disc({ 52, -20 }, 30); }
     static std::vector<Vec2> left_lobe() { return disc({ -52, -20 }, 30); }
 
@@ -38,7 +38,7 @@ protected:
         return *outlined_tree(*scene.drawn);
     }
 
-    // Returns the names of the branches with outlines of their own.
+    // Returns the names of the branches that have outlines of their own.
     static std::vector<std::string> outlined(scene::Scene const& scene)
     {
         std::vector<std::string> names;
@@ -51,7 +51,7 @@ protected:
     }
 };
 
-// The tree must be the one that follows from the same lines without a document.
+// The tree must be the one that the same lines give without a document.
 TEST_F(OwnOutlineEdits, MakeTheTreeOfItsLines)
 {
     auto const scene = draw(lobed_tree(), Part::OwnOutline, right_lobe());
@@ -103,7 +103,8 @@ TEST_F(OwnOutlineEdits, StayWithTheirBranchWhereTheCrownIsDrawnAnew)
     EXPECT_EQ(outlined(formed), std::vector { name });
 }
 
-// Without that lobe, the outline waits; a crown that has the lobe again restores it to its branch.
+// If a new crown lacks the lobe, the outline must wait. A crown with the lobe must restore it to
+// its branch.
 TEST_F(OwnOutlineEdits, WaitForTheirBranch)
 {
     auto const before = draw(lobed_tree(), Part::OwnOutline, right_lobe());
@@ -117,7 +118,7 @@ TEST_F(OwnOutlineEdits, WaitForTheirBranch)
     EXPECT_EQ(outlined(draw(bare, Part::Outline, lobed_crown(5).outline[0])).size(), 1U);
 }
 
-// Strokes on branches that were not redrawn must stay.
+// Strokes on other branches must keep their branches.
 TEST_F(OwnOutlineEdits, LeaveTheNamesOfOtherBranches)
 {
     auto const before = lobed_tree();

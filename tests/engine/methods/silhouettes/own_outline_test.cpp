@@ -10,7 +10,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// Returns an ellipse around the outer part of a branch, with a number of lobes.
+// Returns an ellipse around the outer part of a branch, with the given number of lobes.
 std::vector<Vec2> lobe_around(Branch const& branch, int lobes, double size = 1)
 {
     auto const& curve = branch.path.curve;
@@ -82,7 +82,8 @@ TEST(OwnOutline, IsNotOneOfTheWholeCrown)
     EXPECT_FALSE(branch_in(system, {}));
 }
 
-// The drawn outline determines its branches, by the same inference; all other branches stay.
+// The branches in the drawn outline must be inferred from it, in the same way as for a crown. All
+// other branches must stay.
 TEST(OwnOutline, TakesTheInferredOnesPlace)
 {
     auto const drawing = lobed_crown(5);
@@ -128,8 +129,8 @@ TEST(OwnOutline, AnotherOneReplacesIt)
     EXPECT_EQ(with_part(second, lobe_around(other, 3)).own_outlines.size(), 2U);
 }
 
-// Returns the share of an outline that is covered by a branch's leaves, seen from the drawing's
-// side.
+// Returns the share of an outline that the leaves of a branch cover, seen from the side of the
+// drawing.
 double filled(Skeleton const& skeleton, std::string const& branch, std::vector<Vec2> const& outline)
 {
     auto const tree = make_tree(skeleton);
@@ -171,7 +172,8 @@ TEST(OwnOutline, IsFilledWithLeaves)
     }
 }
 
-// Copies have its shape, are not larger than they were, and lie within the crown.
+// The copies of the branch must have its new shape. They must not be larger than before, and must
+// lie within the crown.
 TEST(OwnOutline, ItsCopiesFollow)
 {
     auto const drawing = lobed_crown(7);
@@ -200,7 +202,8 @@ TEST(OwnOutline, ItsCopiesFollow)
     EXPECT_GE(copies, 1);
 }
 
-// A branch that fills an empty space then has an outline of its own, and is no longer a copy.
+// If an outline is drawn for a branch that was copied to fill an empty space, the branch must no
+// longer be a copy.
 TEST(OwnOutline, MakesACopyABranchOfItsOwn)
 {
     auto const drawing = lobed_crown(7);
@@ -252,8 +255,9 @@ TEST(OwnOutline, AMovedAndTurnedDrawingHasTheMovedOne)
     }
 }
 
-// Returns an upper bound of the lost coverage of the crown: the part of a branch's inferred crown
-// outside its outline, and the loss of its copies that follow.
+// Returns an upper bound of the coverage that the crown loses, as a share of its area. The sum
+// consists of the part of each branch's inferred crown outside its new outline, and of the crowns
+// of its copies.
 double most_lost(BranchingSystem const& before, std::vector<OwnOutline> const& outlines)
 {
     double lost = 0;
@@ -286,7 +290,7 @@ TEST(OwnOutline, RandomOnesMakePlants)
         }
         auto const skeleton = grown(drawing);
         check_plant(make_tree(skeleton).plant);
-        constexpr double kCells = 0.02; // Tolerance for counting in cells.
+        constexpr double kCells = 0.02; // Tolerance, since areas are counted in cells.
         EXPECT_GE(skeleton.systems[0].coverage_after,
                   before.coverage_after - most_lost(before, drawing.own_outlines) - kCells)
             << number;
@@ -294,7 +298,7 @@ TEST(OwnOutline, RandomOnesMakePlants)
     EXPECT_GE(taken, 60);
 }
 
-// Lines without a meaning there must be refused, and change nothing.
+// Lines that have no meaning where they are drawn must be refused, and must not change anything.
 TEST(OwnOutline, SaysWhatIsWrong)
 {
     auto const drawing = lobed_crown(5);

@@ -11,7 +11,7 @@
 
 namespace tractus::silhouette {
 
-// Returns the outline of the oak's right limb, with lobes of its own.
+// Returns the outline of the right limb of the oak, with lobes of its own.
 inline std::vector<Vec2> limb()
 {
     std::vector<Vec2> outline;
@@ -30,12 +30,12 @@ inline Skeleton skeleton_of_lines(Drawing const& drawing, SkeletonOptions const&
     return skeleton ? *std::move(skeleton) : Skeleton();
 }
 
-// Measurements of a parent, made independently of the style's code: positions as lengths along the
-// samples of its trunk, angles between lines.
+// Measurements of a parent branch. They share nothing with the code for styles: positions are
+// lengths along the samples of the parent's line, and angles are measured between lines.
 struct Seen {
-    std::vector<double> places; // Positions along the parent, in millimetres.
+    std::vector<double> places; // Positions of the children along the parent, in millimetres.
     double length = 0;
-    double angle_deg = 0; // Mean branching angle.
+    double angle_deg = 0; // Mean branching angle of the children.
 };
 inline Seen seen_on(BranchingSystem const& system)
 {

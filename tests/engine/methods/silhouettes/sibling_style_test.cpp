@@ -64,8 +64,9 @@ TEST(SiblingStyle, IsTheSourcesOnAllSiblings)
     EXPECT_NEAR(angle_deg / count, own.angle_deg, 0.1 * own.angle_deg);
 }
 
-// A sibling's child must have the shape of one of the source's, which is recognised by its
-// straightness and by the ratio of crown to length, whatever its size.
+// Each child of a sibling must have the shape of one of the source's children. A shape is
+// recognised, whatever its size, by the straightness of the branch and by the ratio of its crown to
+// its length.
 TEST(SiblingStyle, GivesSiblingsTheSourcesShapes)
 {
     auto const skeleton = styled(StyleScope::Siblings);
@@ -114,7 +115,7 @@ TEST(SiblingStyle, GoesNowhereUnlessSomebodySaysSo)
         EXPECT_FALSE(branch.model);
 }
 
-// Between two sources, a sibling's style must be interpolated.
+// The style of a sibling between two sources must be interpolated between their styles.
 TEST(SiblingStyle, IsMixedBetweenTwoSources)
 {
     auto drawing = lobed_crown(7);

@@ -9,7 +9,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// Returns a tall column with shallow bumps, as a Lombardy poplar is drawn.
+// Returns a tall column with shallow bumps, like the crown of a Lombardy poplar.
 Drawing rough_column()
 {
     Drawing drawing { { {} }, upright(0, 205) };
@@ -25,7 +25,7 @@ Drawing rough_column()
     return drawing;
 }
 
-// Adds noise with a correlation over a few points, as a hand's tremor has.
+// Adds noise that is correlated over several neighbouring points, like the tremor of a hand.
 Drawing with_tremor(Drawing drawing, double size_mm, std::uint32_t seed)
 {
     Random random({ 49, 7, seed });
@@ -92,7 +92,7 @@ TEST(SpacedEnds, AreAsManyAsTheFormHas)
         EXPECT_GE(branches, 0.8 * wanted);
         EXPECT_LE(branches, 1.05 * wanted);
     }
-    // Bumps keep their branches even if there are more of them than the form has branches.
+    // All bumps must keep their branches, even if there are more bumps than the form has branches.
     EXPECT_GE(count(star(13, 70, 105), spaced(5)), 12U);
 }
 
@@ -126,7 +126,8 @@ TEST(SpacedEnds, AreMirroredWithTheDrawing)
     EXPECT_NEAR(static_cast<double>(one), static_cast<double>(other), 1);
 }
 
-// The lobes are discs, so a bump's end should be at the centre of its disc whatever the tremor.
+// The lobes are discs. Whatever the tremor, the end of a bump's branch must be near the centre of
+// its disc.
 TEST(SpacedEnds, EndsOfRoundLobesAreTheirCentres)
 {
     auto const drawing = lobed_crown(4);

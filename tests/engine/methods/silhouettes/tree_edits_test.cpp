@@ -15,7 +15,7 @@
 namespace tractus::silhouette {
 namespace {
 
-// Returns a crown of five lobes with its trunk's base at (0, -90).
+// Returns a crown of five lobes with a trunk whose base is at (0, -90).
 Drawing crown()
 {
     return lobed_crown(5);
@@ -61,7 +61,7 @@ std::string refusal(scene::Edit const& edit, scene::Scene const& before = {})
     return scene ? std::string() : scene.error().message;
 }
 
-// The tree must be the one that the command makes from the same lines.
+// The tree must be the one that `tractus silhouette` makes from the same lines.
 TEST(DrawTree, IsTheTreeOfItsLines)
 {
     auto const scene = drawn_tree();
@@ -98,8 +98,8 @@ TEST(DrawTree, StandsUnderItsInk)
     EXPECT_NEAR(seen_mm.max_mm.x() - 30, box.high.x(), 12);
 }
 
-// A trunk redrawn 12 mm to the right moves the plant there, but a tree whose plant was moved stays
-// where it is.
+// If the trunk is redrawn 12 mm further right, the plant must move there. If the plant was moved by
+// hand before, it must stay where it is.
 TEST(DrawTree, MovesThePlantWithItsFoot)
 {
     auto scene = drawn_tree();
@@ -138,7 +138,7 @@ TEST(DrawTree, LetsADrawnBranchTakeTheBumpsPlace)
     EXPECT_EQ(drawn_ones, 1);
 }
 
-// Points of the drawn branch must lie on the plant's branch, seen from the drawing's side.
+// Seen from the side of the drawing, points of the drawn branch must lie on the plant's branch.
 TEST(DrawTree, FollowsADrawnBranch)
 {
     auto const stroke = branch(0).stroke;
@@ -173,7 +173,7 @@ TEST(DrawTree, AddsTreesBesideEachOther)
     EXPECT_EQ(both.placement.scale, first.placement.scale);
 }
 
-// Returns an outline as a hand redraws it, with waves of at most 3 % of the diagonal.
+// Returns the outline as a hand redraws it, with waves of at most 3 % of its diagonal.
 std::vector<Vec2> wavered(std::vector<Vec2> const& outline, std::uint32_t number)
 {
     Random random({ 31, 7, number });
@@ -193,7 +193,7 @@ std::vector<Vec2> wavered(std::vector<Vec2> const& outline, std::uint32_t number
     return result;
 }
 
-// Returns the tips of branches shaped by strokes, by the strokes' ids.
+// Returns the tips of the branches that strokes shape, by the ids of the strokes.
 std::map<scene::ItemId, Vec3> shaped_tips_mm(scene::Scene const& scene)
 {
     std::map<scene::ItemId, Vec3> tips_mm;
@@ -204,8 +204,8 @@ std::map<scene::ItemId, Vec3> shaped_tips_mm(scene::Scene const& scene)
     return tips_mm;
 }
 
-// Draws twenty strokes on branches of the tree: on those that end in bumps of the outline, or on
-// any.
+// Branches on which with_strokes() draws its twenty strokes: those that end in bumps of the
+// outline, or any branches.
 enum class On { Bumps, All };
 scene::Scene with_strokes(scene::Scene scene, On on, std::uint32_t number)
 {
@@ -233,10 +233,11 @@ scene::Scene with_strokes(scene::Scene scene, On on, std::uint32_t number)
 struct Kept {
     int strokes = 0;
     int of = 0;
-    int moved = 0; // Strokes that moved to another branch: the tip is where that branch's was.
+    // Number of strokes that moved to another branch: the tip is near the old tip of that branch.
+    int moved = 0;
 };
 
-// Compares heights and distances from the trunk only, since all branches are rearranged around it.
+// Compares only heights and distances from the trunk, since all branches are rearranged around it.
 bool is_nearer_to_another(Vec3 const& now_mm, Vec3 const& own_mm,
                           std::map<scene::ItemId, Vec3> const& before)
 {
@@ -250,7 +251,8 @@ bool is_nearer_to_another(Vec3 const& now_mm, Vec3 const& own_mm,
     });
 }
 
-// Counts strokes kept in ten redrawn outlines of a tree, each redrawn from the first.
+// Counts the strokes that stay on their branches when the outline of a tree is redrawn ten times.
+// Each time, the first outline is redrawn.
 Kept kept_on(On on, std::uint32_t number)
 {
     auto const drawing = lobed_crown(3 + static_cast<int>(number));
@@ -287,7 +289,7 @@ Kept kept_on_ten_trees(On on)
     return all;
 }
 
-// A hundred redrawn outlines, on ten trees with twenty strokes each.
+// A hundred redrawn outlines: ten for each of ten trees, with twenty strokes on each tree.
 TEST(DrawTree, KeepsStrokesOnBranchesOfBumps)
 {
     auto const kept = kept_on_ten_trees(On::Bumps);
@@ -295,8 +297,8 @@ TEST(DrawTree, KeepsStrokesOnBranchesOfBumps)
     EXPECT_LE(kept.moved, 0.04 * kept.of) << "of " << kept.of;
 }
 
-// Most branches are not drawn and are rearranged: strokes on branches that no longer exist wait,
-// and hardly any is assigned to another branch.
+// Most branches are not drawn, and are rearranged. Strokes on branches that no longer exist must
+// wait, and at most 4 % of the strokes may move to another branch.
 TEST(DrawTree, LetsStrokesOnAddedBranchesWait)
 {
     auto const kept = kept_on_ten_trees(On::All);
@@ -368,7 +370,7 @@ TEST(DrawTree, SaysWhatIsWrong)
     EXPECT_NE(refusal(FormTree { plant, form }, tree).find("levels"), std::string::npos);
 }
 
-// Visible properties must stay: the trunk, and the extent of the crown.
+// With another seed, everything that was drawn must stay: the trunk, and the extent of the crown.
 TEST(DrawTree, LeavesToChanceWhatWasNotDrawn)
 {
     auto const first = drawn(trunk());

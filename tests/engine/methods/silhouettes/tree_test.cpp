@@ -42,7 +42,7 @@ TEST(SilhouetteTree, IsAsTallAsAsked)
     EXPECT_NEAR(box.min_mm.z(), 0, 50);
 }
 
-// Every axis must begin on its parent.
+// Every axis must begin at a point of its parent.
 TEST(SilhouetteTree, BranchesStandOnTheirParents)
 {
     auto const tree = make_tree(skeleton_of(star(7, 40, 100)));
@@ -69,10 +69,12 @@ TEST(SilhouetteTree, TheSameSeedGivesTheSameTree)
         EXPECT_EQ(one.plant.organs[i].position_mm, again.plant.organs[i].position_mm);
 }
 
-// Cells of 3 % of the diagonal that show foliage, seen from the drawing's side.
+// How well foliage fills an outline, counted in cells of 3 % of the diagonal and seen from the side
+// of the drawing.
 struct Fit {
-    double filled = 0;  // Share of the outline's cells.
-    double outside = 0; // Share of the foliage that is outside by more than 2 %.
+    double filled = 0; // Share of the outline's cells that show foliage.
+    // Share of the foliage's cells that are outside by more than 2 % of the diagonal.
+    double outside = 0;
 };
 
 Fit fit_of(Drawing const& drawing, Pattern pattern = Pattern::Even)
@@ -118,7 +120,8 @@ TEST(SilhouetteTree, FillsItsOutline)
     }
 }
 
-// Branches of the drawing snap to nodes, and must still end in the outline.
+// Branches of the drawing snap to nodes. The tree must still fill its outline, and the branches
+// must still end inside.
 TEST(SilhouetteTree, FillsItsOutlineWithWholeNodes)
 {
     for (Pattern const pattern : { Pattern::Spiral, Pattern::TwoRows, Pattern::Decussate,
@@ -133,8 +136,8 @@ TEST(SilhouetteTree, FillsItsOutlineWithWholeNodes)
         }
 }
 
-// Each node of the trunk except the last must have a complete whorl; the trunk's own end does not
-// count as a branch.
+// Each node of the trunk except the last must have a complete whorl. The end of the trunk itself
+// does not count as a branch.
 TEST(SilhouetteTree, ItsWhorlsAreWhole)
 {
     auto const skeleton = skeleton_of(lobed_crown(9));
@@ -165,8 +168,8 @@ TEST(SilhouetteTreeCorpus, FillsThePublishedOutlines)
     }
 }
 
-// A branch at the very end of its parent must be attached to its last segment, and not to another
-// axis.
+// A branch at the very end of its parent must be attached to the parent's last segment, not to
+// another axis.
 TEST(SilhouetteTreeCorpus, IsAPlantInEveryReadyForm)
 {
     REQUIRE_CORPUS();

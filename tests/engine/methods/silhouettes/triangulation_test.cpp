@@ -5,7 +5,7 @@
 
 #include <limits>
 
-// Laws of a constrained Delaunay triangulation without additional points.
+// Tests of the laws of a constrained Delaunay triangulation without additional points.
 
 namespace tractus::silhouette {
 namespace {
@@ -17,7 +17,7 @@ double area_of(ChordalAxis const& axis, Triangle const& triangle)
     return cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]) / 2;
 }
 
-// Returns the worst violation of the Delaunay condition: the determinant of in_circle().
+// Returns the worst violation of the Delaunay condition, as the determinant of in_circle().
 double worst_circle(ChordalAxis const& axis)
 {
     double worst = -std::numeric_limits<double>::infinity();
@@ -67,7 +67,7 @@ TEST(SilhouetteTriangulation, CutsASquareAndAnArrow)
     auto const square
         = triangulate(std::vector<Vec2> { Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1) });
     ASSERT_EQ(square.size(), 2U);
-    // Only the diagonal from the notch to the tip is inside.
+    // In this arrow, only the diagonal from the notch to the tip is inside.
     auto const arrow
         = triangulate(std::vector<Vec2> { Vec2(0, 0), Vec2(4, 0), Vec2(1, 1), Vec2(0, 4) });
     ASSERT_EQ(arrow.size(), 2U);
@@ -105,11 +105,11 @@ TEST(SilhouetteTriangulation, IdentitiesHoldForTenThousandScribbles)
 {
     int taken = 0;
     for (std::uint32_t i = 0; i < 10'000; ++i) {
-        // Most cases have few samples: an outline of 256 takes a thousand times as long as one of
-        // 32.
+        // Most cases have few samples, since an outline of 256 samples takes a thousand times as
+        // long as one of 32.
         std::size_t const samples = i % 100 == 0 ? 256 : 24 + i % 72;
         auto const clean = clean_drawing(scribble(i), { .samples = samples });
-        if (!clean) // A loop that is too small.
+        if (!clean) // The scribble has only a loop that is too small.
             continue;
         ++taken;
         ASSERT_FALSE(crosses_itself(clean->outline)) << i;

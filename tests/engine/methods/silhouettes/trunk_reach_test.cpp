@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kCrownRadius = 30;
 
-// Returns a round crown whose lowest point is the origin.
+// Returns the outline of a round crown whose lowest point is the origin.
 std::vector<Vec2> round_crown()
 {
     auto outline = ellipse(kCrownRadius, kCrownRadius).outline[0];
@@ -22,7 +22,7 @@ std::vector<Vec2> trunk_below(double top, double length = 60)
     return { { 0, top - length }, { 0, top - length / 2 }, { 0, top } };
 }
 
-// Through the gap, and 85 % of the way through the crown.
+// A trunk below the crown must be extended through the gap and through 85 % of the crown's height.
 TEST(TrunkReach, GoesThroughTheCrown)
 {
     for (double const gap : { 0.5, 2.0, 5.0, 5.9 }) {
@@ -48,23 +48,22 @@ TEST(TrunkReach, IsOfNearTrunksAlone)
 
 TEST(TrunkReach, IsOfTrunksThatPointIntoTheCrown)
 {
-    // Trunks beside the crown and parallel to it, pointing away from it, and so far to the side
-    // that they cut off a corner.
+    // These trunks must not be extended: one is beside the crown and parallel to it, one points
+    // away from it, and one would only cut off a corner.
     Vec2 const side(kCrownRadius + 2, kCrownRadius);
     EXPECT_FALSE(
         extension_into_crown(std::vector { Vec2(side - Vec2(0, 60)), side }, round_crown()));
     EXPECT_FALSE(extension_into_crown(std::vector { Vec2(0, -2), Vec2(0, -60) }, round_crown()));
     EXPECT_FALSE(extension_into_crown(std::vector { Vec2(28, -50), Vec2(28, 18) }, round_crown()));
-    // A trunk from below at an angle, like leaning trunks.
+    // A leaning trunk, which reaches the crown from below at an angle.
     EXPECT_TRUE(extension_into_crown(std::vector { Vec2(-25, -50), Vec2(-1, -2) }, round_crown()));
 }
 
-// An outline that begins and ends above the trunk's end, as most do, need not be quite closed
-// there.
+// Most outlines begin and end above the end of the trunk. They need not be quite closed there.
 TEST(TrunkReach, LooksAtTheOutlineAsItIsRead)
 {
     auto open = round_crown();
-    // The outline begins at its lowest point.
+    // Makes the outline begin at its lowest point.
     std::rotate(open.begin(), open.begin() + 150, open.end());
     ASSERT_LT(open.front().y(), 0.1);
     open.resize(open.size() - 6); // The outline ends 5 mm before its beginning.

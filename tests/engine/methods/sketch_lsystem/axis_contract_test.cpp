@@ -102,7 +102,7 @@ TEST(AxisContract, SaysWhatLacks)
                   "m.l: no rule ends the drawn axis by a condition i < SEGMENTS" }));
 }
 
-// A text that has all parts of the contract may still not follow a stroke.
+// A text that has all parts of the contract (axis_contract.h) may nevertheless not follow a stroke.
 TEST(AxisContract, IsTriedWithAStroke)
 {
     auto const leaves_at = [](std::string const& text) {
@@ -119,7 +119,8 @@ TEST(AxisContract, IsTriedWithAStroke)
     EXPECT_NE(leaves_at(replaced(kKept, "F(2)", "F(2")).find("m.l:8:"), std::string::npos);
 }
 
-// In any text, parts of the contract that are found can be replaced, and are found again.
+// If the parts of the contract (axis_contract.h) are found in a text, they can be replaced, and
+// must then be found again.
 TEST(AxisContract, IsFoundAgainInAnyTextThatKeepsIt)
 {
     EXPECT_TRUE(rc::check([] {

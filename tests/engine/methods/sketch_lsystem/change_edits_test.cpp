@@ -23,7 +23,7 @@ GrowAlongStroke drawn(Rule const& rule)
 Rule const kFirst { .angle_deg = 52, .shortest_mm = 4 };
 Rule const kOther { .first_length_mm = 25, .laterals = 3, .angle_deg = 70, .shortest_mm = 4 };
 
-// A changed plant must equal one drawn with the other rule.
+// A plant whose rule is changed must be equal to a plant drawn with the new rule.
 TEST(ChangeSketch, IsThePlantOfTheOtherRule)
 {
     auto const scene = scene::after({ drawn(kFirst) });
@@ -64,7 +64,8 @@ TEST(ChangeSketch, RefusesRulesThatGrowNothing)
         << "no internode";
 }
 
-// The prefix law: a shorter stroke's plant is the one that existed when the pen was there.
+// The prefix law: a shortened stroke must give the plant of a stroke that was drawn only up to
+// there.
 TEST(ShortenSketch, IsThePlantOfTheShorterStroke)
 {
     auto const scene = scene::after({ drawn(kFirst) });
@@ -82,7 +83,7 @@ TEST(ShortenSketch, IsThePlantOfTheShorterStroke)
     EXPECT_EQ(count_tips(*whole->sketch, 1000).value(), std::nullopt);
 }
 
-// A plant whose stroke is redrawn must be the one that the new stroke alone would have made.
+// A plant whose stroke is redrawn must be equal to the plant that the new stroke alone makes.
 TEST(RedrawSketch, IsThePlantOfTheOtherStroke)
 {
     auto const scene = scene::after({ drawn(kFirst) });
@@ -135,7 +136,8 @@ TEST(ChangeSketch, ReachesWhatWasPutOnAnotherPlant)
     EXPECT_EQ(redrawn.plants[0]->placement.origin_mm, scene.plants[0]->placement.origin_mm);
 }
 
-// Laterals differ, the drawn axis does not, and strokes on branches stay.
+// With another seed, the laterals must differ, the drawn axis must stay, and strokes must stay on
+// their branches.
 TEST(GrowAlongStroke, VariesItsLaterals)
 {
     auto scene = scene::after({ drawn(kFirst) });

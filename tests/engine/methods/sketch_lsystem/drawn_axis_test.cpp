@@ -28,7 +28,7 @@ std::string string_of(Rule const& rule, DrawnAxis const& axis)
     return lsystem::to_string(*model, *lsystem::derive(*model));
 }
 
-// Returns the string derived by the other program.
+// Returns the string that another program has derived for the stroke `name`.
 std::string expected_string(std::string const& name)
 {
     std::ifstream file(std::string(TRACTUS_EXPECTED_STRINGS) + "/" + name + ".txt");
@@ -37,7 +37,7 @@ std::string expected_string(std::string const& name)
     return line;
 }
 
-// A string without its numbers, and the numbers.
+// A string without its numbers, and its numbers in order.
 struct Parsed {
     std::string modules;
     std::vector<double> numbers;
@@ -60,7 +60,8 @@ Parsed parse(std::string const& string)
     return parsed;
 }
 
-// Expects equal modules, and parameters equal in single precision.
+// Expects a string with the same modules as the other program's, and with parameters that are equal
+// in single precision.
 void expect_derives_to(std::string const& name, Rule const& rule, std::vector<Vec3> const& tips)
 {
     auto const ours = parse(string_of(rule, axis_of(rule, tips)));
@@ -109,7 +110,7 @@ TEST(DrawnAxis, TurnsByTheLeastRotation)
     EXPECT_NEAR(axis.turns[2].bend_deg, 90, 1e-4);
 }
 
-// The expected bends on a half circle are asin(l / 2R) first, then twice that.
+// On a half circle, the first bend is expected to be asin(l / 2R), and all others twice that.
 TEST(DrawnAxis, BendsEvenlyOnACircle)
 {
     auto const axis = axis_of({ .length_ratio = 1 }, half_circle(50));
@@ -129,7 +130,8 @@ TEST(DrawnAxis, ComesBackToTheStroke)
         EXPECT_LT((back_mm[i] - nodes_mm[i]).norm(), 1e-3);
 }
 
-// The model's turtle must draw the axis where the pen was; 1 mm on the desk is 1 cm.
+// The turtle must draw the axis of the model where the pen was; 1 mm on the desk is 1 cm of the
+// plant.
 TEST(DrawnAxis, IsDrawnByTheModelWhereThePenWas)
 {
     auto const nodes_mm = resample_stroke(kBowRule, bow());

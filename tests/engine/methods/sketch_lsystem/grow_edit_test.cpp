@@ -35,7 +35,7 @@ scene::Scene scene_of(GrowAlongStroke const& edit, scene::Scene const& before = 
     return scene.value_or(scene::Scene {});
 }
 
-// The command must write the same model for that stroke and rule.
+// `tractus sketch` must write the same model for the same stroke and rule.
 TEST(GrowAlongStroke, IsTheModelOfItsStrokeAndRule)
 {
     auto const edit = grown(bow());
@@ -44,7 +44,7 @@ TEST(GrowAlongStroke, IsTheModelOfItsStrokeAndRule)
     EXPECT_EQ(model_of(edit).value().text, expected.text);
 }
 
-// The drawn axis must be below the ink, at any scale of the document's plants.
+// The drawn axis must be where the ink is, at any scale of the document's plants.
 TEST(GrowAlongStroke, StandsWhereItWasDrawn)
 {
     for (double const scale : { 0.1, 0.037, 2.5 }) {

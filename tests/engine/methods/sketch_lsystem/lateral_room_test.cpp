@@ -11,9 +11,9 @@
 namespace tractus::sketch {
 namespace {
 
-constexpr double kLegs_mm = 44; // Distance of the legs.
+constexpr double kLegs_mm = 44; // Distance between the two legs of the U.
 
-// Returns a stroke up, over, and down again beside itself.
+// Returns a stroke that leads up, bends over, and leads down again beside itself.
 std::vector<Vec3> u_turn()
 {
     std::vector<Vec3> tips;
@@ -45,7 +45,7 @@ GrowAlongStroke along(std::vector<Vec3> const& tips_mm, Rule const& rule)
     return edit;
 }
 
-// Returns how far the laterals of the legs reach beyond the middle between them, in mm on the desk.
+// Returns how far laterals on the legs reach beyond the middle between the legs, in mm on the desk.
 double overlap_mm(GrowAlongStroke const& edit)
 {
     auto const plant = build_sketch(edit, {}).value().plant;
@@ -106,7 +106,8 @@ TEST(LateralRoom, IsAllAlongAStrokeThatDoesNotTurnBack)
             EXPECT_EQ(share, 1);
 }
 
-// Moving, or turning about the vertical, changes nothing but which lateral is which.
+// Moving the stroke, or rotating it about the vertical axis, must only change which lateral is
+// which.
 TEST(LateralRoom, MovesWithTheStroke)
 {
     auto const room = room_along(u_turn(), wide_rule(4));

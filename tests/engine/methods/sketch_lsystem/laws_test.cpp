@@ -8,7 +8,7 @@
 #include <rapidcheck/gtest.h>
 #include <span>
 
-// Laws that hold for every stroke and every rule.
+// Tests of laws that hold for every stroke and every rule.
 
 namespace tractus::sketch {
 namespace {
@@ -18,7 +18,7 @@ double between(double least, double most)
     return least + (most - least) * *rc::gen::inRange(0, 10'001) / 10'000.0;
 }
 
-// Returns a random rule, small enough to be derived a hundred times.
+// Returns a random rule, with so few internodes that it can be derived a hundred times.
 Rule random_rule()
 {
     Rule rule;
@@ -49,7 +49,7 @@ Rule random_rule()
     return rounded_as_text(rule);
 }
 
-// Returns a random stroke in space.
+// Returns a stroke through random points in space.
 std::vector<Vec3> random_stroke()
 {
     std::vector<Vec3> tips { Vec3(between(-100, 100), between(-80, 80), between(0, 300)) };
@@ -71,7 +71,8 @@ std::string string_after(Rule const& rule, DrawnAxis const& axis, int steps)
     return lsystem::to_string(*model, *string);
 }
 
-// The plant of a stroke's beginning must be what the whole stroke's model has derived by then.
+// The plant of the beginning of a stroke must be the plant that the model of the whole stroke gives
+// after fewer steps.
 RC_GTEST_PROP(SketchLaws, FewerStepsAreTheStrokesBeginning, ())
 {
     auto const rule = random_rule();
@@ -110,7 +111,7 @@ RC_GTEST_PROP(SketchLaws, AStrokeDrawnAgainWithMoreTipsIsTheSame, ())
         RC_ASSERT((sparse_nodes[i] - dense_nodes[i]).norm() < 1e-6);
 }
 
-// Every segment must have the rule's length, whatever the stroke.
+// Whatever the stroke is, every segment must have the length that the rule gives.
 RC_GTEST_PROP(SketchLaws, SegmentsAreAsLongAsTheRuleSays, ())
 {
     auto const rule = random_rule();
@@ -122,7 +123,7 @@ RC_GTEST_PROP(SketchLaws, SegmentsAreAsLongAsTheRuleSays, ())
     }
 }
 
-// A stroke and a rule scaled by two must give the plant scaled by two.
+// If a stroke and a rule are scaled by two, the plant must be scaled by two.
 RC_GTEST_PROP(SketchLaws, ScalingStrokeAndRuleScalesThePlant, ())
 {
     auto rule = random_rule();

@@ -22,7 +22,7 @@
 namespace tractus::sketch {
 namespace {
 
-// Returns a model that comes with the program, with plain blades as leaves.
+// Returns a model that comes with the program. Its leaves are replaced by plain blades.
 ModelRule model_named(std::string const& name)
 {
     auto const path = std::string(TRACTUS_OUR_MODELS "/") + name;
@@ -71,7 +71,8 @@ TEST_P(OurModel, KeepsTheContract)
     EXPECT_EQ(missing_for_stroke(model_, {}), std::vector<std::string> {});
 }
 
-// For any stroke, the axis must be within 1e-4 of a segment's length.
+// For any stroke, the nodes of the axis must be on the stroke, to within 1e-4 of a segment's
+// length.
 TEST_P(OurModel, HasItsAxisWhereAnyStrokeWas)
 {
     EXPECT_TRUE(rc::check([&] {
@@ -106,8 +107,8 @@ TEST_P(OurModel, HasOtherLateralsAndTheSameAxisForAnotherSeed)
     EXPECT_EQ(first, second);
 }
 
-// As far as a model's laws allow, the axis of a stroke's beginning must be the beginning of its
-// axis.
+// The axis for the first part of a stroke must be the first part of the axis for the whole stroke,
+// as far as the laws of a model allow that.
 TEST_P(OurModel, HasTheAxisOfAStrokesBeginning)
 {
     auto places_mm = bow();
@@ -141,7 +142,8 @@ struct Before {
     std::uint64_t string;
 };
 
-// Hashes (FNV-1a) of the models' strings from before they could be grown along a stroke.
+// Hashes (FNV-1a) of the strings of the models, computed before models could be grown along a
+// stroke.
 TEST(OurModels, GiveTheSameStringsWithoutAStroke)
 {
     constexpr std::array kBefore {
@@ -177,7 +179,8 @@ TEST(ModelRule, ChangesOnlyTheContractInTheText)
     EXPECT_EQ(along.view_text, model.source.view_text);
 }
 
-// Beyond the numbers in a text, each length is the previous one times the ratio of the last two.
+// Beyond the lengths given in the text, each length is the previous one times the ratio of the last
+// two given lengths.
 TEST(ModelRule, GoesOnByTheLastRatio)
 {
     AxisContract contract { .lengths = { 10, 5, 4 } };

@@ -26,7 +26,8 @@ TEST(SketchRule, RefusesWhatIsOutOfRangeByItsLetter)
     EXPECT_FALSE(check_rule({ .most_segments = 0 }));
 }
 
-// F_n = n + the sum over j < n of L_j, L_n = k (k^n - 1)/(k - 1); for k = 1 L_n = n.
+// Closed forms for n steps and k laterals: F_n = n + the sum over j < n of L_j, with L_n = k (k^n -
+// 1)/(k - 1), or L_n = n for k = 1.
 TEST(SketchRule, CountsInternodesAsTheClosedFormsDo)
 {
     Rule rule { .shortest_mm = 1e-3 };
@@ -43,8 +44,8 @@ TEST(SketchRule, CountsInternodesAsTheClosedFormsDo)
     EXPECT_EQ(counts(3), (std::vector<double> { 1, 5, 18, 58, 179, 543 }));
 }
 
-// Laterals that continue without laterals of their own: those of node j have n - 1 - j internodes
-// each. If they have k' laterals that fork without end, each of those begins a tree of L_m
+// The laterals have a rule of their own. If it has no laterals, those of node j have n - 1 - j
+// internodes each. If it has k' laterals that fork without end, each of these begins a tree of L_m
 // internodes.
 TEST(SketchRule, CountsLateralsThatGoOn)
 {
@@ -53,9 +54,9 @@ TEST(SketchRule, CountsLateralsThatGoOn)
     for (int n = 1; n <= 9; ++n)
         EXPECT_EQ(count_internodes(rule, n, kUncutDepth), n + 3 * n * (n - 1) / 2);
     rule.lateral_rules = { { .length_ratio = 1, .laterals = 2, .shortest_mm = 1e-3 } };
-    // For n = 4, there are three laterals each of 3, 2, 1 and 0 internodes. On one with m
-    // internodes, node i bears two complete trees of m - 1 - i generations: 2 (2^g - 1)/(2 - 1)
-    // internodes for both.
+    // For n = 4, there are three laterals each of 3, 2, 1 and 0 internodes. Node i of a lateral
+    // with m internodes has two complete trees of g = m - 1 - i generations, which have 2 (2^g -
+    // 1)/(2 - 1) internodes together.
     auto const of_lateral = [](int m) {
         double sum = m;
         for (int i = 0; i < m; ++i)
@@ -72,8 +73,8 @@ TEST(SketchRule, CountsLateralsThatGoOn)
               "laterals.a, the laterals' angle in degrees, is 151: give 0 to 150");
 }
 
-// A rule whose k laterals use it recursively: C(m) = m + k (C(0) + ... + C(m - 1)), which is ((k +
-// 1)^m - 1) / k internodes for each lateral with m remaining steps.
+// The rule has k laterals that use the same rule again. So C(m) = m + k (C(0) + ... + C(m - 1)),
+// which is ((k + 1)^m - 1) / k internodes for each lateral with m remaining steps.
 TEST(SketchRule, CountsRulesThatCallThemselves)
 {
     Rule rule { .laterals = 1, .shortest_mm = 1e-3 };
@@ -90,7 +91,8 @@ TEST(SketchRule, CountsRulesThatCallThemselves)
     }
 }
 
-// Two alternating rules, the second of which has no laterals.
+// Two rules of laterals call each other. As long as they are alike, the counts must be those of a
+// single rule that calls itself.
 TEST(SketchRule, CountsRulesThatCallEachOther)
 {
     Rule rule { .laterals = 2, .shortest_mm = 1e-3 };

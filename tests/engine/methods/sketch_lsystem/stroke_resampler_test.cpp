@@ -21,7 +21,7 @@ int segments_of(std::vector<Vec3> const& tips, Rule const& rule)
 TEST(StrokeResampler, DividesStraightStrokesAsTheGeometricSeriesSays)
 {
     EXPECT_EQ(segments_of(straight_stroke(100), rule_of(40, 0.8)), 3);
-    // The stroke's length is exactly 40 + 32.
+    // The stroke is exactly as long as two segments, 40 + 32.
     EXPECT_EQ(segments_of(straight_stroke(72), rule_of(40, 0.8)), 2);
     EXPECT_EQ(segments_of(straight_stroke(150), rule_of(30, 0.9)), 6);
     EXPECT_EQ(segments_of(straight_stroke(100), rule_of(25, 1)), 4);
@@ -47,7 +47,8 @@ TEST(StrokeResampler, MakesNoMoreSegmentsThanTheRuleAllows)
     EXPECT_EQ(segments_of(straight_stroke(1000, 2), rule), 7);
 }
 
-// Expected floor(pi / (2 asin(l / 2R))): chords count, not the length along the arc.
+// The expected number is floor(pi / (2 asin(l / 2R))): the chords count, not the length along the
+// arc.
 TEST(StrokeResampler, CountsChordsOnAHalfCircle)
 {
     EXPECT_EQ(segments_of(half_circle(50), rule_of(30, 1)), 5);

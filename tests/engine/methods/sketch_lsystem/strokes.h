@@ -15,7 +15,7 @@ inline std::vector<Vec3> straight_stroke(double length_mm, int pieces = 1000)
     return tips;
 }
 
-// Returns a stroke from the origin upwards and over to the right.
+// Returns a half circle from the origin upwards and over to the right.
 inline std::vector<Vec3> half_circle(double radius_mm, int pieces = 20'000)
 {
     std::vector<Vec3> tips;
@@ -26,7 +26,7 @@ inline std::vector<Vec3> half_circle(double radius_mm, int pieces = 20'000)
     return tips;
 }
 
-// Returns a polyline with fifty pieces between corners.
+// Returns a polyline through corners, with fifty pieces from each corner to the next.
 inline std::vector<Vec3> polyline(std::vector<Vec3> const& corners)
 {
     std::vector<Vec3> tips;
@@ -36,13 +36,13 @@ inline std::vector<Vec3> polyline(std::vector<Vec3> const& corners)
     return tips;
 }
 
-// Returns a stroke up, to the right, and towards the user.
+// Returns a stroke that leads up, then to the right, and then towards the user.
 inline std::vector<Vec3> corner_in_space()
 {
     return polyline({ { 0, 0, 0 }, { 0, 0, 30 }, { 30, 0, 30 }, { 30, -30, 30 } });
 }
 
-// Returns a stroke that curves in space.
+// Returns a stroke that curves in all directions of space.
 inline std::vector<Vec3> bow(int tips_count = 150)
 {
     std::vector<Vec3> tips;

@@ -16,10 +16,10 @@ struct MeantTwig {
     double twist_deg = 90;
     int order = 1;
     int nodes = 5;
-    double bow = 0; // Curvature of the axis from node to node, in degrees.
+    double bow = 0; // Bend of the axis at each node, in degrees.
 };
 
-// Grows a twig by the paper's rule, and draws each internode of a lateral as a stroke.
+// Grows a twig by the rule of the paper, and draws each internode of a lateral as a stroke.
 class TwigDrawer {
 public:
     TwigDrawer(MeantTwig const& meant, std::uint64_t seed, double tremor_mm)
@@ -95,7 +95,8 @@ MeantTwig random_twig(std::uint64_t seed)
     meant.order = chooser.chance(0.3) ? 2 : 1;
     meant.nodes = 4 + static_cast<int>(chooser.below(4));
     meant.bow = chooser.between(-6, 6);
-    // A rotation is equivalent to its sums with multiples of 360/k; the one nearest to 0 is chosen.
+    // Adding multiples of 360 degrees / k to the rotation gives the same twig. The angle nearest to
+    // 0 is used.
     double const half_deg = 180.0 / meant.laterals;
     meant.twist_deg = chooser.between(-half_deg, half_deg);
     return meant;
@@ -110,7 +111,7 @@ TEST(TwigRule, FindsTheRulesOfRandomTwigs)
 {
     constexpr int kTwigs = 200;
     int right = 0;
-    int accepted = 0; // Number of correctly found rules that were also accepted.
+    int accepted = 0; // Number of rules that were found correctly and also accepted.
     double angles = 0;
     double shares = 0;
     double ratios = 0;
