@@ -45,8 +45,8 @@ struct HeightRecord {
     Vec2 heights_mm = Vec2::Zero(); // Lowest and highest height of the calibrated range.
     Vec2 mm_per_count = Vec2::Zero(); // Height per count at the lowest and at the highest height.
     double noise_counts = 0;          // Standard deviation of a resting sensor's readings.
-    // Difference of height for the same reading: carriage coming from below minus carriage coming
-    // from above. The second number is its standard error.
+    // Height by the model when the carriage comes from below minus that when it comes from above,
+    // and the standard error of this difference.
     std::optional<Vec2> hysteresis_mm {};
 
     // Millimetres by which re-zeroing has raised the model since the fit.

@@ -146,8 +146,8 @@ void EvenTimes::end_burst()
 }
 
 // Fits the line again and returns how many bursts are still too late for it, unless it gets a step.
-// None means that only the period was slightly wrong. This happens if bursts have nearly the rhythm
-// of the samples, because the period then shows only occasionally.
+// If it returns 0, only the period was slightly wrong. This happens if bursts have nearly the
+// rhythm of the samples, because the period then shows only occasionally.
 std::size_t EvenTimes::unexplained_bursts()
 {
     fit();

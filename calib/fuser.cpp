@@ -41,7 +41,7 @@ static double pressure(drivers::PenSample const& pen)
     return pen.pressure ? std::clamp(*pen.pressure, 0.0, 1.0) : (pen.touching ? 1.0 : 0.0);
 }
 
-// Returns the tilt of the pen's shaft after the rotation of the tablet to the world frame.
+// Returns the tilt of the pen's shaft, rotated from the tablet frame to the world frame.
 static std::optional<Vec2> tilt_rad(drivers::PenSample const& pen,
                                     Eigen::Affine3d const& T_world_tablet)
 {

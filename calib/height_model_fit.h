@@ -34,8 +34,8 @@ struct ModelFit {
     Eigen::MatrixXd unit_covariance {};
 };
 
-// Number of knots of a monotone model. A fit places them at readings of the captures, with about as
-// many captures between each two.
+// Number of knots of a monotone model. A fit places them at readings of the captures, so that all
+// pieces between knots have about the same number of captures.
 struct MonotoneKnots {
     std::size_t count = 5;
 };

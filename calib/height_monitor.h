@@ -57,10 +57,11 @@ struct HeightMonitorLimits {
     double rail_margin = 0.001; // Share of full scale; the end itself always counts.
     Duration rail_after = std::chrono::milliseconds(20);
 
-    // Slow step: a step that takes about 30 ms is too slow to be doubted at once. It leaves the
-    // movement before and after it with equal speeds, within `step_speed_mm_per_s`, and displaced
-    // by `step_mm` and by `step_scatters` times the scatter of the readings. (A hand that begins or
-    // ends a movement changes the speed.)
+    // Slow step: a jump that is spread over about 30 ms, which HeightJudge does not doubt. It is
+    // reported if the speeds before and after it differ by at most `step_speed_mm_per_s`, and if
+    // the height changed by more than the movement explains: by more than `step_mm` plus
+    // `step_scatters` times the scatter of the readings. (If a hand begins or ends a movement, the
+    // two speeds differ by more.)
     double step_mm = 3;
     double step_scatters = 6;
     double step_speed_mm_per_s = 60;
@@ -105,7 +106,7 @@ public:
     // Returns the total of all faults of a kind so far, including a present one.
     HeightFaultTotal total(HeightFaultKind kind) const;
 
-    // Mean number of readings per second over the last second; 0 until there are two readings.
+    // Mean number of readings per second over the last second of readings; 0 until there are two.
     double rate_hz() const;
 
 private:

@@ -78,7 +78,7 @@ private:
     Pins pins_ {};        // Levels as the chip sees them.
     Timestamp now_ {};
 
-    unsigned clock_ = 0;   // The channel's neighbour is the pair's second input.
+    unsigned clock_ = 0;   // Rising edges since the start bit, including it; 0 before it.
     unsigned command_ = 0; // The four bits after the start bit.
     double held_ = 0;      // Voltage of the hold capacitor when sampling ended.
     Timestamp held_since_ {};

@@ -27,7 +27,8 @@ struct Shard {
 // Arrangement of a collection's plants.
 enum class Stand {
     Grid, // Plants stand in a regular grid.
-    // Plants are displaced randomly from the grid, without overlapping their neighbours' places.
+    // Plants are displaced randomly from the grid, as if grown naturally. Each stays in its own
+    // cell of the grid.
     Scatter,
 };
 

@@ -34,8 +34,8 @@ bool is_session_file(std::filesystem::path const& path)
     return path.extension() == ".tractus";
 }
 
-// Returns the state after a step. A step is applied completely or not at all. Only of the initial
-// edits (step 0) is as much applied as possible, as there is no state before them.
+// Returns the state after a step. A step is applied completely or not at all. The initial edits
+// (step 0) are applied as far as possible, as there is no state before them.
 static Result<scene::DocumentState> state_after(scene::DocumentState state,
                                                 std::span<session::SessionEdit const> step,
                                                 scene::SceneBuilder& builder)

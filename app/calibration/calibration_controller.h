@@ -72,10 +72,9 @@ public:
         CalibrationProcedure procedure = CalibrationProcedure::Height;
         calib::Rig rig {}; // The rig from which the calibration starts.
         calib::HeightFitOptions height {};
-        std::optional<calib::ZeroCause>
-            // Cause of the error of height zero. No value: it is inferred from the captures if
-            // possible, otherwise the string is assumed to have slipped.
-            zero_cause {};
+        // Cause of the error of height zero. No value: it is inferred from the captures if
+        // possible, otherwise the string is assumed to have slipped.
+        std::optional<calib::ZeroCause> zero_cause {};
         // True: a height fit is accepted in spite of a doubt (HeightFitDoubt) about it.
         bool is_forced = false;
     };
@@ -94,7 +93,8 @@ public:
     // backwards.
     Result<void> command(Timestamp time, std::string_view words);
 
-    // Says what was wrong with the last capture, and what to do about it; empty if it was accepted.
+    // Says what was wrong with the last capture, and what to do about it; empty if nothing was
+    // wrong, and after "undo".
     std::string const& refusal() const { return refusal_; }
 
     // A reason to distrust the heights captured so far. No value if there is none, if there is no
@@ -116,7 +116,8 @@ public:
     // Identity of the height sensor that gives reading().
     calib::SensorIdentity const& sensor() const { return sensor_; }
     std::optional<drivers::PenSample> const& pen() const { return pen_; } // Latest pen sample.
-    std::size_t touches() const { return touches_; } // Number of touches in the movement so far.
+    // Number of pen samples in the movement so far that touch the tablet.
+    std::size_t touches() const { return touches_; }
 
     // True, once per touch, when the pen has touched the tablet for a while without moving, by
     // which the user shows that the surface rests. Measured in the time of the reports.

@@ -196,7 +196,7 @@ private:
         }
         auto const height = next_height();
         if (!height)
-            return {}; // There is nothing to capture if the line is empty.
+            return {}; // No height was typed, and none of the list remains.
         TRY(command(time, "capture " + *height));
         entry_.clear();
         was_capturing_ = controller_.is_capturing();
@@ -290,7 +290,8 @@ private:
     {
         if (!takes_captures(controller_.procedure()))
             return {};
-        TRY(command(options_.now(), "undo")); // Cancels the movement in progress, if there is one.
+        // Cancels the capture in progress, if there is one; otherwise undoes the last capture.
+        TRY(command(options_.now(), "undo"));
         person_.say(fmt::format("  {} captures are left", controller_.captures().size()));
         ask();
         return {};

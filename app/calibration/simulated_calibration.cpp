@@ -46,7 +46,8 @@ sim::HandOptions hand_of(SimulatedCalibration const& calibration)
 {
     sim::HandOptions options { .seed = calibration.person.seed, .height_tremor_mm = 0.02 };
     if (calibration.procedure == CalibrationProcedure::Tilt) {
-        options.plane_tremor_mm = 0.03; // The tremor is small, as the dent holds the nib.
+        // The tremor is small, as the nib is held in a dent while the pen is leaned.
+        options.plane_tremor_mm = 0.03;
         options.tilt_rad = Vec2::Zero();
         options.leaned_around_rad = Vec2(0.7, 0.6);
     }

@@ -29,10 +29,10 @@ struct SimulatedCalibration {
 sim::RigGeometry simulated_geometry(CalibrationProcedure procedure = CalibrationProcedure::Height);
 
 // Simulates a user who calibrates the simulated rig, and writes the log that a recording would
-// contain, including commands. Before each capture the user holds the pen still on the tablet,
-// which shows that the surface rests. For Travel the pen follows a vertical edge, for Latency a
-// slanted one, and for Tilt the nib stays in a dent. The log depends only on `calibration`. Fails
-// with a user error for heights out of the rig's reach.
+// contain, including commands. From before each capture until after it, the user holds the pen
+// still on the tablet, which shows that the surface rests. For Travel the pen follows a vertical
+// edge, for Latency a slanted one, and for Tilt the nib stays in a dent. The log depends only on
+// `calibration`. Fails with a user error for heights out of the rig's reach.
 Result<void> write_simulated_calibration(std::ostream& out,
                                          SimulatedCalibration const& calibration);
 

@@ -27,7 +27,7 @@ struct SessionArguments {
     std::filesystem::path file;
     std::filesystem::path folder = ".";
     std::filesystem::path repaired {};
-    std::string plant {}; // File of a plant that replaces a lost plant.
+    std::string plant {}; // Name or path of a model that replaces the session's lost plant.
 };
 
 // Formats the date in UTC, so that the output does not depend on the time zone.
@@ -46,7 +46,7 @@ struct ReadSession {
     Result<void> whole {};
 };
 
-// Reads a session. If the file is damaged, reads the part before the damage.
+// Reads a session. If the file is damaged, reads all edits that are intact.
 Result<ReadSession> read_what_is_whole(SessionArguments const& arguments)
 {
     auto contents = session::read_session(arguments.file, arguments.kinds);

@@ -153,7 +153,7 @@ Result<void> run(WatchArguments const& arguments)
         if (terminal)
             wants_to_end = TRY(take_keys(*terminal, watch));
         bool const is_over = arguments.seconds && to_seconds(now() - begin) >= *arguments.seconds;
-        // At the end of a log, the screen stays until a key is pressed.
+        // After the end of a log, its last state stays on the screen until the user quits.
         goes_on = !stop && !wants_to_end && !is_over && (terminal || watch.goes_on());
         if (now() >= next || !goes_on) {
             next = now() + (terminal ? kScreenPeriod : kPlainPeriod);

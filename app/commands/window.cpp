@@ -169,8 +169,8 @@ bool plays_hand(WindowArguments const& arguments)
     return arguments.devices == std::vector<std::string> { "simulated" };
 }
 
-// True if the window begins with the start page: it is requested, or nothing else is to be opened,
-// recorded or captured.
+// True if the window begins with the start page: it is requested, or the arguments name nothing to
+// open, record or save as a picture, and no fixed number of frames.
 bool begins_with_start_page(WindowArguments const& arguments)
 {
     if (arguments.wants_start_page)

@@ -64,9 +64,8 @@ private:
     void perform_kind(calibration::PressWithPen const&);
 
     void capture(Timestamp time, double ruler_mm);
-    bool command(Timestamp time,
-                 // Returns false if the command was refused; the view then gives the reason.
-                 std::string const& words);
+    // Returns false if the command was refused; the view then gives the reason.
+    bool command(Timestamp time, std::string const& words);
     void fit();
     void propose();
     void show_reading();

@@ -35,8 +35,8 @@ public:
     // Requests thumbnails of these files in this order; replaces earlier requests.
     void want(std::deque<std::filesystem::path> files);
 
-    // A finished thumbnail. The picture is null if the file cannot be read, has nothing drawn in
-    // it, or takes too long to render.
+    // A finished thumbnail. The picture is null if the file cannot be read or has nothing drawn in
+    // it, if it is too large or takes too long, or if pictures cannot be rendered.
     struct Made {
         std::filesystem::path file;
         std::shared_ptr<render::Image const> picture; // The worker keeps no other reference to it.
@@ -58,9 +58,8 @@ private:
     std::filesystem::path kept_in_;
     std::deque<std::filesystem::path> waiting_;
     bool is_making_ = false;
-    std::unique_ptr<batch::PictureThread>
-        // Renderer used only by the background job; null until a picture must be rendered.
-        drawing_;
+    // Renderer used only by the background job; null until a picture must be rendered.
+    std::unique_ptr<batch::PictureThread> drawing_;
     // True if pictures cannot be rendered; used only by the background job.
     bool cannot_draw_ = false;
     // Declared last, because its job uses the other members.

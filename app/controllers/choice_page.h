@@ -35,7 +35,7 @@ Choices picture_choices(std::vector<std::filesystem::path> const& folders);
 struct LeavesInDocument {
     struct Drawn {
         std::filesystem::path file {};
-        // File of the current foliage; empty if it is among `drawn` or `in_views`.
+        // Text on the leaf's card that says what choosing it does (Choice::detail).
         std::string on_choice {};
     };
     std::vector<Drawn> drawn {};

@@ -57,8 +57,8 @@ Result<session::Session> open_or_begin(DrawingRequest const& wanted, scene::Edit
     return session;
 }
 
-// Begins a new session with a generated name. If its file cannot be created, the drawing has no
-// session.
+// Begins a new session with a name generated from the plant's. If its file cannot be created, the
+// drawing has no session.
 static Result<OpenedDrawing> begin_unnamed(DrawingRequest wanted, scene::EditKinds kinds)
 {
     OpenedDrawing opened;

@@ -508,7 +508,7 @@ void LiveWindow::use_rig(calib::Rig const& rig)
     station_.finish();
     announce_programs();
     record_tool_changes();
-    // An error in saving is ignored here: saving unsaved steps is tried again later.
+    // An error in saving is only shown in the status: saving unsaved steps is tried again later.
     auto const kept = controller_->finish(station_, options_.now());
     station_options_ = std::move(options);
     go_on_with(*std::move(station));

@@ -184,7 +184,7 @@ private:
     std::vector<DrawnLeafFile> drawn_leaves_ {};
     // Files of leaves drawn in three views that are among the choices.
     std::vector<DrawnOrganFile> drawn_organs_ {};
-    // File of the plant's current foliage; empty if there is none.
+    // File of the plant's current foliage, if the document contains its grammar; otherwise empty.
     std::filesystem::path kept_leaf_ {};
     std::unique_ptr<LeafPage> leaf_page_;    // Page that previews leaves; null until first opened.
     std::optional<io::FollowedModel> model_; // The plant's model file, watched for changes.

@@ -24,8 +24,8 @@ std::vector<RecentDrawing> recent_drawings(std::filesystem::path const& folder, 
 // log.
 std::chrono::sys_seconds modification_time(std::filesystem::path const& file);
 
-// Formats a local time relative to `now`: "Today, 14:03", "Yesterday, 9:12", "24 November, 18:40",
-// "3 March 2025".
+// Formats a time in local time and relative to `now`: "Today, 14:03", "Yesterday, 9:12",
+// "24 November, 18:40", "3 March 2025".
 std::string time_in_words(std::chrono::sys_seconds time, std::chrono::sys_seconds now);
 
 } // namespace tractus::controllers

@@ -41,7 +41,7 @@ private:
     void perform_kind(view::SetPlaying const& command);
     void perform_kind(view::SetSpeed const& command);
     void perform_kind(view::Restart const&);
-    // Tools cannot be chosen, as they change as recorded.
+    // Tools, pictures and leaves cannot be chosen: the replay uses those that were recorded.
     void perform_kind(view::ChooseTool const&) { }
     void perform_kind(view::AdjustTool const&) { }
     void perform_kind(view::TakeLikeDrawn const&) { }
@@ -56,7 +56,7 @@ private:
     void perform_kind(view::BringLeaf const&) { }
     // Curves cannot be picked, as the selection is as recorded.
     void perform_kind(view::PickCurve const&) { }
-    // Drawings cannot be named, as a replay belongs to its recording.
+    // The drawing cannot be named, as a recording has no name to change.
     void perform_kind(view::NameDrawing const&) { }
     void perform_kind(view::SaveCopy const&) { }
     void perform_kind(view::WriteRules const&) { }
@@ -69,7 +69,7 @@ private:
     void perform_kind(view::SetRecording const&) { }
     // Devices cannot be watched, as none are connected.
     void perform_kind(view::WatchDevices const&) { }
-    // There is no start page, as the window closes with its replay.
+    // There is no start page, as the window shows only this replay.
     void perform_kind(view::OpenStartPage const&) { }
     void perform_kind(view::OpenCalibration const&) { }
     void perform_kind(view::CloseCalibration const&) { }

@@ -24,8 +24,8 @@ Result<std::filesystem::path> write_rules(scene::PlantState const& plant,
 Result<document::StepRequest::Change> take_rules(scene::LoadModel const& model,
                                                  scene::Scene const& scene);
 
-// Returns the active plant's model as read from its files; nullopt if the plant does not come from
-// files.
+// Returns the active plant's model as its files contain it: those that it was loaded from, or those
+// that write_rules() writes. nullopt if it has neither.
 std::optional<scene::LoadModel> model_drawn_on(scene::DocumentState const& state);
 
 } // namespace tractus::controllers

@@ -104,7 +104,7 @@ public:
     // a RawReport can hold.
     std::uint64_t lost_count() const;
 
-    // Calibration of the first log, in the order of names, that contains one; empty if no log does.
+    // Calibration of the first of the named logs that contains one; empty if none does.
     std::string const& rig_text() const { return rig_text_; }
 
 private:

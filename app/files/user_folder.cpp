@@ -21,7 +21,7 @@ static fs::path folder_in(char const* variable)
 }
 
 // Returns the folder "tractus" in the folder that the environment variable names. If the variable
-// is not set, it is in $HOME/`in_home`.
+// names no absolute path, it is in $HOME/`in_home`.
 static fs::path own_folder(char const* variable, char const* in_home)
 {
     if (auto const named = folder_in(variable); !named.empty())

@@ -223,8 +223,7 @@ Result<scene::LoadModel> load_model_edit(std::filesystem::path const& path,
     return edit;
 }
 
-// Reads the lines of a skeleton in the format of the file's extension. Empty for extensions of
-// other files.
+// Reads the lines of a skeleton in the format of the file's extension. Empty for other extensions.
 static Result<std::vector<SkeletonPiece>> load_lines(std::filesystem::path const& path)
 {
     constexpr std::size_t kMaxSkeletonSize = std::size_t { 512 } << 20;

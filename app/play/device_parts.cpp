@@ -19,11 +19,11 @@ using Then = PlaybackSet::Then;
 constexpr Duration kKnockEvery = std::chrono::milliseconds(10);
 // Maximum time for which playing sleeps before it checks `stop`.
 constexpr Duration kLongestSleep = std::chrono::milliseconds(50);
-// Delay from the first reader to the first report: programs open a device for a trial before they
-// open it to read.
+// Delay from the time at which every device has a reader to the first report: programs open a
+// device for a trial before they open it to read.
 constexpr Duration kGreeting = std::chrono::milliseconds(100);
-// Delay from the first reader to the first report for USB HID devices: Linux drops reports of the
-// first 50 ms as potentially stale.
+// Longer delay for USB HID devices: Linux drops their reports of the first 50 ms as potentially
+// stale.
 constexpr Duration kUsbGreeting = std::chrono::milliseconds(500);
 constexpr Duration kDrainTime = std::chrono::milliseconds(100);
 constexpr Duration kLongestFarewell = std::chrono::seconds(2);

@@ -85,7 +85,8 @@ struct ViewAxes {
     Vec3 up;
 };
 
-// Slopes of the view pyramid's sides, with the margin already subtracted.
+// Slopes of the view pyramid's sides. They are smaller than the camera's by the factor kFill, which
+// leaves the margin.
 struct Slopes {
     explicit Slopes(double aspect)
         : up(std::tan(Camera().field_of_view_rad / 2) * kFill)
@@ -105,9 +106,10 @@ std::array<Vec3, 5> pyramid(ViewAxes const& axes, Slopes const& slopes)
              axes.back };
 }
 
-// Returns the camera whose view pyramid touches the framed shape with all four sides. `reach`
-// contains the shape's extents along the sides' normals. The eye is centred between opposite sides,
-// as far back as the wider pair requires, and at least kMinClearance away from the shape.
+// Returns the camera that shows the framed shape as large as possible. `reach` contains the shape's
+// extents along the directions of pyramid(): they say where each side of the view pyramid would
+// touch the shape. The eye is centred between opposite sides, as far back as the wider pair
+// requires, and at least kMinClearance away from the shape.
 Camera touching_camera(ViewAngles const& angles, double aspect, std::array<double, 5> const& reach,
                        Bounds const& box)
 {

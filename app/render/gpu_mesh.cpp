@@ -67,8 +67,9 @@ bool is_flat(mesh::TriangleMesh const& mesh, std::size_t first_index)
 }
 
 // Returns how many of a surface's first indices belong to tubes, whose inner sides are never
-// visible. make_mesh() puts two-sided polygons, which have flat normals, after the tubes. Only bark
-// and stems have tubes.
+// visible. make_mesh() puts two-sided polygons, which have flat normals, after the tubes. Surfaces
+// of other materials than bark and stems, such as those in files from other programs, count as
+// having no tubes.
 GLsizei tube_index_count(Material const& material, mesh::TriangleMesh const& surface)
 {
     if (material.kind != Material::Kind::Bark && material.kind != Material::Kind::Stem)

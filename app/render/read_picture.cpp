@@ -15,7 +15,7 @@ namespace tractus::render {
 namespace {
 
 // Returns the orientation that the camera stored in a JPEG, 1 to 8 (Exif 2.32, section 4.6.4,
-// "Orientation"). Returns 1, upright, if there is none.
+// "Orientation"). Returns 1, upright, if there is no valid one.
 int orientation_of(std::string_view bytes)
 {
     std::unique_ptr<ExifData, void (*)(ExifData*)> const data(

@@ -10,11 +10,11 @@
 namespace tractus::render {
 
 // Draws stages, in a window or off screen. It needs an OpenGL 3.3 core context that is current on
-// the calling thread from create() until the renderer is destroyed. Other users of the context must
-// expect that the bound framebuffer changes, but no other state. Lighting: a sun with a soft
+// the calling thread from create() until the renderer is destroyed. Of the state that other users
+// of the context rely on, it changes only the bound framebuffer. Lighting: a sun with a soft
 // shadow, ambient light from the sky that is attenuated inside a plant (sky_visibility.h), and
-// light that shines through leaves and petals. Materials show their colour picture, masked by its
-// alpha; without pictures, bark and leaf veins are procedural. Rendering is deterministic.
+// light that shines through leaves and petals. Materials show their colour picture and its mask;
+// without pictures, bark and leaf veins are procedural. Rendering is deterministic.
 class Renderer {
 public:
     // Fails with an internal error if the driver rejects the shaders.

@@ -23,9 +23,8 @@ extern std::string_view const kSurfaceFragment;
 extern std::string_view const kBackdropFragment;
 extern std::string_view const kGroundVertex;
 extern std::string_view const kGroundFragment;
-extern std::string_view const
-    // Fragment shader for the share of the sky that is visible from the ground below a plant.
-    kGroundShadeFragment;
+// Fragment shader for the share of the sky that is visible from the ground below a plant.
+extern std::string_view const kGroundShadeFragment;
 
 // Vertex shader for the depth of plants as seen from the sun.
 extern std::string_view const kShadowVertex;

@@ -13,7 +13,7 @@ namespace tractus::render {
 // models of canopies (Monsi and Saeki 1953, "Über den Lichtfaktor in den Pflanzengesellschaften").
 class SkyVisibility {
 public:
-    SkyVisibility() = default; // Creates an open sky: everything is visible everywhere.
+    SkyVisibility() = default; // Creates an open sky: all of it is visible everywhere.
     explicit SkyVisibility(mesh::Mesh const& mesh);
 
     // Returns the visibility at a place in the plant frame, from 0 (dark) to 1 (open sky). The grid

@@ -12,7 +12,7 @@ namespace tractus::render {
 
 namespace {
 
-// Number of mipmap levels of the ground map; coarser levels would be only a few pixels wide.
+// Coarsest mipmap level of the ground map; still coarser ones would be only a few pixels wide.
 constexpr int kGroundLevels = 8;
 
 void set_filter(GLenum minifying, GLenum magnifying)

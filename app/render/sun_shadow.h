@@ -16,7 +16,7 @@ public:
     static Result<SunShadow> create();
 
     // Renders the stage as seen from the sun, into a map of `side` pixels, 64 to 2048. Leaves
-    // another framebuffer bound.
+    // one of its own framebuffers bound.
     void draw(Stage const& stage, Bounds const& box, int side);
 
     // Sets a shader's maps (texture unit 0: depth, 1: ground), and the transforms from a place to

@@ -15,8 +15,7 @@ using Kind = FoundColumn::Kind;
 using State = FoundRow::State;
 
 constexpr std::size_t kEditColumns = 7;
-constexpr std::size_t kEditColumnsOfFormat1
-    = 5; // Number of columns of the table "edits" in format 1.
+constexpr std::size_t kEditColumnsOfFormat1 = 5; // Format 1 has no time and no checksum.
 constexpr std::size_t kMetaColumns = 2;
 constexpr std::size_t kMetaCopyColumns = 3; // Columns of meta_copies: key, value and checksum.
 

@@ -94,8 +94,8 @@ struct SessionSummary {
 };
 
 // Reads a session without changing its file; another program may be drawing in it. Edits whose kind
-// is not among `kinds` become UnknownEdits. Fails with a user error if the file is not a session,
-// is damaged, or is newer than this program.
+// is not among `kinds` become UnknownEdits. Fails with a user error if the file cannot be opened,
+// is not a session, is damaged, or is newer than this program.
 Result<SessionContents> read_session(std::filesystem::path const& path, scene::EditKinds kinds);
 
 // Checks all edits of an open database without keeping them. `name` is the file's name, for

@@ -6,8 +6,8 @@
 
 namespace tractus::tools {
 
-// A line of a plant's skeleton whose branch is in a single state: an axis or a part of one. In the
-// frame of the active plant.
+// A line along an axis of a plant's skeleton, or along a part of an axis, if the axis is divided
+// into parts of different states. Points are in the frame of the active plant.
 struct SkeletonLine {
     enum class State {
         Unselected,

@@ -156,7 +156,7 @@ private:
     std::vector<std::string> known_;
 };
 
-// Writes the words by which a log gives all options that differ from their defaults.
+// Writes the words by which a log gives all options that differ from their defaults in logs.
 class ArgumentWriter final : public OptionVisitor {
 public:
     explicit ArgumentWriter(std::vector<double> plain)

@@ -16,8 +16,8 @@
 namespace tractus::tools {
 
 // The pen's current tool: a kind and its options. A value type: copies share the options, which are
-// immutable. A tool line ("T") of a log gives the kind's word and, if options differ from their
-// defaults, words for these.
+// immutable. A tool line ("T") of a log gives the kind's word and, if options differ from those of
+// default_tool_of_kind(), words for these.
 class Tool {
 public:
     // An unknown tool, for a log made by a program with more tools; the tool's strokes are refused.
@@ -119,8 +119,8 @@ std::optional<double> read_number(NumberOption const& option, std::string_view t
 // available tools or arguments.
 Result<Tool> parse_tool(ToolKinds kinds, std::string_view name, std::string_view arguments);
 
-// The tool that a log means if it gives no words after the kind's word: each option has its
-// default.
+// The tool that a log means if it gives only the kind's word, or has no tool lines: each word
+// option has its first word, and each number option its default.
 Tool default_tool_of_kind(ToolKind const& kind);
 
 // Adds words to `arguments` (which must be valid for parse_tool()), so that the parsed tool equals

@@ -188,8 +188,7 @@ private:
 };
 
 PlantGrower::PlantGrower()
-    // std::function copies its function objects; the copies share one grower, and only one copy is
-    // called.
+    // Held by shared_ptr, as std::function requires a function object that can be copied.
     : plant_([grower = std::make_shared<SceneGrower>()](
                  PlantRequest const& wanted,
                  std::stop_token const& stop) { return grower->grow(wanted, stop); },

@@ -64,7 +64,7 @@ public:
     // Requests variations. Variations of an earlier request that have not been taken are dropped.
     void vary(VariationsRequest wanted);
 
-    // True until take() has returned the plant that was requested last.
+    // True if a plant was requested that take() has not returned yet.
     bool is_growing() const { return plant_.is_busy(); }
 
     // Returns the mesh of all visible plants, in the active plant's frame, if it was finished since

@@ -25,9 +25,9 @@ struct StartCard {
 struct StartCards {
     std::string title {};
     std::vector<StartCard> cards {};
-    // Title for further cards. If it is not empty, the cards are in order of use: the first may be
-    // shown beside the previous group, and the others follow at the end of the page under this
-    // title.
+    // Title for further cards. If it is not empty, the cards are in order of use: the first ones
+    // may be shown beside the previous group, and the others follow at the end of the page under
+    // this title.
     std::string title_of_others {};
 };
 

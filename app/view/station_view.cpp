@@ -37,8 +37,7 @@ StationView::Preview StationView::Previewing::show(PreviewRequest const& wanted)
 
 StationView::StationView(station::Station const& station, document::Document const& document)
     : preview_(std::make_unique<NewestJob<PreviewRequest, Preview>>(
-        // std::function copies this function object; the copies share one Previewing, and only one
-        // copy is called.
+        // Held by shared_ptr, as std::function requires a function object that can be copied.
         [previewing = std::make_shared<Previewing>()](PreviewRequest const& wanted) {
             return previewing->show(wanted);
         }))

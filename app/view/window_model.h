@@ -142,9 +142,8 @@ struct WindowState {
 
     std::uint64_t live_revision = 0;
     double surface_height_mm = 0; // Height of the surface in the world frame.
-    bool is_outside_calibration
-        // True if the height is extrapolated, beyond the range in which the rig was calibrated.
-        = false;
+    // True if the height is extrapolated, beyond the range in which the rig was calibrated.
+    bool is_outside_calibration = false;
     PenView pen;
     // States of the pen since the last advance(), in order.
     std::vector<PenView> pen_path;

@@ -7,9 +7,8 @@ namespace tractus::window {
 namespace {
 
 constexpr float kMinGap = 0.4f; // Minimum gap between buttons, as a share of the normal gap.
-constexpr float kRoomyEase
-    // Minimum ButtonRow::ease of a row with several groups, unless this would need another row.
-    = 0.5f;
+// Minimum ButtonRow::ease of a row with several groups, unless this would need another row.
+constexpr float kRoomyEase = 0.5f;
 
 using Buttons = std::span<ButtonWidth const>;
 

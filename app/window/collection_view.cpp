@@ -14,8 +14,8 @@ namespace {
 
 constexpr render::ViewAngles kSheetAngles { .azimuth_rad = 0.45, .elevation_rad = 0.22 };
 
-// Returns the width needed by the plants as a share of their height. It allows for any rotation
-// about the vertical.
+// Returns the width to allow for the plants, as a share of their height. It is the larger of their
+// extents along x and y, as each plant may be turned about the vertical.
 double shape_of(std::vector<view::VariationView> const& plants)
 {
     Bounds all;

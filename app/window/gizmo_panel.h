@@ -43,9 +43,8 @@ private:
     float scale_ = 1;
     std::optional<std::size_t> held_ {};  // Id of the handle that is being dragged.
     std::optional<std::size_t> shown_ {}; // Id of the handle that was last dragged or pointed at.
-    ImVec2 grab_offset_px_ {
-        0, 0
-    }; // Vector from the point where the handle was grabbed to its centre.
+    // Vector from the point where the handle was grabbed to its centre.
+    ImVec2 grab_offset_px_ { 0, 0 };
     std::optional<Vec2> moved_to_ {}; // New position of the dragged handle, if it has moved.
 };
 

@@ -85,9 +85,9 @@ private:
     std::vector<KeyPress> presses_;
     // Files that were dropped on the window since the last frame.
     std::vector<std::filesystem::path> dropped_;
-    // True if an event has arrived since take_events() or wait_for_events().
+    // True if an event has arrived since the last take_events() or wait_for_events().
     bool has_stirred_ = false;
-    std::string lately_held_; // Letters of keys that were pressed since the last frame.
+    std::string lately_held_; // Letters of keys that were held at any time since the last frame.
     std::string held_;        // Letters of the keys that are held now.
     bool library_ = false;
     GLFWwindow* window_ = nullptr;

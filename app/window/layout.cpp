@@ -125,8 +125,8 @@ void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPoint
     tell_pressing_areas(model);
 }
 
-// Shows the stage view: the plant, and the shoots that grow on it. The pen draws anywhere in the
-// window.
+// Shows the stage view: the plant, and what grows along the current stroke. The pen draws anywhere
+// in the window.
 void Layout::show_stage(view::WindowModel& model, render::Renderer& renderer,
                         HandInput const& input)
 {
@@ -224,8 +224,8 @@ void Layout::begin_drawing(view::WindowModel& model)
     has_begun_ = false;
 }
 
-// Prepares a frame and handles its input. For a pen tablet, the window begins with the pad as the
-// only view.
+// Prepares a frame and handles its input. If there is a pen tablet, a drawing begins with the pad
+// as the only view, unless Workspace::shown_first says otherwise.
 void Layout::begin_frame(view::WindowModel& model, HandInput const& input)
 {
     auto const& state = model.state();
@@ -292,7 +292,8 @@ void Layout::show_views(view::WindowModel& model, render::Renderer& renderer,
     float const gap = ImGui::GetStyle().ItemSpacing.x;
     float const width = std::max(room.width - 2 * gap, 192.0f);
     WindowPart part { room.left, 0, width * 0.37f, room.height };
-    // Outside the drawing views, the pen points at places in the whole window.
+    // The pen points at places in the whole window, unless a view in which it draws sets another
+    // area.
     auto const whole = whole_window();
     pen_area_ = fit_pen_area(state.volume_mm, { 0, 0 }, { whole.width, whole.height });
     if (workspace_.menu_is_open() && room.width < kMinForAll_px * scale_) {

@@ -110,14 +110,14 @@ private:
     PenArea pen_area_;
     // Panels that are shown in this frame; over them the pen does not draw.
     std::vector<WindowPart> covered_;
-    std::vector<Eigen::AlignedBox2d>
-        last_covered_areas_;             // Areas of the covered panels as last passed to the model.
+    // Areas of those panels, as last passed to the model. World frame.
+    std::vector<Eigen::AlignedBox2d> last_covered_areas_;
     std::optional<WindowPart> pad_part_; // Rectangle of the drawing pad in this frame.
     bool pad_is_pointed_at_ = false;     // True if the mouse hovers over the pad in this frame.
     bool collection_is_shown_ = false;
     bool devices_are_watched_ = false;
     bool has_begun_ = false;
-    bool start_is_shown_ = false;
+    bool start_is_shown_ = false; // True if a start page was shown in the last frame.
     // True if the page that is shown was opened from a drawing, to which the user can return.
     bool goes_back_to_drawing_ = false;
 };

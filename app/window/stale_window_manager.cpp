@@ -32,8 +32,8 @@ static std::optional<::Window> named_window(::Display* display, ::Window window,
     return named;
 }
 
-// Removes the property _NET_SUPPORTING_WM_CHECK if it is stale: if it does not name an existing
-// window with the same property that names itself. Meanwhile the X server is grabbed, so that no
+// Removes the property _NET_SUPPORTING_WM_CHECK if it is stale: if the window that it names does
+// not exist or does not have the same property. Meanwhile the X server is grabbed, so that no
 // window manager can start between the test and the removal.
 bool remove_stale_window_manager()
 {

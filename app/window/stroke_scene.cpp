@@ -11,7 +11,7 @@ namespace tractus::window {
 
 namespace {
 
-// Minimum width of a curve, as a share of the curves' bounding box's diagonal.
+// Minimum width of a curve, as a share of the diagonal of strokes_box().
 constexpr float kThinnest = 1.0f / 220;
 constexpr float kWider = 1.9f; // Factor by which highlighted curves are wider.
 // Diameter of the dot at a curve's beginning, as a multiple of the curve's width.

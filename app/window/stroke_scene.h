@@ -33,8 +33,8 @@ std::vector<render::Curve> stroke_curves(view::WindowState const& state,
                                          std::vector<std::size_t> const& highlighted);
 
 // Returns lines for orientation: a grid on the ground, an upright line at the plant's base with a
-// mark at each step of the grid, and a line from the beginning of each highlighted curve down to
-// the ground.
+// mark at each step of the grid, and for the newest highlighted curves a line from the curve's
+// beginning down to the ground.
 std::vector<render::Curve> ground_curves(view::WindowState const& state,
                                          std::vector<std::size_t> const& highlighted);
 

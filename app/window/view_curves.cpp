@@ -233,7 +233,8 @@ std::vector<std::vector<Vec3f>> with_pattern(std::vector<Vec3f> const& line_mm,
     return { line_mm };
 }
 
-// Returns the curves of the layers, in the world frame. Line widths are in millimetres.
+// Returns the lines that the visible layers show with the plant (tools::Layer), as curves in the
+// world frame. Line widths are in millimetres.
 std::vector<render::Curve> layer_curves(view::WindowState const& state)
 {
     std::vector<render::Curve> curves;

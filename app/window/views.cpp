@@ -121,7 +121,7 @@ render::Canvas& ViewCanvas::sized(ImVec2 const& size_px, bool& changed)
 
 void ViewCanvas::show() const
 {
-    // The texture is shown upside down: OpenGL's rows go upwards, ImGui's downwards.
+    // Flips the texture vertically, as OpenGL's rows go upwards and ImGui's downwards.
     auto* const texture = reinterpret_cast<void*>(static_cast<std::uintptr_t>(canvas_->texture()));
     ImVec2 const size(static_cast<float>(canvas_->width()), static_cast<float>(canvas_->height()));
     ImGui::Image(texture, size, ImVec2(0, 1), ImVec2(1, 0));

@@ -54,8 +54,8 @@ struct WindowOptions {
     // Path for a PNG picture of the last frame; empty: none.
     std::filesystem::path screenshot {};
 
-    // Folder for a film of the window, as pictures 00001.png and so on. Empty: no film. The model's
-    // time then advances by frames, as with `frames`, and the film has `film_rate` pictures per
+    // Folder for a film of the window, as pictures 00001.png and so on; empty: no film. For a film
+    // the model's time advances by frames, as with `frames`. The film has `film_rate` pictures per
     // second of this time. Without `frames` the window closes when playback ends.
     std::filesystem::path film {};
     int film_rate = 12; // Pictures of the film per second of the model's time, 1 to 60.

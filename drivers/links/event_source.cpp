@@ -180,7 +180,7 @@ std::vector<DeviceInfo> list_event_pens(fs::path const& root)
     for (auto const& entry : fs::directory_iterator(root / "sys/class/input", error)) {
         auto const name = entry.path().filename().string();
         auto const device = entry.path() / "device";
-        // Skips HID devices: an event node that belongs to a device with a hidraw node.
+        // Skips the event nodes of HID devices, which also have a hidraw node.
         if (!name.starts_with("event") || fs::exists(device / "device/hidraw", error)
             || !may_be_event_pen(device))
             continue;

@@ -11,8 +11,9 @@
 
 namespace tractus::drivers {
 
-// Reads one line of a device log from left to right. Each member function skips blanks first. Those
-// that return a bool return false if the line does not continue with what they read.
+// Reads one line of a device log from left to right. Each member function except plain_bytes()
+// skips blanks first. Those that return a bool return false if the line does not continue with what
+// they read.
 class LogLine {
 public:
     explicit LogLine(std::string_view line)

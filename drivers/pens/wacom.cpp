@@ -199,7 +199,7 @@ Fields decode_intuos_pro(Report report, FamilyState& state)
     return intuos_pro_fields(report, state);
 }
 
-// Offsets that the reports of the second and the third Intuos Pro have in different places.
+// Where a report of the format IntuosV2 has its values: byte offsets, and bits of the byte `flags`.
 struct WideLayout {
     std::size_t flags = 0;
     unsigned eraser_bit = 0;
@@ -227,7 +227,7 @@ PenFields wide_fields(Report report, WideLayout const& at)
 }
 
 // Decodes reports of the second Intuos Pro (PTH-x60), of CTL-4100 and its relatives, and of the
-// Wacom One, whose axes have 24 bits.
+// Wacom One. The axes of all of these have 24 bits.
 Fields decode_intuos_v2(Report report, FamilyState&)
 {
     static constexpr WideLayout kPlain { .flags = 1,

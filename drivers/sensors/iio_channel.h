@@ -16,6 +16,7 @@ namespace tractus::drivers {
 // (firmware-notes/iio.md). Its address is "iio:DEVICE:CHANNEL", where DEVICE is "device0" or the
 // device's own name, and CHANNEL is the part between in_ and _raw: "iio:ads1015:voltage0". It is
 // read only if the user names its address.
+//
 // A report is the text of the channel's file, a value in the converter's counts. Settings may
 // follow the @ of the address. One is the greatest value, such as max=4095 (default: from the
 // channel's type file, otherwise 32767). The other is the time between two readings, 2000us by

@@ -15,8 +15,9 @@ namespace tractus::drivers {
 // guide, section 5).
 
 struct LabJackU3Options {
-    // Input of the wiper, AIN`channel`: 0 to 7 are FIO0 to FIO7, 8 to 15 are EIO0 to EIO7.
-    // Low-voltage inputs range from 0 to 2.44 V; AIN0 to AIN3 of a U3-HV from -10 to 10 V.
+    // Number of the analogue input to which the potentiometer's wiper is connected, as in AIN3: 0
+    // to 7 are FIO0 to FIO7, 8 to 15 are EIO0 to EIO7. Low-voltage inputs range from 0 to 2.44 V,
+    // AIN0 to AIN3 of a U3-HV from -10 to 10 V.
     int channel = 0;
 };
 

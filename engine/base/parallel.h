@@ -6,9 +6,9 @@
 namespace tractus {
 
 // Calls work(begin, end) for pieces that together cover [0, count), on as many threads as the
-// machine has. Returns when all pieces are done. A piece of more than `grain` elements may be split
-// further, down to one element. The result of `work` must not depend on how the range is split or
-// in which order the pieces run. Loops may be nested.
+// machine has. Returns when all pieces are done. Only pieces of more than `grain` elements are
+// split further; each piece has at least one element. The result of `work` must not depend on how
+// the range is split or in which order the pieces run. Loops may be nested.
 //
 // Every parallel loop must go through this function: the library behind it is not built for the
 // thread sanitizer, so this is where the sanitizer learns the order between the caller and the

@@ -83,7 +83,7 @@ public:
         return round_to_integer_bits(number) & 0xFFFF;
     }
 
-    // low() and high(): the least and the greatest number returned by encode() so far.
+    // low() and high(): the least and the greatest number encoded so far.
     float low() const { return std::nearbyint(std::min({ low_[0], low_[1], low_[2], low_[3] })); }
     float high() const
     {

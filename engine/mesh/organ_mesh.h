@@ -9,10 +9,9 @@ namespace tractus::mesh {
 // Returns the mesh of an organ at scale 1, in the organ frame (engine/plant/organ_shape.h), by
 // kind:
 //
-// Blade: one layer (the materials Leaf and Petal are two-sided) in two halves along the midrib,
-// with
-//        32 triangles for an entire margin and more for lobes. A petiole is a thin three-sided tube
-//        along +y; the curl begins at the base of the blade.
+// Blade: two halves along the midrib, with 32 triangles for an entire margin and more for lobes;
+//        one layer, as the materials Leaf and Petal are two-sided. A petiole is a thin three-sided
+//        tube along +y; the curl begins at the base of the blade.
 // Needle: four-sided, widest in the middle, with a pointed tip.
 // Disc: faces +y: a cone from the origin to its rim, then a shallow dome up to `length_mm`.
 // Ball: an ellipsoid from the origin to `length_mm` along +y, `width_mm` across.

@@ -16,7 +16,7 @@ namespace tractus::scene {
 
 // Position, size and appearance of the picture.
 struct PicturePlace {
-    // Centre of the picture, in tablet-centred millimetres.
+    // Centre of the picture, in millimetres from the tablet's centre.
     double x_mm = 0;
     double y_mm = 0;
     double width_mm = 200;

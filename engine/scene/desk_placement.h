@@ -53,11 +53,11 @@ struct SelectionAngle {
 };
 
 // The projection by which the selection view shows the skeleton on the tablet: orthographic, and
-// scaled to fit the tablet with a margin. Results are in tablet-centred millimetres: the x and y of
-// the world frame, whatever the surface's height.
+// scaled to fit the tablet with a margin. Results are in millimetres from the tablet's centre: the
+// x and y of the world frame, whatever the surface's height.
 struct SelectionView {
     double scale = 1; // Tablet millimetres per plant millimetre.
-    // Position of the plant's base on the tablet, in tablet-centred millimetres.
+    // Position of the plant's base on the tablet, in millimetres from the tablet's centre.
     Vec2 origin_mm = Vec2::Zero();
     std::uint32_t max_order = 1; // Axes of a higher order are hidden.
     // Unit vectors in the plant's frame that point right, up, and towards the viewer.

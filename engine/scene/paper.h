@@ -13,7 +13,7 @@ namespace tractus::scene {
 // a plant that was not drawn on paper, that position is one tenth of the tablet's depth above the
 // sheet's lower edge.
 struct Paper {
-    // Position of the plant's base on the sheet, in tablet-centred millimetres.
+    // Position of the plant's base on the sheet, in millimetres from the tablet's centre.
     Vec2 base_mm = Vec2::Zero();
     Vec3 world_point_mm = Vec3::Zero(); // Position of the plant's base, world frame.
     // World millimetres per millimetre of the sheet: 1, except for plants that were drawn smaller

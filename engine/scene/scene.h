@@ -28,8 +28,9 @@ struct BuiltPlant {
     // Warnings, each once, such as features of the model that are not supported.
     std::vector<std::string> model_warnings;
 
-    // The plant as its source gives it, with added parts and without hidden branches; never null.
-    // Immutable, and shared between successive scenes, the views and the threads that grow it.
+    // The plant as its source gives it, with added parts and without hidden branches. Never null;
+    // has no branches as long as there is no source. Immutable, and shared between successive
+    // scenes, the views and the threads that grow it.
     std::shared_ptr<Plant const> base = std::make_shared<Plant const>();
     variation::SharedRestShape rest {}; // The rest shape of `base`.
     // `foliated` is `base` with the leaves chosen for the plant. `in_season` is `foliated` in the

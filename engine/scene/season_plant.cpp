@@ -38,7 +38,7 @@ OrganCalendar calendar_of(Plant const& plant, OrganShape const& shape)
     return { .is_evergreen = !is_petal && !is_leaf(plant, shape) };
 }
 
-// True if this year's leaves have fallen and still lie below the bare plant in that month.
+// True if the leaves that fell last still lie below the bare plant in that month.
 bool lies_below(OrganCalendar const& calendar, double month)
 {
     return !calendar.is_evergreen && (month >= calendar.bare || month < kDecayed);

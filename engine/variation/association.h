@@ -77,8 +77,9 @@ struct Association {
     bool is_orphaned = false;
 };
 
-// The shape of a plant bent by its strokes, before growth: a frame for every segment. Frames are
-// those of RestShape, except that the frame at an axis' base is rotated with the bent parent.
+// The shape of a plant bent by its strokes, before growth: a frame for every segment. Frames have
+// the same meaning as in RestShape, except that the frame at an axis' base is rotated with the bent
+// parent.
 struct PredefinedShape {
     std::vector<Quat> frame {};
 };

@@ -205,8 +205,8 @@ void GrowthBundle::hold()
     }
 }
 
-// Finds the influence on each axis' tip before the step to segment `number`, when the tip is in the
-// previous segment.
+// Finds the influence of the motion indicators on each axis' growing tip before the step to segment
+// `number`, while the tip is in the previous segment.
 void GrowthBundle::find_influence(std::uint32_t number)
 {
     auto const before = number > 0 ? number - 1 : 0;

@@ -15,7 +15,7 @@ namespace tractus::variation {
 namespace {
 
 constexpr std::uint32_t kWhole = 0x696E6400; // Random stream of the plants' sizes and rotations.
-// Random stream of missing and duplicated branches; fate_of() adds the axis number to the seed.
+// Random stream of missing and duplicated branches; fate_of() mixes the axis number into the seed.
 constexpr std::uint32_t kBranches = 0x696E6401;
 constexpr std::uint32_t kAges = 0x696E6402;   // Random stream of the plants' ages.
 constexpr std::uint32_t kOrgans = 0x696E6403; // Random stream of the sizes of organs.

@@ -42,7 +42,7 @@ session::SessionOptions options()
                                          [] { return document::load_options(); });
 }
 
-// A session in which half of the edits select a branch, and the others draw along it.
+// A session in which half of the edits select a branch, and the others bend it with a stroke.
 class BigSession {
 public:
     BigSession()

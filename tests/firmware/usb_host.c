@@ -16,12 +16,12 @@
 
 enum { kClock_Hz = 16000000, kSupply_mV = 5000, kReports = 400 };
 
-static avr_t* avr;
-static avr_irq_t* converter;
-static FILE* conversions;
+static avr_t *avr;
+static avr_irq_t *converter;
+static FILE *conversions;
 static uint32_t conversion_count;
 
-static void fail(char const* what)
+static void fail(char const *what)
 {
     fprintf(stderr, "usb_host: %s\n", what);
     exit(1);
@@ -51,7 +51,7 @@ static uint32_t wiper_mV(uint32_t conversion)
     return (conversion - 3200) * 2 % kSupply_mV + noise % 40000 / 1000;
 }
 
-static void convert(avr_irq_t* irq, uint32_t value, void* parameter)
+static void convert(avr_irq_t *irq, uint32_t value, void *parameter)
 {
     (void)irq;
     (void)value;
@@ -71,7 +71,7 @@ static void convert(avr_irq_t* irq, uint32_t value, void* parameter)
 
 // ---- USB transfers
 
-static int usb(uint32_t what, uint8_t pipe, void* bytes, uint32_t* size)
+static int usb(uint32_t what, uint8_t pipe, void *bytes, uint32_t *size)
 {
     struct avr_io_usb packet = { pipe, *size, bytes };
     int const result = avr_ioctl(avr, what, &packet);
@@ -80,7 +80,7 @@ static int usb(uint32_t what, uint8_t pipe, void* bytes, uint32_t* size)
 }
 
 // Repeats a transfer until the device answers with anything but NAK.
-static int usb_until(uint32_t what, uint8_t pipe, void* bytes, uint32_t* size)
+static int usb_until(uint32_t what, uint8_t pipe, void *bytes, uint32_t *size)
 {
     for (int tries = 0; tries < 1000; ++tries) {
         uint32_t count = *size;
@@ -110,7 +110,7 @@ static void send_setup(struct setup setup)
 
 // Sends a request with a reply, and returns the size of the reply; -1 if the request is refused.
 // The reply may be shorter than requested.
-static int get(struct setup setup, uint8_t* bytes)
+static int get(struct setup setup, uint8_t *bytes)
 {
     send_setup(setup);
     uint32_t got = 0;
@@ -143,7 +143,7 @@ static int report_descriptor_size;
 static void enumerate(void)
 {
     uint8_t bytes[256];
-    avr_ioctl(avr, AVR_IOCTL_USB_VBUS, (void*)1);
+    avr_ioctl(avr, AVR_IOCTL_USB_VBUS, (void *)1);
     run_us(10000);
     avr_ioctl(avr, AVR_IOCTL_USB_RESET, NULL);
     run_us(2500);
@@ -174,7 +174,7 @@ static void enumerate(void)
         fail("there is no report descriptor");
 }
 
-static void write_header(FILE* log)
+static void write_header(FILE *log)
 {
     fprintf(log, "D: 0\nR: %d", report_descriptor_size);
     for (int i = 0; i < report_descriptor_size; ++i)
@@ -182,7 +182,7 @@ static void write_header(FILE* log)
     fprintf(log, "\nN: tractus Height slider\nP: simavr/input0\nI: 3 1209 0001\n");
 }
 
-static void write_report(FILE* log, uint8_t const* bytes, uint32_t size)
+static void write_report(FILE *log, uint8_t const *bytes, uint32_t size)
 {
     uint64_t const us = avr->cycle / (kClock_Hz / 1000000);
     fprintf(log, "E: %06u.%06u %u", (unsigned)(us / 1000000), (unsigned)(us % 1000000),
@@ -192,7 +192,7 @@ static void write_report(FILE* log, uint8_t const* bytes, uint32_t size)
     fprintf(log, "\n");
 }
 
-static void start(char const* firmware_file)
+static void start(char const *firmware_file)
 {
     elf_firmware_t firmware = { 0 };
     if (elf_read_firmware(firmware_file, &firmware) != 0)
@@ -209,13 +209,13 @@ static void start(char const* firmware_file)
                             NULL);
 }
 
-int main(int argument_count, char** arguments)
+int main(int argument_count, char **arguments)
 {
     if (argument_count != 4) {
         fprintf(stderr, "usage: usb_host FIRMWARE.elf LOG CONVERSIONS\n");
         return 2;
     }
-    FILE* const log = fopen(arguments[2], "w");
+    FILE *const log = fopen(arguments[2], "w");
     conversions = fopen(arguments[3], "w");
     if (!log || !conversions)
         fail("cannot write");

@@ -23,8 +23,9 @@ Result<std::filesystem::path> own_organ_path(std::string const& name);
 // invalid.
 Result<OrganFile> load_organ(std::filesystem::path const& path);
 
-// True if a name in a sketch's file refers to a leaf: to a .organ file beside the sketch, or to a
-// built-in leaf if there is no file of this name. Any other name refers to another sketch.
+// True if a name in a sketch's file refers to a leaf: it is the path, relative to the sketch, of a
+// .organ file, or the name of a built-in leaf (no extension, and no such file exists). Any other
+// name refers to another sketch.
 bool names_organ(std::string const& name, std::filesystem::path const& folder_of_sketch);
 
 // Loads the leaf to which a name in a sketch's file refers. Fails with a user error if there is no

@@ -96,8 +96,8 @@ public:
             && pixel.y() < image_.height();
     }
 
-    // Returns the colour of the pixel at this position, or of the nearest pixel beyond the image's
-    // border.
+    // Returns the colour of the pixel at this position. For a position beyond the image's border,
+    // returns the colour of the nearest pixel.
     render::Color color_at(Vec2 const& pixel) const
     {
         auto const nearest = [](double at, int count) {

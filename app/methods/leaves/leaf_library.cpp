@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kGrownUp = 0.35; // Age from which on a leaf is adult.
+constexpr double kGrownUp = 0.35; // LeafLife::age at which a leaf becomes adult.
 constexpr double kDecays = 0.65;
 
 double ease(double x)

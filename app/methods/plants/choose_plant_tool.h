@@ -4,7 +4,7 @@
 
 namespace tractus::plants {
 
-// Makes the plant under the stroke the active plant.
+// Makes the plant under the stroke's end the active plant.
 struct ChoosePlantTool {
     static tools::ToolKind const kKind;
 };

@@ -28,7 +28,7 @@ Result<std::optional<scene::Edit>> declared_leaf(OutlineTool const& tool, Stroke
 
 // The styles that a stroke of the tool copies from one branch of the active tree to others
 // (copied_by() in chosen_style.h). Fails with a user error if the active plant was not drawn by its
-// outline, or the stroke copies no style.
+// outline, or the stroke begins on none of its branches.
 Result<ChooseStyles> copied_styles(Stroke const& stroke, scene::Scene const& scene);
 
 // The tree that the edit begins or changes, with all its lines, after the edit.

@@ -39,8 +39,8 @@ struct SilhouetteFile {
 //   parts     [[[x, y], …], …]: each a closed line around the crown of a branch, or an open line:
 //             a branch that starts on its parent branch
 //   leaves    [[[x, y], …], …]: closed lines around leaves. A single point [[x, y]] on a bump means
-//             that the part of the crown in this bump is a leaf. Without an outline, the first
-//             leaf is the crown
+//             that the branch that ends in this bump is a leaf. Without an outline, the first leaf
+//             is the crown
 //   splits    [[x, y], …]: each on a bump of an outline
 //   joins     [[x, y], …]: each between two bumps
 //   styles    [[[x, y], …], …]: each a line from a branch across others, which take its style

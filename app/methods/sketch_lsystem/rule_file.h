@@ -18,7 +18,8 @@ namespace tractus::sketch {
 //     a = 52      # degrees
 //
 // Tables [[laterals]] are the rules for laterals (Rule::lateral_rules); the first applies to the
-// laterals of the drawn axis. The keys are the letters given in the comments of LateralRule:
+// laterals of the drawn axis. The keys are the letters given in the comments of LateralRule.
+// Missing keys have the defaults of LateralRule, but T defaults to 180/k degrees:
 //
 //     [[laterals]]
 //     k = 2

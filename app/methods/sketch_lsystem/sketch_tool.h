@@ -80,10 +80,9 @@ struct SketchTool {
     double axis_twist_deg = 0;
     double lateral_twist_deg = 0;
     double shortest_mm = 0; // Length of the shortest internode; 0: that of the preset.
-    double room_mm
-        // Occupancy radius: laterals keep this distance from other parts of the axis
-        // (Rule::occupancy_radius_mm); 0: they ignore other parts.
-        = 0;
+    // Occupancy radius (Rule::occupancy_radius_mm): laterals stay short, or do not grow, to leave
+    // room for other parts of the axis. 0: they ignore other parts.
+    double room_mm = 0;
     // The end of a stroke at which the plant stands. AsDrawn: the stroke's beginning. AtFoot: the
     // stroke's foot; a stroke that was drawn down to the ground is therefore reversed
     // (foot_first.h). Logs that are older than this option lack it and mean AsDrawn.

@@ -257,10 +257,10 @@ private:
         double radius = 0;
     };
 
-    // Returns true if a ball with this centre and radius is granted: it touches no granted ball, or
-    // is itself one. Granted balls are stored by size class (the power of 2 above their diameter)
-    // and by the voxel of their centre. A voxel is at least as large as its balls, so only a few
-    // voxels of each class must be searched.
+    // Returns true if a ball of space with this centre and radius is granted: it overlaps no ball
+    // that was granted before, or is itself such a ball. Granted balls are stored by size class
+    // (the power of 2 above their diameter) and by the voxel of their centre. A voxel is at least
+    // as large as its balls, so only a few voxels of each class must be searched.
     Result<bool> take(Vec3 const& center, double radius)
     {
         int size = 0;
@@ -292,7 +292,8 @@ private:
 
     Watch watch_;
     double radius_;
-    // Granted balls, by size class (exponent of 2) and voxel.
+    // Balls of space that modules asked for and were granted, by size class (exponent of 2) and by
+    // the voxel of their centre.
     std::map<int, std::map<Cell, std::vector<Ball>>> balls_;
 };
 

@@ -25,7 +25,9 @@ public:
     struct End {
         // The closing bracket; the string's size if no bracket closes the branch.
         std::size_t module = 0;
-        std::size_t parameter = 0; // Index of the first parameter of that module.
+        // Index of the first parameter of `module`; the number of parameters if no bracket closes
+        // the branch.
+        std::size_t parameter = 0;
     };
 
     // Returns the first module, from `module` on, at which a long branch may begin; the string's

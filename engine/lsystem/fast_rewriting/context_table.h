@@ -70,9 +70,9 @@ private:
     std::vector<KindId> one_to_one_;
     std::vector<FixedSuccessor> successors_;
     std::size_t longest_ = 1;
-    // The two columns below reserve more memory than they use; only memory that is written is
-    // touched.
-    Column<KindId> right_; // Right neighbour of each module.
+    // Right neighbour of each module. Reserves more memory than it uses; only memory that is
+    // written is touched.
+    Column<KindId> right_;
     std::vector<PieceNeighbours> pieces_;
     std::vector<Written> written_;
 };

@@ -26,8 +26,8 @@ struct ModelSource {
     bool operator==(ModelSource const&) const = default;
 };
 
-// A kind of module: a symbol and its number of parameters. cpfg's symbols are single characters
-// here; @o, ~l and ?P are two modules each, the first of them without parameters.
+// A kind of module: a symbol, which is a single character, and its number of parameters. cpfg's
+// symbols @o, ~l and ?P are two modules each, the first of them without parameters.
 struct ModuleKind {
     char symbol = ' ';
     std::uint8_t parameter_count = 0;

@@ -94,8 +94,8 @@ struct SubsystemCall {
     std::vector<std::vector<double>> arrays;
 };
 
-// A module %(x) of a string, which cuts off the rest of its branch in the next step. From then on
-// the turtle draws the part that was cut off from the state ModuleString::turtles[turtle].
+// A module %(x) of a string, which cuts off the rest of its branch in the next step. The turtle
+// that draws the part cut off then starts in the state ModuleString::turtles[turtle].
 struct KeptCut {
     std::size_t module = 0;
     std::size_t turtle = 0;

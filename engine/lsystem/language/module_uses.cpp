@@ -188,8 +188,8 @@ bool ModuleUses::is_whole_known(Name const& name) const
                        [&](char letter) { return is_known(letter); });
 }
 
-// Returns a capital letter that the model does not use, preferably one of the name; 0 if there is
-// none.
+// Returns a capital letter that the model does not use for anything else, preferably one of the
+// name; 0 if there is none.
 char ModuleUses::free_letter(std::string_view name) const
 {
     auto const is_free = [&](char letter) {

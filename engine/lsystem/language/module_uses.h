@@ -62,7 +62,8 @@ private:
     char free_letter(std::string_view name) const;
     std::string describe_name(Name const& name) const;
 
-    // The axiom or successor being parsed, without the characters of longer symbols.
+    // Symbols of the axiom or successor being parsed. Those of several characters, such as ~K, are
+    // left out.
     std::vector<Use> string_;
     // The first characters, @, @D, ~ or ?, of a symbol that the next module continues.
     std::string prefix_;

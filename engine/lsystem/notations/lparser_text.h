@@ -20,12 +20,12 @@ struct ImportedModel {
 // same after the words recursion, angle, thickness, axiom and rule. # begins a comment.
 //
 // After each step the string has the same letters as in LParser, with two exceptions: letters that
-// cannot be modules in cpfg are renamed, and there is one more module at the beginning of the
-// string and at each bracket. LParser's turtle keeps factors of length, angle and thickness ( " ' ;
-// : ? ! ). A branch inherits these factors, and they are restored at its end. The model keeps them
-// in arrays, which its homomorphism rules read and set. LParser's default length is 100 turtle
-// units, and thickness is a percentage of that length. Random turns (~) differ from LParser's. The
-// droop (t) is left out, with a warning.
+// cannot be modules in cpfg are renamed, and there is one more module at its beginning and after
+// each bracket. LParser's turtle keeps factors of length, angle and thickness ( " ' ; : ? ! ). A
+// branch inherits these factors, and they are restored at its end. The model keeps them in arrays,
+// which its homomorphism rules read and set. LParser's default length is 100 turtle units, and
+// thickness is a percentage of that length. Random turns (~) differ from LParser's. The droop (t)
+// is left out, with a warning.
 //
 // Fails with a user error "NAME:LINE: ..." for any other line.
 Result<ImportedModel> read_lparser_model(std::string const& name, std::string_view text);

@@ -60,7 +60,7 @@ struct HomomorphismOptions {
     StringLimit limit {};
     TimeLimit time {};
     std::function<void(std::string_view text)> print {}; // Receives the output of printf.
-    // Which modules % the result contains. One in the string itself cuts its branch. One made by a
+    // Which % modules the result contains. A % in the string itself cuts its branch. A % made by a
     // rule has no effect, and KeepThoseOfTheString leaves it out.
     enum class Cuts { Keep, KeepThoseOfTheString };
     Cuts cuts = Cuts::Keep;

@@ -114,8 +114,8 @@ std::size_t Turtle::draw(Modules const& modules, std::size_t place, bool in_homo
     return length;
 }
 
-// Returns true if all parameters of a symbol are finite. Otherwise warns and returns false, since
-// an infinite parameter would affect everything drawn after it.
+// Returns true if all parameters of a symbol are finite. Otherwise warns and returns false, since a
+// parameter that is not finite would affect everything drawn after it.
 bool Turtle::check(Symbol const& symbol)
 {
     for (std::size_t i = 0; i < symbol.count; ++i)

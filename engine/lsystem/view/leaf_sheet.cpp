@@ -113,9 +113,9 @@ double leaf_age(LeafOrder const& order, int number)
 {
     if (order.spread <= 0)
         return order.age;
-    // Multiples of the golden ratio, modulo 1, fill the range evenly for any number of leaves. They
-    // become normal deviates by the logistic distribution function, which is within 0.01 of the
-    // normal one.
+    // Multiples of the golden ratio, modulo 1, fill the range evenly for any number of leaves. The
+    // inverse of the logistic distribution function, which is within 0.01 of the normal one, turns
+    // them into deviations that are almost normally distributed.
     constexpr double kGolden = 0.6180339887498949;
     constexpr double kLogistic = 1.702;
     constexpr double kYoungest = 0.02;

@@ -19,8 +19,8 @@ namespace {
 constexpr double kUnitsPerPixel = 0.05;
 
 // Reads the line width. Widths in pixels, which are meant for lines on a screen, are converted,
-// since a plant needs some thickness. As in cpfg, the last statement with a unit decides the unit
-// of all widths.
+// since a plant needs some thickness. As in cpfg, the last statement of the line width or the line
+// style decides the unit of all widths.
 Result<void> read_line_width(ViewReader& reader, std::string_view value)
 {
     auto const parts = words(value);

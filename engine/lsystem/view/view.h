@@ -26,7 +26,7 @@ struct Tropism {
     // perpendicular to it.
     double angle_deg = 0;
     double elasticity = 0;      // Initial elasticity of the tropism.
-    double elasticity_step = 0; // Change of the elasticity by @Ti and @Td without a parameter.
+    double elasticity_step = 0; // Change of the elasticity by @Ti and @Td that give no step.
     // True: the tropism rolls the turtle about its heading instead of bending the heading.
     bool is_torque = false;
 };

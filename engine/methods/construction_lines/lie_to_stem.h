@@ -12,7 +12,8 @@ struct Lie {
     // of its last point.
     double first_mm = 0;
     double last_mm = 0;
-    int crossings = 0;     // Number of times that the stroke crosses the stem.
+    // Number of times that the stroke changes sides beside the stem, not beyond the stem's ends.
+    int crossings = 0;
     double along = 0;      // Share of the stem along which the stroke runs.
     double left_share = 0; // Share of the stroke's points to the left of the stem.
     // Greatest distance of the stroke from the stem on the side with fewer of its points.

@@ -11,8 +11,8 @@ namespace tractus::leaf {
 // Fits a curve (HalfOutline) to a drawn half outline, which runs from (0, 0) to (0, 1) with x
 // positive on its own side. Returns the fewest points for which the root mean square distance
 // between curve and drawing is at most `tolerance` in each span between points. A point is a corner
-// if the line turns there by 50 degrees or more and no smooth curve fits as well. `window` is the
-// length over which a corner can be distinguished from tremor.
+// if the line turns there by 50 degrees or more and no smooth curve fits almost as well. `window`
+// is the length over which a corner can be distinguished from tremor.
 std::vector<HalfOutline::Point> fit_half_outline(FlatLine const& half, double tolerance,
                                                  double window);
 

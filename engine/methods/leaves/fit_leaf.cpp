@@ -102,7 +102,8 @@ void fit_outline(FlatBlade const& blade, LeafFit& fit)
     leaf.right = rounded_half(fit_half_outline(blade.right, tolerance, window));
 }
 
-// Mirrors the veins to the left in a leaf of which only one half was drawn.
+// Adds mirror images of the veins on the left of a leaf of which only one half was drawn. Does
+// nothing if there are veins on the left already.
 void mirror_veins(DrawnLeaf& leaf)
 {
     auto const has_left = [](DrawnLeaf::Knot const& knot) { return knot.left_deg.has_value(); };

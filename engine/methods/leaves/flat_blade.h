@@ -22,7 +22,7 @@ struct BladePlace {
 // The origin is the beginning of the blade at the petiole; x is to the right, y along the midrib,
 // and the tip is at (0, 1). Lengths along and across the midrib are preserved.
 struct FlatBlade {
-    // Length of the midrib within the blade: the unit of all other lengths here.
+    // Length of the midrib within the blade: the unit of all other lengths here except in `place`.
     double size_mm = 0;
     double stalk = 0;  // Length of the petiole, as a share of size_mm; 0 if none was drawn.
     FlatLine right {}; // Right half outline, from base to tip.

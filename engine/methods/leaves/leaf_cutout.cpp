@@ -96,7 +96,9 @@ private:
     Vec2 const& corner(std::size_t i) const { return corners_[i % corners_.size()]; }
 
     struct Bay {
-        std::size_t behind = 0; // Index of the corner before the new concave corner.
+        // Index of the corner before the new corner; if a side is removed, of the side's first
+        // corner.
+        std::size_t behind = 0;
         Vec2 at = Vec2::Zero();
         double area = 0;
     };

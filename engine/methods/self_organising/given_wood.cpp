@@ -85,8 +85,8 @@ private:
         }
     }
 
-    // Adds a segment, divided into equal parts of nearly one internode length. Returns the node at
-    // the segment's upper end.
+    // Adds a segment. A segment longer than an internode is divided into equal parts of nearly one
+    // internode length. Returns the node at the segment's upper end.
     std::uint32_t add_segment(Axis const& axis, std::uint32_t i, std::uint32_t below,
                               NodeLinks& links, bool begins_lateral)
     {

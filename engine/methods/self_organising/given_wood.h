@@ -16,8 +16,8 @@ struct GivenWood {
     Plant const& plant;
     // Keys from which the axes get their names: one for each axis, or none at all.
     AxisKeys const& keys {};
-    // Internode length in mm: segments are divided into equal parts of nearly this length. 0: the
-    // habit's internode length.
+    // Internode length in mm: longer segments are divided into equal parts of nearly this length.
+    // 0: the habit's internode length.
     double internode_mm = 0;
     enum class Buds {
         Young, // Lateral buds only on wood younger than a bud's life (Habit::bud_life).

@@ -106,8 +106,8 @@ struct Arrangement {
 Arrangement arrange(std::vector<DrawnPlace> const& drawn, ArrangementOptions const& options,
                     RandomKey const& key);
 
-// Cost of two branches that do not fit the pattern, with nodes `node` apart in u: 0 for a perfect
-// fit, at most 1/2.
+// Pattern cost of two branches, with nodes `node` apart in u: 0 if they fit the pattern perfectly,
+// at most 1/2.
 double misfit(Pattern pattern, double node, Place const& a, Place const& b);
 
 // Proximity cost of two branches: 1 at the same position, falling with their distance, and faster

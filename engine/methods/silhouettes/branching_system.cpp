@@ -92,6 +92,9 @@ struct DrawnBranches {
     std::vector<std::optional<Branch>> of_bump;
     std::vector<Branch> elsewhere {};
 };
+
+// Makes the drawn branches from their strokes. Their branching angles become samples of `angles`,
+// from which the other branches get theirs.
 DrawnBranches take_drawn_branches(BranchingSystem const& system, Run const& bases,
                                   std::vector<std::vector<Vec2>> const& strokes,
                                   BranchingAngles& angles)

@@ -28,6 +28,7 @@ struct OutlinedBranch {
 };
 std::optional<OutlinedBranch> outlined_in(BranchingSystem const& system,
                                           std::span<Vec2 const> stroke);
+// Index of the branch that outlined_in() finds.
 std::optional<std::size_t> branch_in(BranchingSystem const& system, std::span<Vec2 const> stroke);
 
 // Replaces the crowns of branches by the outlines drawn for them. A copy that gets an outline is no

@@ -114,8 +114,9 @@ std::string_view parent_in(std::string_view path); // The path without its last 
 std::string_view last_name_in(std::string_view path);
 
 // Default name of a branch: "b4" ends in bump 4; "L7" and "R7" are copies at step 7 on the left and
-// right; "g2" fills gap 2; "s3" ends at position 3 of an outline without bumps; "d1" was drawn;
-// "apex" is the trunk's own end. A name kept from an earlier drawing takes precedence.
+// right; "g2" fills gap 2; "s3" ends where the outline has no bump, at position 3
+// (SpacedBranch::number); "d1" was drawn; "apex" is the trunk's own end. A name kept from an
+// earlier drawing takes precedence.
 std::string name_of(Branch const& branch);
 
 // Index of the branch with this name in a system; no value if there is none.

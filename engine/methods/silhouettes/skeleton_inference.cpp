@@ -81,8 +81,8 @@ public:
         outlined.outline.min_area_mm2 = 0;
         skeleton_.surface = drawing_.surface;
         std::size_t first = 0;
-        // Branches beyond the form's number of levels have children only if they were drawn on or
-        // follow a style.
+        // From level `options_.levels` on, a branch has children only if something was drawn on it
+        // or if it follows a style.
         for (int level = 1; first < skeleton_.systems.size(); ++level) {
             bool const is_usual = level < options_.levels;
             LevelInference const how { .usual = styled(below, options_.styles, level),

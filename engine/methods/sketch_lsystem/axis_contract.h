@@ -59,7 +59,8 @@ Result<AxisContract> contract_of(std::string const& name, std::string_view text)
 // Values to be written to the spans of an AxisContract.
 struct ContractValues {
     std::size_t count = 0;
-    std::string length {}; // Text of the length array, such as "{9, 8.8}".
+    // Text of the length array, such as "{9, 8.8}"; `plane` and `bend`: texts of these arrays.
+    std::string length {};
     std::string plane {};
     std::string bend {};
 };

@@ -36,7 +36,7 @@ TEST_P(Demo, IsRecordedFromItsScriptByteForByte)
     auto const written
         = play::write_simulated_recording(out, script(), scene(), methods::all_methods().tools);
     ASSERT_TRUE(written) << written.error().message;
-    // EXPECT_TRUE, because a failing EXPECT_EQ would print both recordings, over half a megabyte.
+    // EXPECT_TRUE, because a failing EXPECT_EQ would print some half a megabyte.
     EXPECT_TRUE(out.str() == read_file(file("tractus-log")).value())
         << "record it again: tractus record --simulate app/demo/" << GetParam() << ".hand.toml";
 }

@@ -62,7 +62,7 @@ protected:
         ASSERT_TRUE(write_file(folder_ / name, text));
     }
 
-    // Returns a job that makes variations of the leafy stem with its drawing in the folder "out".
+    // Returns a job that varies the leafy stem by its drawing, and writes into the folder "out".
     JobOptions job(std::size_t variations) const
     {
         return { .drawing

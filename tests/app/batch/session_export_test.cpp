@@ -40,8 +40,7 @@ TEST(SessionExport, WritesNothingOutsideOfItsFolder)
     std::filesystem::remove_all(folder);
 }
 
-// The exported models of plants that methods made, and of their parts, must derive to the same
-// plants.
+// The exported models of plants and parts that were made by methods must derive to the same plants.
 TEST(SessionExport, GivesEachPlantAndPartItsFiles)
 {
     auto const folder = std::filesystem::temp_directory_path()

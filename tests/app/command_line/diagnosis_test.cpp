@@ -120,8 +120,8 @@ TEST_F(DiagnosisCommands, WatchFillsATerminalAndRecordsWithAKey)
 {
     if (run("command -v script").exit_code != 0)
         GTEST_SKIP() << "there is no script (Debian's bsdutils) to make a terminal";
-    // Each key is pressed once the screen shows the text that it belongs to, or the program has
-    // ended.
+    // Each key is pressed once the text that it needs is on the screen or in the recording, or the
+    // program has ended.
     auto const outcome = run(
         "touch screen; wait_for() { until \"$@\" || [ -e ended ]; do sleep 0.02; done; }\n"
         "{ wait_for grep -q 'q quit' screen; wait_for grep -q touching screen; printf r;"

@@ -42,7 +42,7 @@ protected:
         options.model = folder_ / "mine.l";
         options.now = [this] { return now_; };
         auto window = LiveWindow::create(drawing_devices(false), std::move(options)).value();
-        advance_to_end(window); // Ends when one stroke has shaped the trunk.
+        advance_to_end(window); // The devices draw a stroke, which shapes the trunk.
         window.settle();
         return window;
     }

@@ -317,7 +317,7 @@ TEST(RecentDrawings, AreTheNewestFirstAndNamedInWords)
     fs::remove_all(folder);
 }
 
-// The seconds come from the command "date -u -d @1774620180" and similar ones.
+// The expected times are those that "date -u -d @1774620180" and similar commands print.
 TEST(RecentDrawings, SayTheirTimeInWords)
 {
     ::setenv("TZ", "UTC", 1);

@@ -9,8 +9,8 @@ namespace {
 
 class Completing : public testing::Test, protected SmallProgram {
 protected:
-    // Returns the words offered after the words typed so far, the last of which is incomplete. The
-    // last element says what else is offered, as in the printed text.
+    // Returns the words offered for the words typed so far, the last of which is incomplete. If
+    // names of files or folders are offered, too, the last element is ":files" or ":folders".
     std::vector<std::string> after(std::vector<std::string> const& typed)
     {
         std::istringstream lines(print_completion(complete(root, typed, { "birch", "shrub" })));

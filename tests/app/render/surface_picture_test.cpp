@@ -84,8 +84,8 @@ TEST_F(SurfacePictureTest, NormalsLeanAsThePictureSays)
              { Vec3(0.5, 0, 0.866), Vec3(-0.5, 0, 0.866), Vec3(0, 0.6, 0.8), Vec3(0, -0.6, 0.8) }) {
             auto with_picture = plate(kind);
             with_picture.materials[0].textures.normal = normals_towards(leaning);
-            // The plate has no relief of bark in its own pictures, so only the normal map is
-            // compared.
+            // A normal map replaces the procedural relief of bark. So the plates for comparison
+            // have a flat one.
             auto turned = plate(kind, Vec3(leaning.x(), -leaning.z(), -leaning.y()).cast<float>());
             turned.materials[0].textures.normal = normals_towards(Vec3::UnitZ());
             auto flat = plate(kind);

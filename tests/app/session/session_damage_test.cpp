@@ -81,7 +81,7 @@ TEST_F(SessionDamage, WhatDoesNotFitTogether)
     EXPECT_NE(refusal_after("PRAGMA user_version = 0").find("is damaged"), std::string::npos);
 }
 
-// A malicious file may have more in its schema than a session. It must be neither executed nor
+// A malicious file may have more in its schema than a session. This must be neither executed nor
 // read.
 TEST_F(SessionDamage, WhatHasMoreInItsSchemaThanASession)
 {

@@ -73,8 +73,8 @@ private:
     scene::SceneBuilder builder_;
 };
 
-// Returns a step that erases tips of the first stroke. If no stroke has enough tips, the step draws
-// one.
+// Returns a step that erases tips of a random stroke. If there is no stroke, or this one has too
+// few tips, the step draws a stroke.
 std::vector<scene::Edit> erasing_step(scene::Scene const& scene)
 {
     if (scene.associations.empty())

@@ -85,7 +85,7 @@ protected:
         board_->begin(log_.begin());
     }
 
-    // The driver accepts only serial lines below /dev.
+    // Addresses of serial lines begin with /dev. This one leads from there to the link.
     drivers::DeviceInfo sensor_info() const
     {
         return { .name = "board",

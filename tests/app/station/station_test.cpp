@@ -216,8 +216,8 @@ TEST(Station, CountsBrokenReportsAndGoesOn)
     EXPECT_EQ(station.strokes().size(), 1u);
 }
 
-// Returns a station after a stroke of 400 ms. The cable of the height sensor was open from 200 to
-// 350 ms.
+// Returns a station after the pen has drawn for 400 ms. The cable of the height sensor was open
+// from 200 to 350 ms.
 DrawingStation station_with_an_open_cable()
 {
     StationOptions options;

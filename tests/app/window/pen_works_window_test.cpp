@@ -107,7 +107,7 @@ public:
     }
 
 private:
-    // Bits in the first byte of the simple pen's report.
+    // Bits in the simple pen's report, in the byte after the report ID.
     static constexpr int kTouching = 0x01;
     static constexpr int kBarrel = 0x02;
     static constexpr int kErasing = 0x18; // The pen's other end touches.

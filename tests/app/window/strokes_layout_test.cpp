@@ -53,7 +53,7 @@ TEST_F(LayoutTest, ShowsStrokesBelowThePadWhereThereIsRoom)
     std::size_t with_strokes = 0;
     for (auto const& size : sizes())
         for (std::size_t const count : { 0u, 3u, 1000u }) {
-            // Other numbers of curves are tested with a single window size.
+            // Other numbers of curves than 3 are tested with a single window size, at both scales.
             if (count != 3 && size.width != 1280)
                 continue;
             SCOPED_TRACE(fmt::format("{}, {} curves", text_of(size), count));

@@ -126,7 +126,7 @@ RC_GTEST_PROP(CompressedGlb, IsTheSameOnAnyNumberOfThreads, ())
 }
 
 // A mesh must be written in several pieces with fewer than 70,000 vertices each, whether it is
-// given as triangles or as a plant.
+// given as triangles or as a plant. Its bark has tangents.
 TEST(CompressedGlb, IsInPiecesThatStandAlone)
 {
     mesh::MeshOptions const fine { .min_sides = 40, .max_sides = 64 };

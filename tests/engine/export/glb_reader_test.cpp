@@ -273,12 +273,12 @@ TEST(GlbReader, SurvivesDamagedFiles)
     std::size_t read_count = 0;
     for (int i = 0; i < 2500; ++i) {
         std::string bytes = glb;
-        // Truncates the file. For some files, its header is then made to agree with the new length.
+        // Truncates every fifth file. Below, half of all files get a header with their actual size.
         if (i % 5 == 0)
             bytes.resize(20 + random.next_u32() % (glb.size() - 20));
         for (std::uint32_t k = 0; k <= random.next_u32() % 4; ++k) {
-            // Two thirds of the changes are in the JSON part, and digits are replaced by digits,
-            // since other damage is found at once.
+            // In two thirds of the files, only the header and the JSON part are changed. Digits are
+            // replaced by digits, since other damage is found at once.
             auto const at = random.next_u32()
                 % (i % 3 == 0 ? bytes.size()
                               : std::min<std::size_t>(bytes.size(), 20 + json_bytes));

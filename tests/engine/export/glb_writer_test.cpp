@@ -293,8 +293,8 @@ TEST(GlbWriter, WritesWhatTheWindNeeds)
         std::span(&placed, 1),
         { .organs = GlbOptions::Organs::Instanced, .vertices = GlbOptions::Vertices::Quantized });
     auto const json = json_of(glb);
-    nlohmann::json attributes; // Attributes of the tubes, and of the leaves as triangles.
-    nlohmann::json of_leaves;
+    nlohmann::json attributes; // Vertex attributes of the tubes.
+    nlohmann::json of_leaves;  // Attributes of the instanced leaves.
     for (auto const& mesh : json["meshes"])
         if (mesh["primitives"][0]["attributes"].contains("_BEND"))
             attributes = mesh["primitives"][0]["attributes"];
@@ -351,7 +351,8 @@ TEST(GlbWriter, OrgansThatAreNodesHaveTheWindInTheirExtras)
     auto const nodes
         = json_of(glb_of(std::span(&placed, 1), { .organs = GlbOptions::Organs::Nodes }));
     auto const json = json_of(glb);
-    nlohmann::json attributes; // Attributes of the same leaves when they are written as instances.
+    // Attributes of the leaves in `glb`, where they are instances and not nodes.
+    nlohmann::json attributes;
     for (auto const& node : json["nodes"])
         if (node.contains("extensions"))
             attributes = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];

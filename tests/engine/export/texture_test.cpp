@@ -77,7 +77,7 @@ TEST(Texture, WritesAPngThatUnpacksToItsPixels)
                          reinterpret_cast<Bytef const*>(png.data() + 41), size),
               Z_OK);
     EXPECT_EQ(rows,
-              // Bytes of the second row as differences to the row above.
+              // Each row: filter type 2 (Up), then the differences from the bytes of the row above.
               std::string("\x02\x01\x02\x03\x02\x03\xfd\xfd", 8));
     auto const sum = crc32(0, reinterpret_cast<Bytef const*>(png.data() + 37), size + 4);
     EXPECT_EQ(u32_be_at(png, 41 + size), sum);

@@ -201,8 +201,8 @@ TEST(CountedSystems, AreAllCompared)
     EXPECT_TRUE(left.empty()) << *left.begin();
 }
 
-// Three of the bushes contain a ' as printed in the book. In cpfg it changes nothing, so it must
-// not cause a warning.
+// The only warnings are those for the ' in two of the plants. The book prints it, but it changes
+// nothing in cpfg.
 TEST_P(CountedSystem, HasNoFalseWarnings)
 {
     auto const model = compile_file(shipped("lsystem_counts") / (GetParam() + ".l"));

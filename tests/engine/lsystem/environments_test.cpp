@@ -117,7 +117,7 @@ TEST(SpaceEnvironment, GivesABallToTheFirstThatAsks)
     EXPECT_EQ(first[3][0], 1);
     auto const later = space.ask(1, { { 0, 0.5, 0 }, { 0, 0, 0 }, { 0, 9, 0 }, { 0, 6.9, 0 } },
                                  { 1, 1, 2, 0.05F });
-    EXPECT_EQ(later[0][0], 0); // In the previous step, the module at this place was the next one.
+    EXPECT_EQ(later[0][0], 0); // In the previous step, the next module was given this place.
     EXPECT_EQ(later[1][0], 1); // The module keeps the place that it was given in the previous step.
     EXPECT_EQ(later[2][0], 1);
     EXPECT_EQ(later[3][0], 1);

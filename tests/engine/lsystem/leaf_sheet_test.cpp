@@ -8,7 +8,7 @@ namespace tractus::lsystem {
 namespace {
 
 // Returns a sheet with two leaves: a triangle, and a triangle twice as long. `size` is the number
-// of bytes in its picture file after the signature.
+// of bytes in its colour picture after the signature. Its normal picture has one byte more.
 LeafSheet sheet_of(std::size_t size = 9)
 {
     LeafSheet sheet;

@@ -13,7 +13,8 @@ namespace {
 // depends on a clock.
 TimeLimit soon()
 {
-    auto const asked = std::make_shared<std::atomic<int>>(0); // Number of queries.
+    // Number of queries, which the copies of the function share.
+    auto const asked = std::make_shared<std::atomic<int>>(0);
     return { [asked] { return ++*asked >= 3; }, 60 };
 }
 
@@ -171,7 +172,7 @@ TEST(DrawingLimits, HoldForTheMemoryOfTheProcess)
     ASSERT_FALSE(plant);
     EXPECT_NE(plant.error().message.find("needs more than 160 MB"), std::string::npos);
     EXPECT_LE(status_bytes("VmHWM:"), before + kLimit + (kLimit >> 3));
-    // Memory must be used up to near the limit: drawing must not end long before.
+    // Drawing must not end long before the limit: at least a quarter of it must be used.
     EXPECT_GE(status_bytes("VmHWM:"), before + (kLimit >> 2));
 }
 

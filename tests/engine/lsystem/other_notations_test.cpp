@@ -91,8 +91,8 @@ TEST(OtherNotations, LabelsAreWarnedOf)
     }
     expect_begins(compile_error(with_header("Axiom: A(1)\np1 : A(t) : t > 0 --> A(t-1)")),
                   std::string("model.l:") + label);
-    // A rule for the two modules p1, with a variable in its condition. It must not be taken for a
-    // label.
+    // A rule for the two modules p and 1, with a variable in its condition. They must not be taken
+    // for a label.
     EXPECT_EQ(warned(with_header("Start: {n = 1;}\nAxiom: pF1p\np1 : n > 0 --> F")).find("label"),
               std::string::npos);
 }

@@ -105,7 +105,7 @@ RC_GTEST_PROP(Reference, RulesWithContextsAgree, ())
     compare(text, *rc::gen::inRange(1, 5), *rc::gen::inRange<std::size_t>(1, 20));
 }
 
-// The rules of each case have one form: with programs, stochastic choice, conditions or blocks.
+// The rules are a random choice of rules with programs, stochastic choice, conditions and blocks.
 // Some are executed for many modules at once.
 RC_GTEST_PROP(Reference, RulesWithProgramsAgree, ())
 {

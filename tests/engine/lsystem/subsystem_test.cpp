@@ -63,7 +63,8 @@ TEST(Subsystems, AreCalledAndEndedByRules)
 {
     auto const text
         = two_systems("Axiom: A\nA --> ?(2)A(3)$", "A(n) : n>0 --> BA(n-1)\nA(n) --> $C", 6);
-    // The call appears in the first step. The A behind its $ belongs to the main L-system.
+    // The call appears in the first step. The last rule of its L-system ends it by a $, so the C
+    // behind this $ belongs to the main L-system.
     EXPECT_EQ(derived_text(text), "?(2)BBB$C$");
 }
 

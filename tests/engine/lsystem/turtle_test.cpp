@@ -524,7 +524,8 @@ TEST(Turtle, KeepsCylindersFiniteWhateverTheyAreTold)
 {
     auto const plant = with_contour("@Gr(89,1e30)@Gt(1e30,-1e30)!(1e30)@#(5)@Gs f(1e9)@Gc(1e30)"
                                     "@Gr(1)@Gr(0,-1e30,90,1e30)&(1)f(1e9)@Ge(-5)");
-    EXPECT_EQ(plant.axes.size(), 1u); // drawn() has also checked the plant with check_plant().
+    // with_contour() has also checked the plant, including its numbers, with check_plant().
+    EXPECT_EQ(plant.axes.size(), 1u);
     auto const model = with_surface("~l(1e30)~l(1e30,-1e30,0)F~l(0)F@PS(1)@PC(1,1e30,-1)@PD(1e30)");
     auto const surfaces = interpret(model, *derive(model));
     ASSERT_TRUE(surfaces) << surfaces.error().message;

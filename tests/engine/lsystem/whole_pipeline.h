@@ -34,8 +34,8 @@ inline bool run_whole_pipeline(std::string_view text)
     if (!model)
         return false;
     // The limit counts how often it is asked instead of time, so that equal texts give equal
-    // results.
-    auto const looks = std::make_shared<std::atomic<int>>(0); // Number of queries.
+    // results. The copies of the function share the number of queries.
+    auto const looks = std::make_shared<std::atomic<int>>(0);
     ModelLimits const limits { .max_modules = 2000,
                                .max_memory_bytes = std::size_t { 1 } << 20,
                                .time = { [looks] { return ++*looks > 200; }, 1 } };

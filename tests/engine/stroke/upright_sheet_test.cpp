@@ -28,7 +28,7 @@ TEST(UprightSheet, StandsWithTheUsersAwayAsUp)
     auto const tips = tips_of({ { 3, -20, 80 }, { 5, 30, 82 } });
     auto const plant = plant_tips(tips, StrokeSurface::Paper);
     EXPECT_EQ(plant[0], Vec3(3, 0, -20));
-    // A point above the tablet is nearer to the user on the sheet.
+    // A point 2 mm higher than the first one is 2 mm in front of the sheet, towards the user.
     EXPECT_EQ(plant[1], Vec3(5, -2, 30));
     EXPECT_EQ(plant_tips(tips, StrokeSurface::Space)[1], Vec3(5, 30, 82));
 }

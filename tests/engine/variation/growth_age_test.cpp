@@ -89,7 +89,7 @@ TEST(GrowthAge, TheLongestWayGrowsEvenlyAndEveryTipIsReachedAtOnce)
 {
     auto const plant = hand_made_plant();
     auto const ages = find_axis_ages(plant, find_rest_shape(plant));
-    // The tip of the trunk is the farthest tip that grows from the trunk.
+    // Along the branches, no tip is farther from the trunk's base than the trunk's own, at 400 mm.
     EXPECT_DOUBLE_EQ(ages[0].reach_mm, 400);
     EXPECT_DOUBLE_EQ(ages[0].birth_at(200), kSkeletonShare / 2);
     EXPECT_DOUBLE_EQ(ages[1].begin, kSkeletonShare / 2);

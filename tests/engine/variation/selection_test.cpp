@@ -275,7 +275,7 @@ TEST(ProjectedSkeleton, CutsWhatIsBehindTheEye)
     ProjectedSkeleton const skeleton(plant, view_in_pixels(clip, { 200, 200 }));
     ASSERT_EQ(skeleton.lines().size(), 1u);
     EXPECT_NEAR(skeleton.lines()[0].to.x(), 110, 1e-3);
-    // The clipped end of the line is one window width beside the window.
+    // The line is clipped one window width to the right of the window.
     EXPECT_NEAR(skeleton.lines()[0].from.x(), 400, 1e-3);
     EXPECT_EQ(skeleton.pick({ 150, 100 }), 0u);
     EXPECT_EQ(skeleton.pick({ 50, 100 }), std::nullopt);

@@ -149,8 +149,8 @@ TEST_F(EraseLines, TheOtherEndOfThePenDoesSo)
     EXPECT_EQ(line_of(EraseLineTool {}), "erase_line ");
 }
 
-// While an edge of a leaf is being drawn, all leaves of the plant must show the new edge and the
-// midrib.
+// While an edge of a leaf is being drawn, all leaves of the plant must show both of their edges and
+// their midrib.
 TEST_F(EraseLines, TheLineUnderWayOfALeafIsShownOnThePlant)
 {
     draw_frond(document_);

@@ -42,8 +42,8 @@ protected:
     {
         return draw(places_mm, LineOrganTool { what, color });
     }
-    // Draws the third inclination line. It begins a new layer at y = 35 mm on the tablet, where the
-    // second inclination line crosses the stem.
+    // Draws a third inclination line. It crosses the stem at y = 0, between the others at y = -45
+    // and 35 mm, and so divides the layer between them into two.
     void draw_third_line() { draw({ { -80, 20, 50 }, { -41, 0, 50 }, { 5, 20, 50 } }, spiral(3)); }
     std::string touch(double y_mm, What what)
     {

@@ -158,7 +158,8 @@ TEST_F(OrganChoices, ADrawnLeafIsKeptAndBroughtToAnother)
     EXPECT_EQ(print_organ(load_organ(folder_ / "leaves" / "drawn-leaf.organ").value()), kept);
 }
 
-// A plant without construction lines must not be offered any organs.
+// A plant without construction lines must be offered grown leaves, such as "Oak", but no organs of
+// the library.
 TEST_F(OrganChoices, OnlyPlantsOfLinesBearThem)
 {
     auto window = this->window(small_scene());

@@ -176,7 +176,7 @@ TEST_F(LeafAtlas, WritesSmallerPicturesInWhichLeavesStay)
         return double(count) / double(picture.rgba.size() / 4);
     };
     double const whole = there("page-0-color.png");
-    for (int level = 1; level <= 4; ++level) // The smallest mip level has 16 pixels on a side.
+    for (int level = 1; level <= 4; ++level) // Level 4 has 16 pixels on a side.
         EXPECT_NEAR(there("page-0-color-mip" + std::to_string(level) + ".png"), whole, 0.02)
             << level;
     EXPECT_EQ(read(folder("mips/page-0-normal-mip6.png")).side, 4u);

@@ -64,7 +64,7 @@ TEST(MethodsCurves, AreNamedByWhatTheyDid)
     EXPECT_EQ(names_of(scene_of(brush_tree)), "Growth brush: 3 years; Growth brush: 1 year; ");
 }
 
-// The curves from which a plant was drawn stand upright beside it, and move with the plant.
+// The curves from which a plant was drawn stand upright where the plant does, and move with it.
 TEST(MethodsCurves, GoWithThePlant)
 {
     for (auto* const make : { grow_along_stroke, draw_tree, draw_lines, draw_leaf, brush_tree }) {

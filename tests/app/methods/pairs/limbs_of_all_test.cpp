@@ -121,8 +121,8 @@ TEST(LimbsOfAll, AreSoundAndGrowAndAreErased)
         ASSERT_EQ(limbs.size(), 1u);
         auto const id = axis_of(*scene.base, limbs[0].second);
         auto const& limb = scene.base->axes[id];
-        // The limb must have as many laterals per length as a similar branch. The branch with the
-        // nearest number is found, scaled by the ratio of lengths.
+        // The limb must have about as many laterals per length as some branch of the plant. `least`
+        // is the smallest difference in their number, which is scaled by the ratio of lengths.
         double least = std::numeric_limits<double>::infinity();
         for (AxisId other = 0; other < before.base->axes.size(); ++other) {
             double const ratio

@@ -104,7 +104,8 @@ TEST_F(BumpLeafTool, LeavesTheCrownsMiddleToTheCrown)
     EXPECT_TRUE(tree().own_outlines.empty());
 }
 
-// First a branch is given an outline of its own. Then a bump of that outline is made a leaf.
+// A bump of a branch's own outline is made a leaf, and then the crown's bump that contains this
+// outline.
 TEST_F(BumpLeafTool, IsOfTheSmallestOutline)
 {
     document_.draw({ lobe_of_crown(), OutlineTool { .style = StyleScope::None } });

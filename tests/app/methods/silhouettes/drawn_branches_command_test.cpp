@@ -34,7 +34,8 @@ TEST_F(SilhouetteCommand, ReportsBranchesWithOutlinesOfTheirOwn)
     EXPECT_EQ(outlined, 1);
 }
 
-// An open line in "parts" is a branch of a branch. The branch's siblings take its style.
+// An open line in "parts" is a branch of a branch. If asked to, the siblings of the latter take its
+// style.
 TEST_F(SilhouetteCommand, DrawsBranchesOnBranches)
 {
     std::ofstream(folder_ / "plain.json") << crown();

@@ -473,8 +473,8 @@ TEST(OutlineTool, FillsOutlinesBySpacingUnlessALogIsOlder)
     EXPECT_EQ(older.base_angle_deg, 0);
 }
 
-// The tool must erase a branch before the trunk that carries it, and the crown's outline last. A
-// bare stem is then left.
+// The tool must erase branches before the trunk and the crown's outline. Without its outline, the
+// tree is a bare stem. The trunk is then the last line, which cannot be erased.
 TEST(EraseOutlineTool, TakesLinesOfTheDrawingAway)
 {
     document::Document document({}, document::Document::Working::AtOnce);

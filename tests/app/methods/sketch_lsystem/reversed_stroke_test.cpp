@@ -43,7 +43,8 @@ TEST(SketchTool, TurnsAStrokeRoundThatWasDrawnFromTheTip)
     EXPECT_NE(SketchTool::kKind.describe(tool, scene).find("turned round"), std::string::npos)
         << SketchTool::kKind.describe(tool, scene);
 
-    // The tool TurnRound reverses the plant's stroke; used again, it restores the first plant.
+    // With TurnRound, the tool reverses the plant's stroke; used again, it restores the first
+    // plant.
     tools::Tool const turn = SketchTool { .place = SketchTool::Place::TurnRound };
     auto const back = scene::apply_edits(scene, turn.edits_for({}, scene).value()).value();
     auto const newest = *sketch::newest_grown(*back.drawn)->sketch;

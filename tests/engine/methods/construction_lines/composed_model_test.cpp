@@ -20,7 +20,8 @@ std::string refusal_of(ComposedSketch const& sketch)
     return model ? "it is written" : model.error().message;
 }
 
-// Converts a position to the sheet, relative to the base of the first stem and in its scale.
+// Converts a position in a plant to the sheet, relative to the base of the first stem. One
+// millimetre on the sheet is ten in the plant.
 Vec3 on_sheet(Vec3 const& place_mm)
 {
     return Vec3(place_mm.x(), place_mm.z(), -place_mm.y()) / 10;

@@ -29,7 +29,7 @@ struct HandDrawing {
     LeafDrawing drawing;
     struct Meant {
         StrokeRole role {};
-        BotanicalLeaf::Vein const* vein = nullptr; // The drawn vein; null for other strokes.
+        BotanicalLeaf::Vein const* vein = nullptr; // Null unless the stroke is a main or side vein.
     };
     std::vector<Meant> meant {}; // Intended meaning of each stroke.
 };

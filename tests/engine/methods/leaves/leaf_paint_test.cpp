@@ -121,8 +121,8 @@ TEST_F(LeafPaint, IsOlderNearerToVeins)
     EXPECT_LT(picture.age[order.back()], picture.age[order.front()]);
 }
 
-// If the colours for old and young leaves are exchanged, the picture must be that of the reversed
-// age.
+// If the age of the leaf, the closeness to veins and the noise are all reversed, the age of a point
+// must be reversed, too, as if the colours for old and young leaves were exchanged.
 TEST_F(LeafPaint, TurnsRoundWithItsColors)
 {
     PaintOptions const options;

@@ -154,8 +154,8 @@ TEST(SilhouetteArrangement, PatternsComeOut)
     }
 }
 
-// Whorls of five must be found as well as by the search: neighbours at a node must be a fifth of a
-// turn apart.
+// The search must find whorls of five, in which neighbours at a node are nearly a fifth of a turn
+// apart.
 TEST(SilhouetteArrangement, WhorlsHaveTheirBranches)
 {
     constexpr int kWhorl = 5;

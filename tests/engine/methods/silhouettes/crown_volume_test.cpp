@@ -29,7 +29,8 @@ OutlinedTree round_tree(double radius = 40)
 TEST(CrownVolume, IsTheSolidOfRevolutionOfARoundCrown)
 {
     auto const volume = crown_volume(round_tree()).value();
-    // In the plant's frame, the crown is a ball with a radius of 400 mm at a height of 800 mm.
+    // In the plant's frame, the crown is a ball with a radius of 400 mm, whose middle is at a
+    // height of 800 mm.
     Vec3 const middle(0, 0, 800);
     for (int i = 0; i < 400; ++i) {
         Random random({ .seed = 5, .stream = 0, .substream = static_cast<std::uint32_t>(i) });

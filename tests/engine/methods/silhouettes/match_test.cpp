@@ -44,7 +44,7 @@ TEST(SilhouetteMatch, StrokesStayOnTheirBranches)
                 auto const& branch
                     = later.branches[static_cast<std::size_t>(found - partners.begin())];
                 // The old and the new branch must be in the same lobe: their ends are at most half
-                // of the crown's diagonal apart.
+                // of the diagonal of the old branch's crown apart.
                 EXPECT_LT((branch.path.curve.end - earlier.branches[i].path.curve.end).norm(),
                           box_of(earlier.branches[i].crown).diagonal() / 2);
             }
