@@ -58,10 +58,17 @@ std::string described(DeriveAnew const& edit)
     return fmt::format("derives plant {} by other seeds", name_of(edit.plant));
 }
 
-std::uint64_t seed_of(PlantSource const& source)
+// Returns the seeds of a plant's model and of those grafted to it; 0 for what is not a model.
+std::vector<std::uint64_t> seeds_of(PlantState const& plant)
 {
-    auto const* const model = loaded_model(source);
-    return model ? model->seed : 0;
+    auto const seed_of = [](PlantSource const& source) {
+        auto const* const model = loaded_model(source);
+        return model ? model->seed : 0;
+    };
+    std::vector<std::uint64_t> seeds { seed_of(plant.source) };
+    for (auto const& graft : plant.grafts)
+        seeds.push_back(seed_of(graft.source));
+    return seeds;
 }
 
 } // namespace
@@ -78,9 +85,7 @@ std::optional<DeriveAnew> derive_anew(Scene const& scene, variation::PlantKey co
         return std::nullopt;
     auto const own = own_seeds.scene_of(alone, key);
     auto const& after = *active_plant(own.state);
-    DeriveAnew edit { .plant = before->id, .seeds = { seed_of(after.source) } };
-    for (auto const& graft : after.grafts)
-        edit.seeds.push_back(seed_of(graft.source));
+    DeriveAnew edit { .plant = before->id, .seeds = seeds_of(after) };
     for (std::size_t i = 0; i < after.strokes.size(); ++i) {
         auto const& at = after.strokes[i].at;
         if (at.size() != 1 || at.vector() == before->strokes[i].at.vector())
@@ -88,6 +93,8 @@ std::optional<DeriveAnew> derive_anew(Scene const& scene, variation::PlantKey co
         edit.strokes.push_back(after.strokes[i].id);
         edit.at.push_back(at[0]);
     }
+    if (edit.strokes.empty() && edit.seeds == seeds_of(*before))
+        return std::nullopt; // No other seed keeps all that was drawn.
     return edit;
 }
 

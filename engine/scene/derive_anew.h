@@ -13,22 +13,23 @@ namespace tractus::scene {
 
 struct Scene;
 
-// Derives a plant's models by other seeds for their stochastic rules, and moves its strokes to the
-// branches that the plant then has. It is how a plant of a collection becomes the plant itself.
+// Derives a plant's models again with other seeds of their stochastic rules, and moves strokes to
+// the branches of the new individual. In this way a plant of a collection replaces the drawn plant.
 struct DeriveAnew {
     static EditKind const kKind;
 
     ItemId plant = 0;
-    // Seeds of the plant's source and of its grafts' sources, in their order; used for models from
-    // a file, and ignored for other sources.
+    // Seeds of the plant's source and then of its grafts' sources. Only models from a file use
+    // them.
     std::vector<std::uint64_t> seeds {};
     std::vector<std::uint64_t> strokes {}; // Ids of the strokes that move.
-    std::vector<PathAddress> at {};        // Where each of them is then.
+    std::vector<PathAddress> at {};        // New paths of these strokes, in the same order.
 };
 
-// Returns the edit that derives the active plant as SeedAssignment (varied_scene.h) does for the
-// plant of `key`, if that were the only one of the document; no value if its segments stay. `share`
-// as in Individuality::seeds.
+// Returns the edit that gives the active plant the seeds that the plant of `key` has by
+// SeedAssignment (varied_scene.h) if the active plant is the only one of the document. No value if
+// the plant of `key` has no seed of its own, and if nothing would change. `share` as in
+// Individuality::seeds.
 std::optional<DeriveAnew> derive_anew(Scene const& scene, variation::PlantKey const& key,
                                       double share);
 
