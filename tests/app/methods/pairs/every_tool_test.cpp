@@ -254,10 +254,10 @@ TEST_F(EveryTool, MeansTheSameWhateverReplaysIt)
                 check_stream(log);
             }
     }
-    // Tools that need a leaf with more lines, a crown in space, or a plant on another; they have
-    // separate tests.
+    // Tools that need a leaf with more lines, a crown in space, a plant on another, or a grown
+    // tree's wood under the stroke; they have separate tests.
     std::set<std::string> const needs_more { "erase_crown", "erase_leaf", "graft_plant",
-                                             "take_off" };
+                                             "prune_brush", "take_off" };
     for (auto const& [word, outcome] : outcomes) {
         EXPECT_NE(outcome.first, needs_more.contains(word)) << word;
         EXPECT_TRUE(outcome.second || word == "leaf_line") << word; // Any line begins a leaf.
