@@ -111,9 +111,9 @@ std::vector<scene::Edit> dependent_style_edits(scene::Scene const& scene,
     if (!after)
         return edits;
     for (auto const& [plant, source] : takers) {
-        auto const built
-            = std::find_if(after->plants.begin(), after->plants.end(),
-                           [&](auto const& each) { return each->drawn->id == source; });
+        auto const built = std::find_if(
+            after->plants.begin(), after->plants.end(),
+            [wanted = source](auto const& each) { return each->drawn->id == wanted; });
         auto const& form = outlined_tree(*plant)->form;
         // A plant without branches has no style to take.
         if (auto const taken = with_style_of(form, *(*built)->base); taken && *taken != form)
