@@ -58,8 +58,8 @@ Result<bool> calibrate_live(CalibrationController& controller, devices::LiveDevi
 // For a procedure without heights, describes the pen's tilt: "leans 23 degrees right, 5 away".
 std::string describe_reading(CalibrationController const& controller);
 
-// What the user must do before and during the movement of a procedure, as sentences without a full
-// stop.
+// Instructions for the user before and during the movement of a calibration procedure, as sentences
+// without a full stop.
 struct MovementInstructions {
     std::string_view before;
     std::string_view during;

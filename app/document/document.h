@@ -33,7 +33,7 @@ struct StepRequest {
     };
     std::function<Result<Change>(scene::Scene const& scene)> change;
 
-    // What the step changes: anything in the scene, or only how its plants grow.
+    // Scope of the step: anything in the scene, or only how its plants grow.
     enum class Of { Scene, Growth } of = Of::Scene;
 };
 

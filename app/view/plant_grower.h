@@ -34,7 +34,7 @@ struct VariationsRequest {
     variation::Individuality individuality {};
 };
 
-// Those segments of the grown active plant that are below the ground, except roots.
+// Segments of the grown active plant that are below the ground, except roots.
 struct GrownUnderground {
     struct Line {
         Vec3f from_mm = Vec3f::Zero(); // Beginning of the segment, in the plant's frame.

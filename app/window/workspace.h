@@ -12,7 +12,7 @@
 
 namespace tractus::window {
 
-// What dragging in a view does.
+// Effect of dragging in a view: the camera turns around what is shown, or moves sideways.
 enum class ViewDrag { Turn, Move };
 
 // Zoom factor for a step of the mouse wheel.

@@ -11,7 +11,7 @@
 
 namespace tractus::leaf {
 
-// What a channel of a map contains; values are in 0 to 1 unless noted otherwise.
+// Content of one channel of a leaf map. Values are in 0 to 1 unless noted otherwise.
 enum class AtlasChannel : std::uint8_t {
     Zero,
     Red, // Red, green and blue are in sRGB.

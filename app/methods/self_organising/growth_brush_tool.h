@@ -70,7 +70,7 @@ Result<scene::Edit> grow_from_active(scene::Scene const& scene, Habit const& hab
 // The built-in habit of a species.
 Habit habit_of(GrowthBrushTool::Species species);
 
-// What a stroke of the tool means: a period in the life of a new tree or of the active one.
+// Meaning of a growth brush's stroke: a period in the life of a new tree or of the active tree.
 struct BrushStrokeLife {
     scene::ItemId plant = 0; // Id of the tree that continues growing; 0: a new tree.
     LifePeriod part {};

@@ -32,7 +32,7 @@ struct Run {
     Counts to;
 };
 
-// Where a piece is placed in the plant.
+// Position of a piece's axes and segments among those of the assembled plant.
 struct Target {
     std::vector<Run> runs;
     // For each axis of the piece, the number of segments before it; then the total number.

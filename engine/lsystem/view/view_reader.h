@@ -12,8 +12,8 @@
 
 namespace tractus::lsystem {
 
-// What the readers of a view file's statements share: the view so far, the position for messages,
-// and the parsing of words.
+// State shared by the functions that read the statements of a view file: the view so far, the
+// position for messages, and the parsing of words.
 struct ViewReader {
     SourceText const& source;
     IncludeReader const& include;

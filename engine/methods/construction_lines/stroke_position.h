@@ -67,7 +67,7 @@ StrokePosition position_along_axis(DrawnLine const& stroke, StemAxis const& axis
 // by itself.
 double small_piece(StrokePosition const& lie);
 
-// What a stroke can be within a sketch.
+// Role that a stroke can have in a sketch.
 enum class Part { Stem, Left, Right, Inclination, Half, Outline, Piece, Nothing };
 constexpr std::size_t kPartCount = 8;
 

@@ -12,8 +12,8 @@
 namespace tractus {
 namespace {
 
-// The same tree, 4 m high, in each format: a trunk of three pieces, and a branch of two pieces on
-// the trunk's first piece. Here as cylinders with named columns.
+// Table of cylinders with named columns. Its tree, which the texts below repeat in other formats,
+// is 4 m high: a trunk of three pieces, and a branch of two pieces on the trunk's first piece.
 constexpr char const* kNamedCylinders
     = "ID, parentID, startX, startY, startZ, endX, endY, endZ, radius\n"
       "0, -1, 7, 3, 100, 7, 3, 101, 0.2\n1, 0, 7, 3, 101, 7, 3, 102.5, 0.15\n"

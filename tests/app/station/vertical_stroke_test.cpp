@@ -210,7 +210,7 @@ TEST_P(VerticalStroke, IsLiveInkAtOnce)
 
 TEST_P(VerticalStroke, SinksAsItRises)
 {
-    // The same rise is drawn again with a height sensor that counts down.
+    // With a sensor that counts down, the readings of a rise must give its mirror image: a descent.
     auto const rise = rise_of(150);
     auto const up = draw(GetParam(), rise);
     StationOptions options;

@@ -143,7 +143,7 @@ TEST(OwnOutlineLog, GivesTheTreeOfItsTouches)
               replay.scene.base->node_position_mm);
 }
 
-// The same lines must give the same tree whether they are recorded, replayed or given in a file.
+// A tree's lines must give one and the same tree, whether recorded, replayed or read from a file.
 TEST(OwnOutlineLog, GivesTheTreeOfItsLines)
 {
     auto const log = recorded_tree();
