@@ -20,7 +20,7 @@ constexpr float kSmall = 0.8f;    // Size of small text, relative to normal text
 constexpr float kSmallest = 0.7f; // Size of labels at handles, relative to normal text.
 constexpr float kPanelAir_px = 10;
 constexpr float kHandleRadius_px = 13; // Radius of a handle on the screen.
-constexpr float kReach_px = 22;        // Maximum distance from which a pen grabs a handle.
+constexpr float kGrabReach_px = 22;    // Maximum distance from which a pen grabs a handle.
 constexpr float kSmallRadius_px = 8;   // Radius of a handle in gizmos with many handles.
 constexpr float kSmallReach_px = 14;
 
@@ -125,7 +125,7 @@ void GizmoPanel::take_hand(view::WindowModel& model, Workspace& workspace,
                            tools::Gizmo::Handle const& handle, GizmoSquare const& square)
 {
     auto const at = square.to_px(handle.place);
-    float const reach = (handle.is_small ? kSmallReach_px : kReach_px) * scale_;
+    float const reach = (handle.is_small ? kSmallReach_px : kGrabReach_px) * scale_;
     ImGui::SetCursorScreenPos({ at.x - reach, at.y - reach });
     ImGui::PushID(static_cast<int>(handle.id));
     bool const is_pressed = ImGui::InvisibleButton("handle", { 2 * reach, 2 * reach });

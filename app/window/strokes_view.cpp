@@ -12,7 +12,7 @@ namespace tractus::window {
 
 namespace {
 
-constexpr float kReach_px = 14; // Maximum distance of a click from the curve that it picks.
+constexpr float kPickReach_px = 14; // Maximum distance of a click from the curve that it picks.
 // A press that moves farther than this is a drag and does not pick a curve.
 constexpr float kStill_px = 5;
 // Height of a row in the list of curves; large enough for the pen.
@@ -84,7 +84,7 @@ std::optional<std::size_t> StrokesView::show(view::WindowState const& state,
     PictureProjection const projection(camera, { size_px.x, size_px.y });
     auto const hit = curve_at(state.curves, projection,
                               { io.MousePos.x - corner_px.x, io.MousePos.y - corner_px.y },
-                              kReach_px * display_scale());
+                              kPickReach_px * display_scale());
     pick(hit);
     return hit;
 }
