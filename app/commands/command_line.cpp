@@ -127,6 +127,7 @@ static Result<void> carry_out(options::Action const& action)
 static void add_commands(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     add_demo_command(root, action, methods);
+    add_tour_command(root, action, methods);
     add_window_command(root, action, methods);
     add_replay_command(root, action, methods);
     add_session_command(root, action, methods);
@@ -154,13 +155,13 @@ static void add_commands(CLI::App& root, options::Action& action, tools::Methods
 static void group_commands(CLI::App& root)
 {
     static std::map<std::string, std::string, std::less<>> const groups {
-        { "window", "Draw" },        { "replay", "Draw" },      { "session", "Draw" },
-        { "demo", "Draw" },          { "vary", "Make plants" }, { "grow", "Make plants" },
-        { "render", "Make plants" }, { "derive", "Language" },  { "lsystem", "Language" },
-        { "devices", "Devices" },    { "doctor", "Devices" },   { "watch", "Devices" },
-        { "calibrate", "Devices" },  { "record", "Devices" },   { "stream", "Devices" },
-        { "sim", "Devices" },        { "tools", "Recordings" }, { "decode", "Recordings" },
-        { "convert", "Recordings" },
+        { "window", "Draw" },       { "replay", "Draw" },        { "session", "Draw" },
+        { "demo", "Draw" },         { "tour", "Draw" },          { "vary", "Make plants" },
+        { "grow", "Make plants" },  { "render", "Make plants" }, { "derive", "Language" },
+        { "lsystem", "Language" },  { "devices", "Devices" },    { "doctor", "Devices" },
+        { "watch", "Devices" },     { "calibrate", "Devices" },  { "record", "Devices" },
+        { "stream", "Devices" },    { "sim", "Devices" },        { "tools", "Recordings" },
+        { "decode", "Recordings" }, { "convert", "Recordings" },
     };
     for (auto* const command : root.get_subcommands({})) {
         command->set_help_flag("-h,--help", "Print this help");

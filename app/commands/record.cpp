@@ -67,9 +67,10 @@ Result<void> record_simulated(RecordArguments const& arguments, tools::ToolKinds
     auto script = TRY(sim::parse_gesture_script(text, arguments.script));
     if (arguments.is_unkind)
         script.unkindness = sim::all_unkindness(script.seed);
-    auto const model = TRY(files::find_model(arguments.model));
-    auto const edit = TRY(io::load_plant_edit(model));
-    auto const scene = TRY(scene::apply_edit({}, edit, document::make_load_options()));
+    scene::Scene scene;
+    if (auto const model = TRY(files::find_plant(arguments.model)); !model.empty())
+        scene = TRY(
+            scene::apply_edit({}, TRY(io::load_plant_edit(model)), document::make_load_options()));
     auto const write = [&](std::ostream& out) {
         return play::write_simulated_recording(out, script, scene, tools);
     };
@@ -112,7 +113,9 @@ void add_record_command(CLI::App& root, options::Action& action, tools::ToolKind
                            "a .hand.toml")
               ->type_name("SCRIPT")
               ->excludes(seconds, device, rig);
-    command->add_option("--plant", arguments->model, "The model whose branches the script traces")
+    command
+        ->add_option("--plant", arguments->model,
+                     "The model whose branches the script traces; empty: an empty sheet")
         ->type_name("MODEL")
         ->capture_default_str()
         ->needs(simulate);

@@ -56,6 +56,7 @@ struct WindowArguments {
     // Model to draw on. Empty: the start page opens, or kUsualModel without a start page.
     std::string model;
     bool wants_start_page = false; // True: opens the start page, regardless of the other arguments.
+    bool begins_tour = false;      // True: opens an empty sheet with the tour.
     std::string rig;
     std::string height;
     std::string picture; // Picture file to lay behind the drawing.
@@ -83,7 +84,8 @@ std::string window_title(std::string const& hand, std::string const& drawing)
 // Returns the path of the model to draw on, by default that of kUsualModel.
 Result<std::filesystem::path> model_of(WindowArguments const& arguments)
 {
-    return files::find_plant(arguments.model.empty() ? kUsualModel : arguments.model);
+    char const* const usual = arguments.begins_tour ? "empty" : kUsualModel;
+    return files::find_plant(arguments.model.empty() ? usual : arguments.model);
 }
 
 // True if the user's window settings apply. They do not apply to screenshots, films and runs of a
@@ -175,6 +177,8 @@ bool begins_with_start_page(WindowArguments const& arguments)
 {
     if (arguments.wants_start_page)
         return true;
+    if (arguments.begins_tour)
+        return false;
     return arguments.model.empty() && arguments.session.empty() && arguments.played.empty()
         && arguments.picture.empty() && arguments.recording.empty() && arguments.frames == 0
         && arguments.screenshot.empty();
@@ -227,7 +231,8 @@ struct Clock {
 
 Clock clock_for(WindowArguments const& arguments)
 {
-    if ((arguments.played.empty() && !plays_hand(arguments)) || arguments.frames == 0)
+    bool const plays = !arguments.played.empty() || plays_hand(arguments) || arguments.begins_tour;
+    if (!plays || arguments.frames == 0)
         return { drivers::monotonic_now };
     auto const counted = std::make_shared<Timestamp>();
     return { [counted] { return *counted; }, counted };
@@ -276,6 +281,7 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
     options.picture = arguments.picture;
     options.recording = arguments.recording;
     options.socket = arguments.socket;
+    options.begins_tour = arguments.begins_tour;
     options.now = clock.now;
     options.counted_time = clock.counted;
     if (!clock.counted)
@@ -518,6 +524,24 @@ void add_window_command(CLI::App& root, options::Action& action, tools::Methods 
     command->callback([arguments, &action] {
         action = [arguments]() -> Result<void> { return open_window(TRY(sort_out(*arguments))); };
     });
+}
+
+void add_tour_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
+{
+    auto arguments = std::make_shared<WindowArguments>();
+    arguments->methods = methods;
+    arguments->begins_tour = true;
+    auto* const command = root.add_subcommand(
+        "tour", "See the station in five minutes: a hand draws a tree, and then you try");
+    add_look_options(*command, *arguments);
+    command->footer(
+        "Opens the window on an empty sheet. A simulated hand draws a tree; then the window asks\n"
+        "for one thing after another and waits until it is done: a limb, wind, other leaves, a\n"
+        "season, many plants of the kind, a file for other programs. Each step can be skipped,\n"
+        "and the tour ended. With a tablet, a height sensor, or the mouse in their place. The\n"
+        "start page offers the same. Needs a display.");
+    command->callback(
+        [arguments, &action] { action = [arguments] { return open_window(*arguments); }; });
 }
 
 } // namespace tractus::commands

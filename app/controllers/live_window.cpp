@@ -62,6 +62,8 @@ Result<LiveWindow> LiveWindow::create(devices::LiveDevices devices, LiveWindowOp
     // A command lays the picture, so that this step is recorded, too.
     if (!window.options_.picture.empty())
         window.perform(view::LayPictureFile { window.options_.picture });
+    if (window.options_.begins_tour && !window.drawings_are_open())
+        window.perform(view::BeginTour {});
     return window;
 }
 
@@ -130,6 +132,7 @@ void LiveWindow::advance(Duration real_step)
     follow_choices();
     follow_leaf_page();
     follow_model();
+    follow_tour();
     controller_->show(station_, options_.now());
     view().pass(real_step);
     if (auto hand = controller_->take_hand())
@@ -361,6 +364,8 @@ void LiveWindow::perform_kind(view::SetRecording const& command)
 void LiveWindow::perform(view::WindowCommand const& command)
 {
     std::visit([this](auto const& kind) { perform_kind(kind); }, command);
+    if (tour_)
+        tour_->take(command);
 }
 
 void LiveWindow::perform_kind(view::Restart const&)

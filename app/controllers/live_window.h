@@ -8,6 +8,7 @@
 #include "app/controllers/mouse_rig.h"
 #include "app/controllers/start_page_controller.h"
 #include "app/controllers/station_controller.h"
+#include "app/controllers/tour.h"
 #include "app/devices/live_devices.h"
 #include "app/devices/live_diagnosis.h"
 #include "app/devices/live_recorder.h"
@@ -72,6 +73,7 @@ struct LiveWindowOptions {
     std::filesystem::path model {};
     // Path of a socket on which other programs receive the drawing live; empty: none.
     std::filesystem::path socket {};
+    bool begins_tour = false; // True: the window begins with the tour, if no start page is open.
 };
 
 // The station's window for live drawing. Each device is read on its own thread, and advance()
@@ -107,6 +109,17 @@ public:
 private:
     enum class ChoiceOf { Picture, Leaves };
 
+    // Devices, the options of the station that reads them, and what the window's state says of
+    // them.
+    struct DevicesInUse {
+        devices::LiveDevices devices;
+        station::StationOptions station_options;
+        bool mouse_draws = false;
+        bool is_hand_simulated = false;
+        bool mouse_moves_surface = false;
+        bool may_calibrate = false;
+    };
+
     LiveWindow(devices::LiveDevices devices, LiveWindowOptions options,
                station::StationOptions station_options, station::Station station);
 
@@ -131,6 +144,9 @@ private:
     void perform_kind(view::OpenPictures const&);
     void perform_kind(view::OpenLeaves const&);
     void perform_kind(view::LayPictureFile const& command);
+    void perform_kind(view::BeginTour const&);
+    void perform_kind(view::SkipTourStep const&);
+    void perform_kind(view::EndTour const&);
     template<typename Command> void perform_kind(Command const& command)
     {
         controller_->perform(command, station_);
@@ -152,6 +168,11 @@ private:
     void follow_leaf_page();
     void follow(std::filesystem::path const& model);
     void follow_model();
+    Result<DevicesInUse> devices_of_tour() const;
+    Result<void> exchange_devices(DevicesInUse& other);
+    void give_devices_back();
+    void follow_tour();
+    void show_tour();
     void take_reports();
     void choose_for_hand(drivers::LogTool const& line);
     void announce_programs();
@@ -199,6 +220,10 @@ private:
     Timestamp next_look_ {}; // Time at which the devices page is next updated with the diagnosis.
     // Controller of the calibration page; nullopt if that page is closed.
     std::optional<CalibrationPanelController> calibration_;
+    std::optional<Tour> tour_;
+    std::size_t shown_tour_step_ = 0; // Step of the tour for which a tool was chosen last.
+    // The user's devices while the tour's hand draws; otherwise no value.
+    std::optional<DevicesInUse> user_devices_;
     std::vector<Eigen::AlignedBox2d> pressing_areas_;
     // New reports of the devices. A member, so that its memory is reused.
     std::vector<devices::LiveReport> reports_;

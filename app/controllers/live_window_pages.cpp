@@ -32,6 +32,7 @@ void LiveWindow::perform_kind(view::OpenStartPage const&)
 {
     if (!options_.start_page || drawings_are_open() || !controller_->may_close(finish()))
         return;
+    perform_kind(view::EndTour {});
     auto left = leave_drawing();
     options_.start_page->open(std::move(left));
 }
@@ -112,6 +113,8 @@ void LiveWindow::follow_start_page()
         perform_kind(view::ChooseTool { *chosen->tool });
     else
         take_tool_for_drawing();
+    if (chosen->is_for_tour)
+        perform_kind(view::BeginTour {});
 }
 
 // Selects the tool that suits this drawing, unless it is already selected.
@@ -227,7 +230,7 @@ void LiveWindow::follow_leaf_page()
         return;
     leaf_page_->advance();
     if (auto const accepted = leaf_page_->take_accepted())
-        perform_kind(*accepted);
+        perform(*accepted);
     else if (leaf_page_->take_left())
         perform_kind(view::OpenLeaves {});
 }

@@ -60,6 +60,9 @@ private:
     void perform_kind(view::NameDrawing const&) { }
     void perform_kind(view::SaveCopy const&) { }
     void perform_kind(view::WriteRules const&) { }
+    void perform_kind(view::BeginTour const&) { }
+    void perform_kind(view::SkipTourStep const&) { }
+    void perform_kind(view::EndTour const&) { }
     // Pressing has no effect, as the window's controls were in other places during the recording.
     void perform_kind(view::SetPressingAreas const&) { }
     void perform_kind(view::PressInstead const&) { }

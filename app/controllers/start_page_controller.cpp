@@ -92,6 +92,7 @@ void StartPageController::open(std::string note)
     list_recent();
     list_models();
     state_.note = std::move(note);
+    state_.offers_tour = true;
     state_.is_opening = false;
     ++state_.revision;
     std::deque<fs::path> files;
@@ -191,10 +192,23 @@ void StartPageController::choose(std::size_t group, std::size_t card)
         return;
     auto const& meaning = meanings_[group][card];
     chosen_tool_ = meaning.tool;
+    tour_is_chosen_ = false;
     state_.is_opening = true;
     state_.note = fmt::format("Opening {} ...", state_.groups[group].cards[card].title);
     ++state_.revision;
     opening_.want(meaning.wanted);
+}
+
+void StartPageController::begin_tour()
+{
+    if (state_.is_opening)
+        return;
+    chosen_tool_.reset();
+    tour_is_chosen_ = true;
+    state_.is_opening = true;
+    state_.note = "Opening the tour ...";
+    ++state_.revision;
+    opening_.want({});
 }
 
 std::optional<StartPageController::Chosen> StartPageController::take_opened()
@@ -210,7 +224,9 @@ std::optional<StartPageController::Chosen> StartPageController::take_opened()
     }
     is_open_ = false;
     pictures_.want({}); // Stops making thumbnails, so that the drawing has the processor to itself.
-    return Chosen { **std::move(opened), std::exchange(chosen_tool_, std::nullopt) };
+    return Chosen { .drawing = **std::move(opened),
+                    .tool = std::exchange(chosen_tool_, std::nullopt),
+                    .is_for_tour = std::exchange(tour_is_chosen_, false) };
 }
 
 void StartPageController::settle()

@@ -54,6 +54,7 @@ public:
         OpenedDrawing drawing;
         // Tool to select for the drawing; no value: it depends on the drawing.
         std::optional<tools::Tool> tool {};
+        bool is_for_tour = false; // True if the tour begins in the drawing.
     };
     std::optional<Chosen> take_opened();
 
@@ -62,6 +63,7 @@ public:
 
     view::StartPageState const& state() const override { return state_; }
     void choose(std::size_t group, std::size_t card) override;
+    void begin_tour() override;
 
 private:
     struct Meaning {
@@ -83,6 +85,7 @@ private:
     // What choosing each card of state_ means, with the same indices.
     std::vector<std::vector<Meaning>> meanings_;
     std::optional<tools::Tool> chosen_tool_;
+    bool tour_is_chosen_ = false;
     CardPictures pictures_;
     NewestJob<DrawingRequest, Result<OpenedDrawing>> opening_;
 };

@@ -118,10 +118,11 @@ Result<LiveDevices> LiveDevices::play_log(std::string const& name,
     return devices;
 }
 
-Result<LiveDevices> LiveDevices::play_hand(std::function<Timestamp()> const& now)
+Result<LiveDevices> LiveDevices::play_hand(std::function<Timestamp()> const& now,
+                                           std::string const& recording)
 {
-    auto const demo = TRY(files::find_resource("demo/station.tractus-log"));
-    auto read = TRY(drivers::read_log(demo));
+    auto const file = TRY(files::find_resource(recording));
+    auto read = TRY(drivers::read_log(file));
     auto const log = std::make_shared<drivers::Log const>(std::move(read));
     LiveDevices devices;
     devices.rig_text_ = log->rig_text;

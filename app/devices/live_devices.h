@@ -84,15 +84,19 @@ public:
     static Result<LiveDevices> play_log(std::string const& name,
                                         std::function<Timestamp()> const& now);
 
-    // Plays the simulated rig, whose simulated hand draws the demonstration of all methods on the
+    // Plays the simulated rig, whose simulated hand draws one of the program's recordings, such as
+    // "demo/tour.tractus-log". Without a name, that is the demonstration of all methods on the
     // plant hand_plant(). The hand waits for start_simulated_hand() and selects its own tools.
     // Fails like read_log(), and if the program's own files are missing.
-    static Result<LiveDevices> play_hand(std::function<Timestamp()> const& now);
+    static Result<LiveDevices> play_hand(std::function<Timestamp()> const& now,
+                                         std::string const& recording = "demo/station.tractus-log");
     static std::string_view hand_plant() { return "birch"; }
     bool has_hand() const { return hand_.has_value(); }
     // start_simulated_hand() lets the simulated hand begin; take_hand_tools() returns its tool
     // lines that have become due (SimulatedHand). Both do nothing without a simulated hand.
     void start_simulated_hand();
+    // True once a simulated hand has drawn all of its recording.
+    bool is_hand_over() const { return hand_ && hand_->is_over(); }
     std::vector<drivers::LogTool> take_hand_tools();
 
     // Replaces `reports` by all reports received since the last call, in order of time. Times are

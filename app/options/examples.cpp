@@ -7,6 +7,7 @@ namespace tractus::options {
 namespace {
 
 constexpr std::array kExamples = std::to_array<Example>({
+    { "tour", "tour", false },
     { "window", "window", false },
     { "window", "window --plant birch --height 100", false },
     { "window", "draw --device simulated", false },

@@ -162,6 +162,11 @@ void SimulatedHand::begin()
         shared_->begun = shared_->now();
 }
 
+bool SimulatedHand::is_over() const
+{
+    return shared_->begun && shared_->now() > shared_->real_time(shared_->log->end());
+}
+
 std::vector<drivers::LogTool> SimulatedHand::take_tools()
 {
     std::vector<drivers::LogTool> tools;

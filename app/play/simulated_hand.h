@@ -26,6 +26,9 @@ public:
     // Starts the recording, unless it has already started.
     void begin();
 
+    // True once the whole recording has been due.
+    bool is_over() const;
+
     // Returns the tool lines that have become due since the last call, with times of the clock
     // `now`.
     std::vector<drivers::LogTool> take_tools();

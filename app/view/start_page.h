@@ -55,6 +55,7 @@ struct StartPageState {
     std::vector<StartCards> groups {}; // Groups of cards; none is empty.
     std::string note {}; // Message that is shown instead of the page's title; empty: none.
     std::optional<StartStudy> study {}; // Item that is shown instead of the groups.
+    bool offers_tour = false;           // True if begin_tour() opens the tour.
     bool is_beside_drawing = false;     // True if there is a drawing to which leave() returns.
     // True once a card was chosen, until it has opened; further choices are ignored meanwhile.
     bool is_opening = false;
@@ -72,6 +73,10 @@ public:
 
     // Opens a card. The page disappears once the card has opened.
     virtual void choose(std::size_t group, std::size_t card) = 0;
+
+    // Opens an empty sheet and begins the tour there. The page disappears once the sheet has
+    // opened.
+    virtual void begin_tour() { }
 
     // Sets a slider of the study; called whenever the slider moves.
     virtual void slide(std::size_t /*slider*/, double /*value*/) { }

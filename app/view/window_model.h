@@ -10,6 +10,7 @@
 #include "app/tools/tool.h"
 #include "app/tools/tool_cards.h"
 #include "app/view/start_page.h"
+#include "app/view/tour_view.h"
 #include "engine/base/time.h"
 #include "engine/export/glb_writer.h"
 #include "engine/lsystem/view/leaf_word.h"
@@ -225,6 +226,8 @@ struct WindowState {
     // One line about a problem with a device and its remedy, shown instead of the status. Empty if
     // there is no problem.
     std::string trouble;
+    // Step of the tour; no value if there is no tour. Changes with live_revision.
+    std::optional<TourView> tour {};
     // True if real devices are read. There is then no playback to pause. The mouse is ignored while
     // a pen is in range, as the window system reports the pen as a mouse, too.
     bool is_live = false;
@@ -422,6 +425,13 @@ struct BringLeaf {
     std::filesystem::path file {};
 };
 
+// Commands for the tour (WindowState::tour). BeginTour lets a simulated hand draw a tree in the
+// drawing, which should be empty; its devices replace the user's until it is over. SkipTourStep
+// goes on to the next step. EndTour ends the tour at any step; what was drawn stays.
+struct BeginTour { };
+struct SkipTourStep { };
+struct EndTour { };
+
 struct WatchDevices {
     // True: DevicesView is filled and updated about ten times a second. False: it stays empty.
     bool watched = true;
@@ -429,14 +439,13 @@ struct WatchDevices {
 struct OpenCalibration { }; // Shows WindowModel::calibration() for the devices in use.
 struct CloseCalibration { };
 
-using WindowCommand
-    = std::variant<SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool, Undo,
-                   Redo, ChangeGrowth, RequestCollection, PickVariation, SetPressingAreas,
-                   PressInstead, MoveMousePen, MoveSurface, ExportPlant, SetRecording, WatchDevices,
-                   OpenCalibration, CloseCalibration, TakeOrphansAway, OpenStartPage, ChangeSeason,
-                   AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard, OpenPictures,
-                   LayPictureFile, DragDrawnGizmo, OpenLeaves, SetActiveFoliage, BringLeaf,
-                   NameDrawing, SaveCopy, WriteRules, PickCurve, SetAlongGround>;
+using WindowCommand = std::variant<
+    SetPlaying, SetSpeed, Restart, NextVariation, SavePicture, ChooseTool, Undo, Redo, ChangeGrowth,
+    RequestCollection, PickVariation, SetPressingAreas, PressInstead, MoveMousePen, MoveSurface,
+    ExportPlant, SetRecording, WatchDevices, OpenCalibration, CloseCalibration, TakeOrphansAway,
+    OpenStartPage, ChangeSeason, AdjustTool, TakeLikeDrawn, KeepCard, RenameCard, RemoveCard,
+    OpenPictures, LayPictureFile, DragDrawnGizmo, OpenLeaves, SetActiveFoliage, BringLeaf,
+    NameDrawing, SaveCopy, WriteRules, PickCurve, SetAlongGround, BeginTour, SkipTourStep, EndTour>;
 
 // Supplies the contents of a window. For use on the window's thread only.
 class WindowModel {

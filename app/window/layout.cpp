@@ -44,7 +44,7 @@ WindowPart Layout::whole_window() const
 WindowPart Layout::above_controls() const
 {
     auto part = whole_window();
-    part.height = std::max(part.height - controls_.height_px(), 64.0f);
+    part.height = std::max(part.height - controls_.height_px() - tour_panel_.height_px(), 64.0f);
     return part;
 }
 
@@ -106,6 +106,10 @@ void Layout::show(view::WindowModel& model, render::Renderer& renderer, PenPoint
     float const right = is_beside_pen ? std::min(whole.width, pen_area_.right_px()) : whole.width;
     auto const bar = controls_.show(model, workspace_, left, right);
     covered_.push_back(bar);
+    if (model.state().tour)
+        covered_.push_back(tour_panel_.show(model, controls_, bar));
+    else
+        tour_panel_.hide();
     workspace_.gizmo_is_seen &= pad_part_.has_value();
     if (pad_part_)
         if (auto const gizmo = gizmo_panel_.show(model, workspace_, controls_, *pad_part_))

@@ -14,6 +14,7 @@
 #include "app/window/start_view.h"
 #include "app/window/strokes_view.h"
 #include "app/window/tool_ring.h"
+#include "app/window/tour_panel.h"
 #include "app/window/views.h"
 
 #include <optional>
@@ -40,6 +41,7 @@ public:
         , name_panel_(scale)
         , start_(title_font, scale)
         , individuality_(scale)
+        , tour_panel_(title_font, scale)
     {
     }
 
@@ -105,6 +107,7 @@ private:
     PlantView plant_;
     CollectionView collection_;
     IndividualityPanel individuality_;
+    TourPanel tour_panel_;
     ToolRing ring_;
     MouseHand mouse_;
     PenArea pen_area_;

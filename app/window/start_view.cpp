@@ -89,9 +89,11 @@ void StartView::show_head(view::StartPageModel& page, Workspace& workspace,
 {
     auto const& state = page.state();
     constexpr std::array kWidths_px { 96.0f, 150.0f, 96.0f };
+    constexpr float kTourButton_px = 120;
     float const gap = ImGui::GetStyle().ItemSpacing.x;
     float const room = ImGui::GetContentRegionAvail().x;
-    float const buttons = (kWidths_px[0] + kWidths_px[1] + kWidths_px[2]) * scale_ + 2 * gap;
+    float const tour = state.offers_tour ? kTourButton_px * scale_ + gap : 0;
+    float const buttons = (kWidths_px[0] + kWidths_px[1] + kWidths_px[2]) * scale_ + 2 * gap + tour;
     auto const place = ImGui::GetCursorPos();
     auto const fits = [&](ImFont const* font, char const* text) {
         return font->CalcTextSizeA(font->FontSize, 1e6f, 0, text).x + gap < room - buttons;
@@ -106,6 +108,9 @@ void StartView::show_head(view::StartPageModel& page, Workspace& workspace,
     ImGui::TextUnformatted(title);
     ImGui::PopFont();
     ImGui::SetCursorPos({ place.x + std::max(0.0f, room - buttons), place.y });
+    bool const begins_tour = state.offers_tour && controls.button("Take a tour", kTourButton_px);
+    if (state.offers_tour)
+        ImGui::SameLine();
     if (controls.button(theme::palette().is_light ? "Dark" : "Light", kWidths_px[0]))
         theme::set_light(!theme::palette().is_light);
     ImGui::SameLine();
@@ -120,6 +125,8 @@ void StartView::show_head(view::StartPageModel& page, Workspace& workspace,
     ImGui::Dummy({ 1, 2 * scale_ });
     if (goes_back)
         page.leave();
+    if (begins_tour)
+        page.begin_tour();
 }
 
 void StartView::show_cards(view::StartPageModel& page)

@@ -14,7 +14,7 @@ std::vector<std::string> const kCommands {
     "",        "convert",      "decode",        "demo",           "derive", "devices",
     "doctor",  "grow",         "lsystem check", "record",         "render", "replay",
     "session", "session info", "session log",   "session export", "sim",    "tools",
-    "stream",  "vary",         "watch",         "window"
+    "stream",  "vary",         "watch",         "window",         "tour"
 };
 
 TEST_F(Usage, HelpGoesToStandardOutputAndIsNoFailure)
