@@ -58,7 +58,8 @@ void add_demo_command(CLI::App& root, options::Action& action, tools::Methods co
                              .max_sides = 8,
                              .subdivision = 2,
                              .ends = mesh::MeshOptions::Ends::Open,
-                             .sections = mesh::MeshOptions::Sections::SameArea };
+                             .sections = mesh::MeshOptions::Sections::SameArea,
+                             .organs = mesh::MeshOptions::Organs::Cards };
                 job.glb.vertices
                     = std::max(job.glb.vertices, exports::GlbOptions::Vertices::Quantized);
             }
