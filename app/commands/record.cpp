@@ -67,10 +67,12 @@ Result<void> record_simulated(RecordArguments const& arguments, tools::ToolKinds
     auto script = TRY(sim::parse_gesture_script(text, arguments.script));
     if (arguments.is_unkind)
         script.unkindness = sim::all_unkindness(script.seed);
+    auto const model = TRY(files::find_plant(arguments.model));
     scene::Scene scene;
-    if (auto const model = TRY(files::find_plant(arguments.model)); !model.empty())
-        scene = TRY(
-            scene::apply_edit({}, TRY(io::load_plant_edit(model)), document::make_load_options()));
+    if (!model.empty()) {
+        auto const edit = TRY(io::load_plant_edit(model));
+        scene = TRY(scene::apply_edit({}, edit, document::make_load_options()));
+    }
     auto const write = [&](std::ostream& out) {
         return play::write_simulated_recording(out, script, scene, tools);
     };
