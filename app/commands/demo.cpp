@@ -51,12 +51,12 @@ void add_demo_command(CLI::App& root, options::Action& action, tools::Methods co
             job.model = TRY(files::find_model(is_station ? "birch" : arguments->plant));
             job.all_seasons = is_station;
             // The first file that a new user opens contains 16 variations of three plants, so
-            // meshes are coarse.
+            // meshes are coarse and leaves are cards: every program opens it quickly.
             if (is_station) {
                 job.growth.season.emplace();
                 job.mesh = { .min_sides = 3,
-                             .max_sides = 8,
-                             .subdivision = 2,
+                             .max_sides = 6,
+                             .subdivision = 1,
                              .ends = mesh::MeshOptions::Ends::Open,
                              .sections = mesh::MeshOptions::Sections::SameArea,
                              .organs = mesh::MeshOptions::Organs::Cards };

@@ -284,8 +284,8 @@ Result<void> show_devices(WindowArguments const& arguments, devices::LiveDevices
     options.begins_tour = arguments.begins_tour;
     options.now = clock.now;
     options.counted_time = clock.counted;
-    if (!clock.counted)
-        // The mouse replaces missing devices, except where time is counted in frames.
+    if (!clock.counted || arguments.begins_tour)
+        // The mouse replaces missing devices, except where a recording is played by counted frames.
         options.mouse.emplace(options.now);
     auto const name = devices.infos().empty() ? "mouse" : devices.infos().front().name;
     auto how = window_options(arguments, drawing.empty() ? "tractus" : window_title(name, drawing));
