@@ -91,7 +91,7 @@ std::string method_of(fs::path const& file)
     return "";
 }
 
-// True if a file uses a word in another sense, as part of another language.
+// True if a file uses a word in another sense, as part of another language, or is a script.
 bool is_another_language(std::string const& path, std::string const& word)
 {
     static std::set<std::pair<std::string, std::string>> const others {
@@ -102,6 +102,9 @@ bool is_another_language(std::string const& path, std::string const& word)
         { "app/methods/leaves/commands/leaves_command.cpp", "draw" },
         // A block in the grammar of a leaf.
         { "engine/methods/leaves/read_directive.cpp", "outline" },
+        // The tour, which like a hand's script asks for tools by their words.
+        { "app/controllers/tour.cpp", "draw_limb" },
+        { "app/controllers/tour.cpp", "indicate" },
         // The log's tool "calibrate" also has this word.
         { "app/controllers/calibration_panel_controller.cpp", "press" },
         { "app/calibration/calibration_controller.cpp", "press" },
