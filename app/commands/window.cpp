@@ -535,11 +535,11 @@ void add_tour_command(CLI::App& root, options::Action& action, tools::Methods co
         "tour", "See the station in five minutes: a hand draws a tree, and then you try");
     add_look_options(*command, *arguments);
     command->footer(
-        "Opens the window on an empty sheet. A simulated hand draws a tree; then the window asks\n"
-        "for one thing after another and waits until it is done: a limb, wind, other leaves, a\n"
-        "season, many plants of the kind, a file for other programs. Each step can be skipped,\n"
-        "and the tour ended. With a tablet, a height sensor, or the mouse in their place. The\n"
-        "start page offers the same. Needs a display.");
+        "Opens the window on an empty sheet. A simulated hand draws a tree; then the window\n"
+        "asks for one thing after another and waits until it is done: a limb, wind, other\n"
+        "leaves, a season, many plants of the kind, a file for other programs. Each step can\n"
+        "be skipped, and the tour ended. With a tablet, a height sensor, or the mouse in their\n"
+        "place. The start page offers the same. Needs a display.");
     command->callback(
         [arguments, &action] { action = [arguments] { return open_window(*arguments); }; });
 }
