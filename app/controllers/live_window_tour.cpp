@@ -94,7 +94,12 @@ void LiveWindow::follow_tour()
 {
     if (!tour_)
         return;
-    tour_->look({ .is_hand_over = devices_.is_hand_over(),
+    if (user_devices_ && devices_.is_hand_over()) {
+        give_devices_back();
+        // The hand's last stroke must be in the drawing before the user's strokes are counted.
+        controller_->settle(station_, options_.now());
+    }
+    tour_->look({ .is_hand_over = !user_devices_,
                   .strokes = state().curves.size(),
                   .indicators = scene().indicators.size() });
     show_tour();
