@@ -10,7 +10,7 @@ namespace tractus::controllers {
 
 namespace {
 
-// What the user has to do in a step.
+// The tasks of the steps; each step has one.
 enum class Task { Watch, Limb, Wind, Leaves, Season, Many, Export, End };
 
 constexpr std::array kTasks { Task::Watch,  Task::Limb, Task::Wind,   Task::Leaves,

@@ -9,7 +9,7 @@
 
 namespace tractus::controllers {
 
-// What the tour has to know of the drawing.
+// The state of the drawing that the tour watches.
 struct TourFacts {
     bool is_hand_over = false;  // True once the simulated hand has drawn its tree.
     std::size_t strokes = 0;    // Number of strokes that have an effect.
