@@ -1,11 +1,13 @@
 #pragma once
 
 #include "app/tools/skeleton_line.h"
+#include "engine/scene/paper.h"
 #include "engine/scene/scene.h"
 #include "engine/stroke/tip_sample.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,6 +35,10 @@ public:
     // A sentence for the user about the last preview, for example on what the preview leaves out;
     // may be empty.
     virtual std::string note() const { return {}; }
+
+    // The paper on which the plant of the last preview stands. No value if the stroke is not read
+    // as drawn on paper, or if there was no preview.
+    virtual std::optional<scene::Paper> paper() const { return {}; }
 };
 
 } // namespace tractus::tools

@@ -78,6 +78,9 @@ struct ToolKind {
     // True if the document is shown as an unfinished stroke would change it if it ended now. Only
     // for tools whose strokes can be interpreted and shown within a frame.
     bool shows_outcome = false;
+    // True if the tool's strokes may mean an upright sheet of paper: a level stroke does, and a
+    // stroke during which the surface moves does not. Null: `surface` says it for all strokes.
+    bool (*may_draw_on_paper)(Tool const& tool) = nullptr;
     bool lays_pictures = false; // The tool's buttons start with one that opens picture files.
     // Kind of plants made with the tool. The tool is selected when a drawing opens in which such a
     // plant is active. Null: like_drawn() may recognise the tool's plants.

@@ -16,36 +16,12 @@
 
 namespace tractus::view {
 
-// Previews a stroke. Previewers cache data between strokes, so the previewer is reused as long as
-// the tool's kind stays the same.
-StationView::Preview StationView::Previewing::show(PreviewRequest const& wanted)
-{
-    auto* const make = wanted.tool.kind().previewer;
-    if (!make)
-        return { .stroke = wanted.stroke };
-    if (made_by != make) {
-        previewer = make();
-        made_by = make;
-    }
-    auto lines = previewer->show({ wanted.scene, wanted.tool, wanted.ink, wanted.orders });
-    if (lines.empty())
-        last.reset();
-    else if (!last || *last != lines)
-        last = std::make_shared<std::vector<tools::SkeletonLine> const>(std::move(lines));
-    return { last, previewer->note(), wanted.stroke };
-}
-
 StationView::StationView(station::Station const& station, document::Document const& document)
-    : preview_(std::make_unique<NewestJob<PreviewRequest, Preview>>(
-        // Held by shared_ptr, as std::function requires a function object that can be copied.
-        [previewing = std::make_shared<Previewing>()](PreviewRequest const& wanted) {
-            return previewing->show(wanted);
+    : proposal_(std::make_unique<NewestJob<ProposalRequest, std::shared_ptr<scene::Scene const>>>(
+        [](ProposalRequest const& wanted) -> std::shared_ptr<scene::Scene const> {
+            auto scene = scene::apply_edits(*wanted.scene, wanted.edits);
+            return scene ? std::make_shared<scene::Scene const>(*std::move(scene)) : nullptr;
         }))
-    , proposal_(std::make_unique<NewestJob<ProposalRequest, std::shared_ptr<scene::Scene const>>>(
-          [](ProposalRequest const& wanted) -> std::shared_ptr<scene::Scene const> {
-              auto scene = scene::apply_edits(*wanted.scene, wanted.edits);
-              return scene ? std::make_shared<scene::Scene const>(*std::move(scene)) : nullptr;
-          }))
     , reading_(std::make_unique<NewestJob<std::shared_ptr<std::string const>, ReadPicture>>(read))
 {
     state_.volume_mm = station.volume_mm();
@@ -63,6 +39,7 @@ void StationView::show(station::Station const& station, document::Document const
     take_picture();
     take_proposal();
     show_live(station, document);
+    take_first_plant();
     bool const is_drawing = is_drawing_ || !document.waiting().empty();
     // The snapshot is read after the waiting strokes, so that every stroke is among those or in the
     // snapshot.
@@ -76,6 +53,8 @@ void StationView::show(station::Station const& station, document::Document const
         take_saved_snapshot(snapshot);
     if (!is_drawing && std::exchange(is_outcome_proposed_, false))
         propose({}); // The stroke changed nothing, so its preview ends.
+    if (!is_drawing && shows_first_plant_)
+        show_growth(); // The stroke was refused, so the sheet stays empty.
     show_drawn_gizmo();
 }
 
@@ -184,17 +163,21 @@ void StationView::show_live(station::Station const& station, document::Document 
     show_ink(station, inks, document.waiting());
     show_selecting(station, inks);
     show_surface(station);
+    is_waiting_ = !document.waiting().empty();
     show_preview(station, inks);
 }
 
 // Previews the result of the stroke in progress, as often as the background thread can compute it.
+// A preview stays until the finished stroke has been applied.
 void StationView::show_preview(station::Station const& station, Inks inks)
 {
-    if (inks.empty())
+    if (inks.empty() && !is_waiting_)
         set_preview({});
+    else if (inks.empty())
+        previewed_live_ = state_.live_revision;
     else if (std::exchange(previewed_live_, state_.live_revision) != state_.live_revision)
-        preview_->want({ grown_scene_, station.meaning_of(inks.front()), inks.front(),
-                         skeleton_.orders(), finished_strokes_ });
+        previews_->want({ grown_scene_, station.meaning_of(inks.front()), inks.front(),
+                          skeleton_.orders(), finished_strokes_ });
     is_drawing_ = !inks.empty();
     take_preview();
     if (is_drawing_)
@@ -218,17 +201,59 @@ void StationView::propose_outcome(station::Station const& station,
 
 void StationView::take_preview()
 {
-    if (auto made = preview_->take(); made && is_drawing_ && made->stroke == finished_strokes_)
+    if (auto made = previews_->take(); made && is_drawing_ && made->stroke == finished_strokes_)
         set_preview(*std::move(made));
+    show_paper();
 }
 
-void StationView::set_preview(Preview preview)
+void StationView::set_preview(StrokePreview preview)
 {
     state_.preview_note = std::move(preview.note);
+    state_.preview_paper = preview.paper;
     if (std::exchange(previewed_, preview.lines) == preview.lines)
         return; // Most pen samples do not change the preview.
     ++state_.preview_revision;
     state_.preview = preview.lines ? *preview.lines : std::vector<tools::SkeletonLine>();
+    if (std::exchange(framed_stroke_, finished_strokes_) != finished_strokes_)
+        preview_frame_ = SteadyFrame(1 / grown_scene_->placement.scale);
+    frame_preview();
+}
+
+// Grows the first plant of the sheet as far as it has been drawn.
+void StationView::take_first_plant()
+{
+    auto made = previews_->take_first_plant();
+    if (!made || !made->scene || !is_drawing_ || made->stroke != finished_strokes_)
+        return;
+    state_.first_plant_scale = made->scene->placement.scale;
+    request_plant({ made->scene, made->scene->growth });
+    shows_first_plant_ = true;
+}
+
+// Frames the preview if the plant has no skeleton that could be framed.
+void StationView::frame_preview()
+{
+    if (!skeleton_.box_mm().empty())
+        return;
+    for (auto const& line : state_.preview)
+        for (auto const& point_mm : line.points_mm)
+            preview_frame_.add(point_mm.cast<double>());
+    state_.skeleton_box_mm = preview_frame_.box_mm();
+}
+
+// Decides whether the pad shows the plant as it stands on the sheet, for tools that draw in space
+// and on paper: while the pen draws, as the stroke is read so far; otherwise, as the plant was
+// drawn.
+void StationView::show_paper()
+{
+    auto* const may_draw = state_.hand.kind().may_draw_on_paper;
+    if (!may_draw || !may_draw(state_.hand))
+        state_.is_paper_upright = false;
+    else if (is_drawing_ && previewed_)
+        state_.is_paper_upright = state_.preview_paper.has_value();
+    else if (auto const* const plant = scene::active_plant(grown_scene_->state);
+             !is_drawing_ && !is_waiting_)
+        state_.is_paper_upright = plant && plant->paper_mm;
 }
 
 // While the pen selects branches, highlights those that its stroke has selected so far or may still
@@ -391,6 +416,7 @@ void StationView::show_skeleton(tools::ShownSkeleton::Touched const& touched)
     auto const next = aims ? aims_at_(*grown_scene_) : std::vector<SegmentId>();
     state_.skeleton = skeleton_.lines(touched, next);
     state_.skeleton_box_mm = skeleton_.box_mm();
+    frame_preview();
     ++state_.skeleton_revision;
 }
 
@@ -424,6 +450,7 @@ void StationView::take_saved_snapshot(std::shared_ptr<document::Snapshot const> 
 
 void StationView::preview(scene::SetGrowth const& growth)
 {
+    shows_first_plant_ = false;
     state_.seed = growth.seed;
     state_.growth = { std::string(variation::growth_preset_of(growth.parameters)),
                       growth.variability, growth.age };
@@ -568,8 +595,13 @@ void StationView::settle()
     take_proposal();
     grower_->settle();
     show_grown();
-    preview_->settle();
+    previews_->settle();
     take_preview();
+    take_first_plant();
+    if (shows_first_plant_) {
+        grower_->settle();
+        show_grown();
+    }
     show_drawn_gizmo();
 }
 
@@ -588,6 +620,7 @@ void StationView::show_grown()
         grower_->drop(std::move(plant_));
     plant_ = std::make_unique<mesh::Mesh const>(**std::move(grown));
     state_.plant = plant_.get();
+    state_.is_first_plant_drawn = shows_first_plant_;
     ++state_.plant_revision;
     show_underground(grower_->underground());
 }

@@ -3,10 +3,11 @@
 #include "app/document/document.h"
 #include "app/station/station.h"
 #include "app/tools/shown_skeleton.h"
-#include "app/tools/stroke_previewer.h"
 #include "app/view/plant_grower.h"
 #include "app/view/shown_layers.h"
 #include "app/view/skeleton_picture.h"
+#include "app/view/steady_frame.h"
+#include "app/view/stroke_previews.h"
 #include "app/view/window_model.h"
 #include "engine/mesh/mesh.h"
 #include "engine/scene/scene.h"
@@ -73,29 +74,6 @@ public:
     std::shared_ptr<scene::Scene const> const& grown_scene() const { return grown_scene_; }
 
 private:
-    struct PreviewRequest {
-        // Scene on which the previewed stroke is drawn. Immutable and shared.
-        std::shared_ptr<scene::Scene const> scene;
-        tools::Tool tool {};
-        std::vector<TipSample> ink {};
-        std::uint32_t orders = 0; // Branching order below which branches are considered.
-        std::size_t stroke = 0;   // Number of the stroke that is previewed.
-    };
-    struct Preview {
-        // The previewed branches; null if there is no preview. Immutable; shared by equal previews.
-        std::shared_ptr<std::vector<tools::SkeletonLine> const> lines {};
-        std::string note {};
-        std::size_t stroke = 0; // Number of the stroke that is previewed.
-    };
-    // The previewer of strokes in progress. Used on the background thread only.
-    struct Previewing {
-        Preview show(PreviewRequest const& wanted);
-
-        std::unique_ptr<tools::StrokePreviewer> (*made_by)() = nullptr;
-        std::unique_ptr<tools::StrokePreviewer> previewer {};
-        std::shared_ptr<std::vector<tools::SkeletonLine> const> last {};
-    };
-
     struct ProposalRequest {
         // Scene that `edits` would change. Immutable and shared.
         std::shared_ptr<scene::Scene const> scene;
@@ -135,7 +113,10 @@ private:
     void show_variations();
     void show_preview(station::Station const& station, Inks inks);
     void take_preview();
-    void set_preview(Preview preview);
+    void set_preview(StrokePreview preview);
+    void frame_preview();
+    void take_first_plant();
+    void show_paper();
     void list_orphans(scene::Scene const& scene);
     void show_selecting(station::Station const& station, Inks inks);
     void show_skeleton(tools::ShownSkeleton::Touched const& touched = {});
@@ -173,11 +154,17 @@ private:
     SkeletonPicture skeleton_;
     scene::SelectionAngle shown_angle_;
     bool is_selecting_ = false;
-    // On the heap, as a thread keeps a reference to it.
-    std::unique_ptr<NewestJob<PreviewRequest, Preview>> preview_;
+    // On the heap, as threads keep references to it.
+    std::unique_ptr<StrokePreviews> previews_ = std::make_unique<StrokePreviews>();
     std::uint64_t previewed_live_ = 0; // live_revision at the last request for a preview.
     // Lines of the preview that the state contains.
     std::shared_ptr<std::vector<tools::SkeletonLine> const> previewed_;
+    // Box around the preview of the stroke with this number, if the plant's skeleton is empty.
+    SteadyFrame preview_frame_ {};
+    std::size_t framed_stroke_ = 0;
+    // True while the first plant of an empty sheet is shown as far as it has been drawn, or about
+    // to be.
+    bool shows_first_plant_ = false;
     // Applies proposed edits in the background; its result is null if that fails. On the heap, as a
     // thread keeps a reference to it.
     std::unique_ptr<NewestJob<ProposalRequest, std::shared_ptr<scene::Scene const>>> proposal_;
@@ -193,6 +180,7 @@ private:
     bool is_outcome_proposed_ = false; // True while the outcome of an unfinished stroke is shown.
     bool is_proposed_ = false;         // True while proposed edits are shown or about to be.
     bool is_drawing_ = false;
+    bool is_waiting_ = false; // True while finished strokes have not been applied.
     // Number of finished strokes that are shown as ink, as they are not in the scene yet.
     std::size_t shown_waiting_ = 0;
     // On the heap, so that the pointer to it in state_ stays valid when this object moves.

@@ -165,6 +165,7 @@ struct WindowState {
     std::vector<tools::SkeletonLine> skeleton;
     std::vector<ShownLayer> layers; // The visible layers. They also change with strokes_revision.
     // Bounding box of the whole plant, in the plant's frame. The selection view zooms to it.
+    // While a stroke makes the first plant, a box around the preview (steady_frame.h).
     Bounds skeleton_box_mm;
     // Transform from the skeleton's frame, the plant's, to the world frame.
     Eigen::Affine3f T_world_plant = Eigen::Affine3f::Identity();
@@ -172,11 +173,18 @@ struct WindowState {
     // Picture behind the drawing; no value if there is none or it is still being decoded.
     std::optional<ShownPicture> picture {};
     scene::Paper paper {}; // Sheet on which some tools draw. Changes with strokes_revision.
+    // True if the pad shows the sheet although the tool's strokes may also lie in space
+    // (tools::ToolKind::may_draw_on_paper).
+    bool is_paper_upright = false;
 
     std::uint64_t plant_revision = 0;
     // Mesh of the plants grown last; null before the first. Valid until the next advance() or
     // settle().
     mesh::Mesh const* plant = nullptr;
+    // True if `plant` is the first of an empty sheet, as far as the stroke in progress has drawn
+    // it.
+    bool is_first_plant_drawn = false;
+    double first_plant_scale = 1; // World millimetres per millimetre of that plant.
     // True while a newer plant is being grown in the background. `plant` is the old one until then.
     bool is_growing = false;
     // Those segments of the grown active plant that are below the ground, except roots.
@@ -202,6 +210,8 @@ struct WindowState {
     // the plant's frame.
     std::uint64_t preview_revision = 0;
     std::vector<tools::SkeletonLine> preview;
+    // Paper on which the previewed plant would stand; no value if it is not drawn on paper.
+    std::optional<scene::Paper> preview_paper {};
     std::string preview_note; // Text that is shown instead of the status; empty: none.
 
     // Strokes and indicators whose branch is missing, so that they have no effect until it appears

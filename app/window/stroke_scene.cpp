@@ -189,6 +189,21 @@ std::vector<render::Curve> stroke_curves(view::WindowState const& state,
     return curves;
 }
 
+std::vector<render::Curve> live_stroke_curves(view::WindowState const& state)
+{
+    float const thinnest_mm = kThinnest * diagonal_mm(strokes_box(state));
+    auto const T_world_pad = pad_of_world(state).inverse();
+    std::vector<render::Curve> curves;
+    for (auto const& line : state.live_ink) {
+        auto& curve = curves.emplace_back();
+        curve.width_unit = render::Curve::WidthUnit::Millimetres;
+        for (auto const& point : line.points)
+            curve.points.push_back({ T_world_pad * point.position_mm, theme::palette().ink,
+                                     std::max(point.width_mm, thinnest_mm) });
+    }
+    return curves;
+}
+
 std::vector<render::Curve> ground_curves(view::WindowState const& state,
                                          std::vector<std::size_t> const& highlighted)
 {

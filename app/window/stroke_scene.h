@@ -32,6 +32,10 @@ Bounds strokes_box(view::WindowState const& state);
 std::vector<render::Curve> stroke_curves(view::WindowState const& state,
                                          std::vector<std::size_t> const& highlighted);
 
+// Returns the ink of strokes in progress where it will stand: strokes on paper are upright. It does
+// not change the box, so that the view stays still while the pen draws.
+std::vector<render::Curve> live_stroke_curves(view::WindowState const& state);
+
 // Returns lines for orientation: a grid on the ground, an upright line at the plant's base with a
 // mark at each step of the grid, and for the newest highlighted curves a line from the curve's
 // beginning down to the ground.

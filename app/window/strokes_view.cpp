@@ -61,6 +61,8 @@ std::optional<std::size_t> StrokesView::show(view::WindowState const& state,
     auto const revision = state.curves_revision + picks_;
     bool changed = std::exchange(turned_, false);
     changed |= curves_.follow(revision, [&] { return stroke_curves(state, highlighted_); });
+    changed |= live_.follow(state.live_revision + state.preview_revision,
+                            [&] { return live_stroke_curves(state); });
     changed |= ground_.follow(revision, [&] { return ground_curves(state, highlighted_); });
     auto const corner_px = ImGui::GetCursorScreenPos();
     auto const& canvas = canvas_.sized(size_px, changed);
@@ -68,7 +70,7 @@ std::optional<std::size_t> StrokesView::show(view::WindowState const& state,
         = orbit_.camera(strokes_box(state), static_cast<double>(canvas.width()) / canvas.height());
     if (changed) {
         render::Stage stage;
-        stage.curves = { ground_.curves(), curves_.curves() };
+        stage.curves = { ground_.curves(), curves_.curves(), live_.curves() };
         stage.backdrop = strokes_backdrop();
         renderer.draw(stage, camera, canvas);
     }

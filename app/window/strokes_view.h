@@ -44,6 +44,7 @@ private:
     ViewCanvas canvas_;
     Orbit orbit_;
     FollowedCurves curves_;
+    FollowedCurves live_;
     FollowedCurves ground_;
     std::vector<std::size_t> highlighted_;
     std::optional<std::size_t> picked_; // Picked curve; reset when a curve is added or removed.

@@ -161,10 +161,11 @@ Vec3f state_color(tools::SkeletonLine::State state)
     return theme::palette().unselected;
 }
 
-float widest_mm(std::vector<tools::SkeletonLine> const& skeleton)
+// Returns the greatest width of the skeleton's lines or, without a skeleton, of the preview's.
+float widest_mm(view::WindowState const& state)
 {
     float widest = 1e-3f;
-    for (auto const& line : skeleton)
+    for (auto const& line : state.skeleton.empty() ? state.preview : state.skeleton)
         widest = std::max(widest, line.width_mm);
     return widest;
 }
@@ -172,7 +173,8 @@ float widest_mm(std::vector<tools::SkeletonLine> const& skeleton)
 // Returns the width of a skeleton line. Trunks are thick, but no line is too thin to see or select.
 float width_px(tools::SkeletonLine const& line, float widest)
 {
-    float const plain = 1.6f + 5.0f * std::sqrt(line.width_mm / widest);
+    // A previewed branch may be wider than all branches of the skeleton.
+    float const plain = 1.6f + 5.0f * std::sqrt(std::min(line.width_mm / widest, 4.0f));
     bool const is_plain = line.state == tools::SkeletonLine::State::Unselected
         || line.state == tools::SkeletonLine::State::Other;
     return is_plain ? plain : plain * 1.3f + 1.5f;
@@ -273,7 +275,7 @@ float grid_step_mm(float extent_mm)
 
 bool draws_on_paper(view::WindowState const& state)
 {
-    return state.hand.kind().surface == tools::Surface::Paper;
+    return state.is_paper_upright || state.hand.kind().surface == tools::Surface::Paper;
 }
 
 Eigen::Affine3f pad_of_world(view::WindowState const& state)
@@ -281,7 +283,7 @@ Eigen::Affine3f pad_of_world(view::WindowState const& state)
     Eigen::Affine3f T_pad_world = Eigen::Affine3f::Identity();
     if (!draws_on_paper(state))
         return T_pad_world;
-    auto const& paper = state.paper;
+    auto const& paper = state.preview_paper ? *state.preview_paper : state.paper;
     T_pad_world.linear() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
     T_pad_world.linear() /= static_cast<float>(paper.unit);
     Vec3 const world_point_mm = paper.world_point_mm / paper.unit;
@@ -390,7 +392,7 @@ SkeletonStates skeleton_states(view::WindowState const& state)
 
 std::vector<render::Curve> preview_curves(view::WindowState const& state)
 {
-    float const widest = widest_mm(state.skeleton);
+    float const widest = widest_mm(state);
     std::vector<render::Curve> curves;
     for (auto const& line : state.preview) {
         auto& curve = curves.emplace_back();
@@ -413,13 +415,21 @@ std::vector<render::Curve> underground_curves(view::WindowState const& state)
 
 std::vector<render::Curve> growing_curves(view::WindowState const& state)
 {
+    // Least width of a line, as a share of the diagonal of the plant's box. Lines without a width
+    // would be invisible.
+    constexpr double kThinnest = 1.0 / 400;
+    auto const& box_mm = state.skeleton_box_mm;
+    float const thinnest_mm = box_mm.empty()
+        ? 0
+        : static_cast<float>(kThinnest * (box_mm.max_mm - box_mm.min_mm).norm());
     std::vector<render::Curve> curves;
     for (auto const& line : state.preview) {
         auto& curve = curves.emplace_back();
         curve.width_unit = render::Curve::WidthUnit::Millimetres;
         curve.points.reserve(line.points_mm.size());
         for (auto const& point : line.points_mm)
-            curve.points.push_back({ point, theme::palette().growing, line.width_mm });
+            curve.points.push_back(
+                { point, theme::palette().growing, std::max(line.width_mm, thinnest_mm) });
     }
     return curves;
 }
@@ -428,7 +438,7 @@ std::vector<render::Curve> skeleton_curves(view::WindowState const& state)
 {
     std::vector<render::Curve> curves;
     add_ground_ring(state.skeleton, curves);
-    float const widest = widest_mm(state.skeleton);
+    float const widest = widest_mm(state);
     for (auto const& line : state.skeleton) {
         auto& curve = curves.emplace_back();
         curve.points.reserve(line.points_mm.size());

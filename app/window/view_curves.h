@@ -14,8 +14,9 @@ namespace tractus::window {
 // and the lines of layers; and curves that follow the pen: a grid at the surface, the volume below
 // the surface, the stroke in progress, the pen's tip and its drop line.
 //
-// For a tool that draws on paper, the drawing volume is shown turned: the vertical sheet of paper
-// lies in the surface and is seen from its front.
+// For a tool that draws on paper, and for a plant that was drawn on paper by a tool that also draws
+// in space, the drawing volume is shown turned: the vertical sheet of paper lies in the surface and
+// is seen from its front.
 std::vector<render::Curve> pad_skeleton_curves(view::WindowState const& state);
 std::vector<render::Curve> pad_preview_curves(view::WindowState const& state);
 std::vector<render::Curve> pad_stroke_curves(view::WindowState const& state);

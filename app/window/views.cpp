@@ -210,6 +210,20 @@ void SkeletonView::show(view::WindowState const& state, render::Renderer& render
     canvas_.show();
 }
 
+// Frames a plant that is just being drawn.
+void PlantView::follow_first_plant(double scale)
+{
+    if (!std::exchange(is_first_, true))
+        first_frame_ = view::SteadyFrame(1 / scale);
+    if (auto const box_mm = mesh_->bounds(); !box_mm.empty()) {
+        Vec3 foot_mm = (box_mm.min_mm + box_mm.max_mm) / 2;
+        foot_mm.z() = box_mm.min_mm.z();
+        for (auto const& point_mm : { foot_mm, box_mm.min_mm, box_mm.max_mm })
+            first_frame_.add(point_mm);
+    }
+    framed_mm_ = first_frame_.box_mm();
+}
+
 // Uploads the state's plant if it is new. Returns true if the plant or the view of it has changed.
 bool PlantView::follow_plant(view::WindowState const& state)
 {
@@ -220,8 +234,13 @@ bool PlantView::follow_plant(view::WindowState const& state)
     mesh_.emplace(*state.plant);
     underground_.emplace(underground_curves(state));
     revision_ = state.plant_revision;
-    if (state.growth.age >= 1)
+    if (state.growth.age >= 1 || is_first_)
         framed_mm_ = {};
+    if (state.is_first_plant_drawn) {
+        follow_first_plant(state.first_plant_scale);
+        return true;
+    }
+    is_first_ = false;
     if (auto const box_mm = mesh_->bounds(); !box_mm.empty()) {
         framed_mm_.add(box_mm.min_mm);
         framed_mm_.add(box_mm.max_mm);
@@ -234,7 +253,7 @@ void PlantView::draw(render::Renderer& renderer, Bounds const& framed_mm,
 {
     render::Stage stage;
     stage.backdrop = is_light_ ? render::Backdrop() : render::dark_backdrop();
-    if (mesh_)
+    if (mesh_ && !(is_first_ && was_on_stage_))
         stage.meshes.push_back({ &*mesh_ });
     if (underground_)
         stage.curves.push_back(&*underground_);
@@ -248,9 +267,12 @@ void PlantView::show(view::WindowState const& state, render::Renderer& renderer,
 {
     bool changed = follow_plant(state);
     changed |= std::exchange(was_on_stage_, false);
+    changed |= growing_.follow(state.preview_revision, [&] { return growing_curves(state); });
     auto const& canvas = canvas_.sized(size_px, changed);
-    if (changed)
-        draw(renderer, framed_mm_, canvas, nullptr);
+    // A first plant fills no box yet.
+    auto const& box_mm = framed_mm_.empty() ? state.skeleton_box_mm : framed_mm_;
+    if (changed) // The first plant contains the branches that the stroke makes.
+        draw(renderer, box_mm, canvas, is_first_ ? nullptr : growing_.curves());
     canvas_.show();
     turned_ = orbit_.take_input(ImGui::GetFontSize() / theme::kTextSize_px, size_px.y, drag);
 }
@@ -272,7 +294,7 @@ void PlantView::show_on_stage(view::WindowState const& state, render::Renderer& 
         changed |= growing_.follow(state.preview_revision, [&] { return growing_curves(state); });
     auto const& canvas = canvas_.sized(size_px, changed);
     if (changed) {
-        if (!framed_mm_.empty()) {
+        if (!framed_mm_.empty() && !is_first_) {
             framed_on_stage_mm_.add(framed_mm_.min_mm);
             framed_on_stage_mm_.add(framed_mm_.max_mm);
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/renderer.h"
+#include "app/view/steady_frame.h"
 #include "app/window/orbit.h"
 #include "app/window/palette.h"
 #include "app/window/pen_area.h"
@@ -110,6 +111,7 @@ private:
 // always has room for the fully grown plant, so that a younger plant looks smaller.
 class PlantView {
 public:
+    // Shows the plant, and the branches that the current stroke would make or move.
     void show(view::WindowState const& state, render::Renderer& renderer, ImVec2 const& size_px,
               ViewDrag drag);
 
@@ -129,6 +131,7 @@ public:
 
 private:
     bool follow_plant(view::WindowState const& state);
+    void follow_first_plant(double scale);
     void draw(render::Renderer& renderer, Bounds const& framed_mm, render::Canvas const& canvas,
               render::GpuCurves const* curves);
 
@@ -143,6 +146,10 @@ private:
     // so far.
     Bounds framed_on_stage_mm_;
     std::uint64_t revision_ = 0;
+    // True if mesh_ is the first plant of a sheet and still being drawn. The stage shows its
+    // branches instead.
+    bool is_first_ = false;
+    view::SteadyFrame first_frame_ {};
     bool turned_ = false;
     bool is_light_ = false;
     bool was_on_stage_ = false; // True if the stage view was shown in the last frame.

@@ -85,8 +85,11 @@ tools::Tool without_picture(tools::Tool const& tool)
 
 class LinePreviewer final : public tools::StrokePreviewer {
 public:
+    std::optional<scene::Paper> paper() const override { return paper_; }
+
     std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
     {
+        paper_.reset();
         auto const edits
             = without_picture(stroke.tool)
                   .edits_for(Stroke { std::vector(stroke.ink.begin(), stroke.ink.end()) },
@@ -103,6 +106,7 @@ public:
         auto const built = lines::build_pen_sketch(sketch, {});
         if (!built)
             return {};
+        paper_ = scene::paper_of(plant);
         return skeleton_of(
             built->plant,
             { .scale = state->scale.value_or(sketch.scale), .origin_mm = plant.stands_at_mm },
@@ -110,6 +114,7 @@ public:
     }
 
 private:
+    std::optional<scene::Paper> paper_;
     scene::SceneBuilder builder_;
 };
 

@@ -48,7 +48,11 @@ public:
         if (may_become_a_branchs(*edit, scene))
             return {};
         auto tree = tree_with(*edit, scene);
-        if (!tree || !tree->has_crown())
+        if (!tree)
+            return {};
+        if (!tree->has_crown() && edit->part == DrawTree::Part::Trunk)
+            return { line_of(points_of(edit->stroke), scene) };
+        if (!tree->has_crown())
             return {};
         tree->form.levels = 1;
         auto const skeleton = silhouette::skeleton_of(*tree);

@@ -63,10 +63,12 @@ std::string note_of_depth(sketch::Rule const& whole, sketch::Rule const& shown, 
 class SketchPreviewer final : public tools::StrokePreviewer {
 public:
     std::string note() const override { return note_; }
+    std::optional<scene::Paper> paper() const override { return paper_; }
 
     std::vector<tools::SkeletonLine> show(tools::UnfinishedStroke const& stroke) override
     {
         note_.clear();
+        paper_.reset();
         auto lines = show_if_grown(stroke);
         if (lines.empty())
             shown_.reset();
@@ -111,6 +113,8 @@ private:
         auto nodes_mm = sketch::drawn_nodes_mm(edit);
         if (!place || !nodes_mm)
             return {};
+        if (auto const base_mm = sketch::paper_position_mm(edit); base_mm && !*place)
+            paper_ = { .base_mm = *base_mm, .world_point_mm = sketch::stands_at_mm(edit) };
         Shown shown { rule,       edit.model,   edit.surface,        edit.scale,
                       tool.place, stroke.scene, *std::move(nodes_mm) };
         if (shown_ == shown) {
@@ -158,6 +162,7 @@ private:
     }
 
     std::string note_;
+    std::optional<scene::Paper> paper_;
     std::optional<Shown> shown_; // What shown_lines_ and shown_note_ were made from.
     std::vector<tools::SkeletonLine> shown_lines_;
     std::string shown_note_;

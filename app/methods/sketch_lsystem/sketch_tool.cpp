@@ -264,6 +264,13 @@ place_of(SketchTool const& tool, sketch::GrowAlongStroke const& grown, scene::Sc
     return TRY(tools::branch_at(scene, down_mm, Vec3::UnitZ(), grafting));
 }
 
+static bool may_draw_on_paper(tools::Tool const& tool)
+{
+    auto const& sketch = *tool.get<SketchTool>();
+    return sketch.surface == StrokeSurface::Paper
+        || (sketch.surface == StrokeSurface::Decided && !is_on_branch(sketch));
+}
+
 constexpr tools::ToolKind SketchTool::kKind {
     .word = "sketch",
     .label = "Rule",
@@ -287,6 +294,7 @@ constexpr tools::ToolKind SketchTool::kKind {
     .icon = "5950 5674 5422 5362",
     .key = 'K',
     .min_extent_mm = 8,
+    .may_draw_on_paper = may_draw_on_paper,
     .options = tools::options_type<SketchTool, visit_sketch_options>(),
     .gizmo = &kRuleGizmo,
     .edits_for = grow,
