@@ -107,11 +107,14 @@ private:
     void (*goes_with_)(void* options) = nullptr;
 };
 
-// Sets every word option to its first word, the default in logs.
-class FirstWords final : public OptionVisitor {
+// Sets every option to its default in logs, which is the first word of a word option.
+class LogDefaults final : public OptionVisitor {
 public:
     void word(WordOption const&, int& value) override { value = 0; }
-    void number(NumberOption const&, double&) override { }
+    void number(NumberOption const& option, double& value) override
+    {
+        value = option.in_logs.value_or(value);
+    }
 };
 
 // Finds the option to which a word of a log refers, and sets it.
@@ -386,8 +389,8 @@ ToolKind const* find_tool_kind(ToolKinds kinds, std::string_view word)
 // Tool(kind) may differ from this tool if the kind has options that older logs lack.
 Tool default_tool_of_kind(ToolKind const& kind)
 {
-    FirstWords first;
-    return Tool(kind).changed_by(first);
+    LogDefaults defaults;
+    return Tool(kind).changed_by(defaults);
 }
 
 std::string words_of_selected_tool(ToolKinds kinds, std::string_view name,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace tractus::tools {
@@ -56,6 +57,9 @@ struct NumberOption {
         OnGizmo,      // The option is set by the gizmo only.
     } offered
         = Offered::Always;
+    // The value that a log means in which the number is missing; no value: the tool's default. It
+    // keeps the plants of logs that are older than a default.
+    std::optional<double> in_logs {};
 };
 
 // Visits a tool's options in order. Each kind of tool lists its options once, in a function that

@@ -88,7 +88,7 @@ struct RuleCard {
     double width_ratio = SketchTool().width_ratio;
 };
 constexpr std::array<RuleCard, 9> kCards { {
-    { 2, 45, 30, 0.9, 0.62, 1 },
+    { 2, 50, 15, 0.95, 0.7, 1 },
     { 4, 75, 28, 0.88, 0.62, 4 },
     { 5, 35, 60, 0.75, 0.7, 12 },
     { 2, 26, 45, 0.8, 0.8, 8 },
@@ -198,10 +198,12 @@ void visit_sketch_options(tools::OptionVisitor& visitor, SketchTool& tool)
                    tool.card);
     using enum tools::NumberOption::Offered;
     visitor.number({ "laterals", "", 0, 8, 1, "Laterals", WithoutGizmo }, tool.laterals);
-    visitor.number({ "angle", "degrees", 0, 150, 5, "Angle", WithoutGizmo }, tool.angle_deg);
-    visitor.number({ "first", "mm", 5, 100, 5, "Internode" }, tool.first_length_mm);
-    visitor.number({ "ratio", "", 0.5, 1.2, 0.05, "Lengthening", WithoutGizmo }, tool.length_ratio);
-    visitor.number({ "lateral", "", 0.2, 1, 0.02, "Lateral", WithoutGizmo }, tool.lateral_length);
+    visitor.number({ "angle", "degrees", 0, 150, 5, "Angle", WithoutGizmo, 45 }, tool.angle_deg);
+    visitor.number({ "first", "mm", 5, 100, 5, "Internode", Always, 30 }, tool.first_length_mm);
+    visitor.number({ "ratio", "", 0.5, 1.2, 0.05, "Lengthening", WithoutGizmo, 0.9 },
+                   tool.length_ratio);
+    visitor.number({ "lateral", "", 0.2, 1, 0.02, "Lateral", WithoutGizmo, 0.62 },
+                   tool.lateral_length);
     visitor.choice({ .words = kLateralsWords,
                      .offered = tools::WordOption::Offered::InTurn,
                      .label = "Laterals" },

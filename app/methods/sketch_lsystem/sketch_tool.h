@@ -38,10 +38,12 @@ struct SketchTool {
     } card
         = Card::Opposite;
     double laterals = 2;
-    double angle_deg = 45;
-    double first_length_mm = 30;
-    double length_ratio = 0.9;
-    double lateral_length = 0.62;
+    // These four make a leafy twig of a stroke from 50 to 250 mm. Logs without them mean the rule
+    // of older versions, with internodes twice as long (NumberOption::in_logs).
+    double angle_deg = 50;
+    double first_length_mm = 15;
+    double length_ratio = 0.95;
+    double lateral_length = 0.7;
     // How laterals branch: they fork as in the paper, or grow by the rule of a preset or by the
     // rule of the axis.
     enum class Laterals {

@@ -41,16 +41,23 @@ TEST(ToolCards, AreReadAsTheyWereWritten)
     auto const tools = methods::all_methods().tools;
     sketch::SketchTool tool { .card = sketch::SketchTool::Card::Fern,
                               .laterals = 3,
-                              .angle_deg = 61.5 };
+                              .angle_deg = 61.5,
+                              .first_length_mm = 30,
+                              .length_ratio = 0.9,
+                              .lateral_length = 0.62 };
     tool.place = sketch::SketchTool::Place::Branch;
     auto const text = card_text(Tool(tool));
     EXPECT_EQ(text,
               "# A card of tractus: a tool and how it is set.\nsketch fern laterals=3 angle=61.5 "
               "at_foot\n");
     EXPECT_EQ(parse_card(tools, text, "x").value(), card_of(Tool(tool)));
-    EXPECT_EQ(parse_card(tools, "sketch at_foot", "x").value(), Tool(sketch::SketchTool {}));
-    EXPECT_EQ(parse_card(tools, "\n# a\n# b\nsketch whorls at_foot\r\nmore\n", "x").value(),
-              Tool(sketch::SketchTool { .card = sketch::SketchTool::Card::Whorls }));
+    EXPECT_EQ(parse_card(tools, card_text(Tool(sketch::SketchTool {})), "x").value(),
+              Tool(sketch::SketchTool {}));
+    EXPECT_EQ(parse_card(tools, "\n# a\n# b\nsketch whorls angle=20 at_foot\r\nmore\n", "x")
+                  .value()
+                  .get<sketch::SketchTool>()
+                  ->angle_deg,
+              20);
 }
 
 TEST(ToolCards, RefuseOtherTexts)

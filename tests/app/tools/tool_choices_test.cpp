@@ -76,8 +76,8 @@ TEST(ToolChoices, AskForNumbers)
             asked += fmt::format("{} {}, ", *meaning.number, meaning.text);
         }
     EXPECT_EQ(asked,
-              "0 Laterals 2##laterals, 1 Angle 45\u00b0##angle, 2 Internode 30 mm##first, "
-              "3 Lengthening 0.9##ratio, 4 Lateral 0.62##lateral, ");
+              "0 Laterals 2##laterals, 1 Angle 50\u00b0##angle, 2 Internode 15 mm##first, "
+              "3 Lengthening 0.95##ratio, 4 Lateral 0.7##lateral, ");
 }
 
 // The expected texts are those that the window had when each button was written by hand.

@@ -214,7 +214,7 @@ TEST(RuleGizmo, LetsAllThatGrewByTheRuleFollow)
     for (std::size_t i = 0; i < 3; ++i) {
         auto const rule = sketch::newest_grown(*changed.plants[i]->drawn)->sketch->rule;
         EXPECT_EQ(matches_rule(after, rule), i < 2) << i;
-        EXPECT_EQ(rule.first_width_mm, 4.5);
+        EXPECT_EQ(rule.first_width_mm, rule_of(before).first_width_mm);
     }
     after.drawn = SketchTool::Drawn::Stays;
     EXPECT_TRUE(SketchTool::kKind.follow(tools::Tool(before), tools::Tool(after), scene).empty());

@@ -30,7 +30,8 @@ TEST(SketchTool, SaysItsRuleInLogs)
 {
     SketchTool tool { .laterals = 3, .angle_deg = 60, .leaves = sketch::Leaves::Bare };
     auto const words = tools::words_for(tool);
-    EXPECT_EQ(words.name + " " + words.arguments, "sketch laterals=3 angle=60 bare at_foot");
+    EXPECT_EQ(words.name + " " + words.arguments,
+              "sketch laterals=3 angle=60 first=15 ratio=0.95 lateral=0.7 bare at_foot");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(tool));
 }
@@ -242,12 +243,26 @@ speed_mm_s = 120
     EXPECT_EQ(one.base->node_position_mm, two.base->node_position_mm);
 }
 
+// A log of an older version names only the numbers that differed from the defaults of that version.
+TEST(SketchTool, KeepsTheNumbersOfOlderLogs)
+{
+    auto const tools = methods::all_methods().tools;
+    auto const older = tools::parse_tool(tools, "sketch", "laterals=3").value();
+    auto const& numbers = *older.get<SketchTool>();
+    EXPECT_EQ(numbers.laterals, 3);
+    EXPECT_EQ(numbers.angle_deg, 45);
+    EXPECT_EQ(numbers.first_length_mm, 30);
+    EXPECT_EQ(numbers.length_ratio, 0.9);
+    EXPECT_EQ(numbers.lateral_length, 0.62);
+    EXPECT_EQ(tools::words_for(older).arguments, "laterals=3");
+}
+
 // If a card's number is set back to the default of the tool, it still counts as set by the user.
 TEST(SketchTool, KeepsNumbersThatArePutBackBesideACard)
 {
     SketchTool const tool { .card = SketchTool::Card::Whorls, .laterals = 2 };
     auto const words = tools::words_for(tool);
-    EXPECT_EQ(words.arguments, "whorls at_foot");
+    EXPECT_EQ(words.arguments, "whorls angle=50 first=15 ratio=0.95 lateral=0.7 at_foot");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(tool));
 }
@@ -474,7 +489,8 @@ TEST(SketchTool, LetsLateralsGoOnByARuleOfTheirOwn)
     options.go_on_by = SketchTool::Laterals::Fern;
     tools::Tool const tool = options;
     auto const words = tools::words_for(tool);
-    EXPECT_EQ(words.name + " " + words.arguments, "sketch by_fern bare at_foot");
+    EXPECT_EQ(words.name + " " + words.arguments,
+              "sketch angle=50 first=15 ratio=0.95 lateral=0.7 by_fern bare at_foot");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tool);
     auto const forks = scene::apply_edits({},
