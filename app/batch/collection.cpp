@@ -348,8 +348,9 @@ Result<void> Collection::write_sheet(CollectionGrower& grower,
         },
     };
     render::Image sheet;
-    pictures_->draw(
-        [&](PictureMaker& pictures) { sheet = collection_sheet(pictures, plants, progress_); });
+    pictures_->draw([&](PictureMaker& pictures) {
+        sheet = collection_sheet(pictures, plants, options_.sheet_tile, progress_);
+    });
     TRY(write_file(options_.sheet,
                    [&](std::ostream& out) { return render::write_png(out, sheet); }));
     report_.sheet = options_.sheet;

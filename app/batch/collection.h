@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/collection_sheet.h"
 #include "app/batch/drawing.h"
 #include "app/terminal/progress.h"
 #include "engine/base/result.h"
@@ -67,6 +68,7 @@ struct CollectionOptions {
     std::filesystem::path output {};
     // Image file of a contact sheet (collection_sheet.h); empty: none.
     std::filesystem::path sheet {};
+    PictureSize sheet_tile = kSheetTile; // Size of each small picture on the contact sheet.
     mesh::MeshOptions mesh {};
     exports::GlbOptions glb {};
     // True: files contain data for animation by wind, stored as glb.wind says.

@@ -9,8 +9,6 @@
 
 namespace tractus::batch {
 
-static constexpr PictureSize kSheetTile { 240, 240 };
-
 // Coarse mesh options for the sheet's tiles, in which even the thickest trunk is only a few pixels
 // wide.
 static constexpr mesh::MeshOptions kSheetMesh { .min_sides = 3, .max_sides = 8, .subdivision = 2 };
@@ -27,12 +25,12 @@ std::size_t sheet_plant(std::size_t tile, std::size_t count)
 }
 
 render::Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants,
-                               terminal::Progress& progress)
+                               PictureSize const& tile_size, terminal::Progress& progress)
 {
     auto const tile_count = sheet_plant_count(plants.count);
     progress.begin("drawing the plants", 2 * tile_count);
     // Fits the largest plant, as all plants are shown at the same scale.
-    render::Framing framing({}, kSheetTile.aspect());
+    render::Framing framing({}, tile_size.aspect());
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
         framing.add(mesh::make_mesh(plants.plant(sheet_plant(tile, plants.count)), kSheetMesh));
         progress.step();
@@ -41,7 +39,7 @@ render::Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants
     for (std::size_t tile = 0; tile < tile_count; ++tile) {
         auto const index = sheet_plant(tile, plants.count);
         tiles.push_back({ pictures.plant(mesh::make_mesh(plants.plant(index), kSheetMesh),
-                                         kSheetTile, framing.camera()),
+                                         tile_size, framing.camera()),
                           plants.caption(index) });
         progress.step();
     }

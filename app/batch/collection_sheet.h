@@ -25,9 +25,12 @@ constexpr std::size_t kMaxSheetPlants = 48;
 // more than kMaxSheetPlants plants, the sheet shows evenly spaced ones, from the first to the last.
 std::size_t sheet_plant(std::size_t tile, std::size_t count);
 
-// Renders a contact sheet with a small picture of each of the plants, all at the same scale. Keeps
-// one plant at a time in memory. Without plants the image is empty.
+// Renders a contact sheet with a small picture, of the size `tile_size`, of each of the plants, all
+// at the same scale. Keeps one plant at a time in memory. Without plants the image is empty.
 render::Image collection_sheet(PictureMaker& pictures, SheetPlants const& plants,
-                               terminal::Progress& progress);
+                               PictureSize const& tile_size, terminal::Progress& progress);
+
+// Default size of a small picture on a sheet.
+constexpr PictureSize kSheetTile { 240, 240 };
 
 } // namespace tractus::batch

@@ -7,6 +7,7 @@
 #include "app/render/contact_sheet.h"
 #include "engine/base/file.h"
 #include "engine/export/glb_writer.h"
+#include "engine/mesh/level_of_detail.h"
 #include "engine/mesh/make_mesh.h"
 #include "engine/mesh/mesh_measures.h"
 #include "engine/scene/varied_scene.h"
@@ -25,7 +26,6 @@ namespace tractus::batch {
 
 namespace {
 
-constexpr PictureSize kPicture { 1280, 960 };
 constexpr PictureSize kTile { 420, 420 };
 
 // Coarse mesh options for the sheet's tiles, in which even the thickest trunk is only a few pixels
@@ -149,6 +149,7 @@ private:
     Result<void> draw_base(Drawing const& drawing);
     Result<void> make_collection(scene::Scene const& scene);
     Result<void> write_picture(std::string const& name, render::Image const& picture);
+    mesh::Mesh mesh_for_file(Plant const& plant) const;
     Result<void> write_collection(Bounds const& frame, Sequence& sequence);
 
     JobOptions const& options_;
@@ -221,9 +222,10 @@ Result<void> Job::draw_base(Drawing const& drawing)
     progress_.begin("drawing the base plant and the strokes");
     auto const mesh = mesh::make_mesh(*drawing.scene.in_season);
     report_.triangles = mesh.triangle_count();
-    TRY(write_picture("base.png", pictures_->plant(mesh, kPicture)));
-    TRY(write_picture("strokes.png",
-                      pictures_->strokes(drawing.scene, drawing.strokes, drawing.nib, kPicture)));
+    TRY(write_picture("base.png", pictures_->plant(mesh, options_.picture)));
+    TRY(write_picture(
+        "strokes.png",
+        pictures_->strokes(drawing.scene, drawing.strokes, drawing.nib, options_.picture)));
     return {};
 }
 
@@ -262,7 +264,8 @@ Result<void> Job::make_collection(scene::Scene const& scene)
     for (std::size_t i = 0; i < count; ++i) {
         auto const& grown = plant(i);
         if (i == 0)
-            TRY(write_picture("varied.png", pictures_->plant(mesh::make_mesh(grown), kPicture)));
+            TRY(write_picture("varied.png",
+                              pictures_->plant(mesh::make_mesh(grown), options_.picture)));
         tiles.push_back(
             { pictures_->plant(mesh::make_mesh(grown, kTileMesh), kTile, framing.camera()),
               plants.name(i) });
@@ -272,6 +275,15 @@ Result<void> Job::make_collection(scene::Scene const& scene)
     style.columns = columns(count);
     TRY(write_picture("collection.png", render::contact_sheet(tiles, style)));
     return write_collection(frame, plants);
+}
+
+mesh::Mesh Job::mesh_for_file(Plant const& plant) const
+{
+    double const share = options_.detail;
+    if (share >= 1)
+        return mesh::make_mesh(plant, options_.mesh);
+    return mesh::make_mesh(mesh::coarser_plant(plant, options_.mesh, share),
+                           mesh::coarser_options(options_.mesh, share));
 }
 
 Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
@@ -291,9 +303,8 @@ Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
                                   sequence.name(i)),
               .position_mm
               = spacing_mm * Vec3(static_cast<double>(i % row), -static_cast<double>(i / row), 0),
-              .mesh = std::function<mesh::Mesh()>([&sequence, &style = options_.mesh, i] {
-                  return mesh::make_mesh(sequence.grow(i), style);
-              }) });
+              .mesh = std::function<mesh::Mesh()>(
+                  [this, &sequence, i] { return mesh_for_file(sequence.grow(i)); }) });
     auto const path = options_.folder / "collection.glb";
     auto const write = [&](std::ostream& out) -> Result<void> {
         auto const summary = TRY(exports::write_glb(out, plants, options_.glb));

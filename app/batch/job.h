@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/batch/drawing.h"
+#include "app/render/picture_size.h"
 #include "app/terminal/progress.h"
 #include "engine/base/result.h"
 #include "engine/export/glb_writer.h"
@@ -31,6 +32,10 @@ struct JobOptions {
     bool all_seasons = false;
     exports::GlbOptions glb {}; // Options of collection.glb; those of its meshes are in `mesh`.
     mesh::MeshOptions mesh {};
+    // Share of the triangles that plants keep in collection.glb, above 0 and at most 1
+    // (mesh::coarser_plant()).
+    double detail = 1;
+    render::PictureSize picture {};   // Size of base.png, strokes.png and varied.png.
     std::filesystem::path session {}; // New session file that saves the drawing; empty: none.
 };
 

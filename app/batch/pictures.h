@@ -4,6 +4,7 @@
 #include "app/render/camera.h"
 #include "app/render/image.h"
 #include "app/render/offscreen_context.h"
+#include "app/render/picture_size.h"
 #include "app/render/renderer.h"
 #include "app/station/station.h"
 #include "engine/base/result.h"
@@ -17,12 +18,7 @@
 
 namespace tractus::batch {
 
-struct PictureSize {
-    int width_px = 1280;
-    int height_px = 960;
-
-    double aspect() const { return static_cast<double>(width_px) / height_px; }
-};
+using render::PictureSize;
 
 // Renders pictures for files, without a window. Use it only on the thread that created it.
 class PictureMaker {

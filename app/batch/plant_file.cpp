@@ -69,7 +69,7 @@ Result<std::uint64_t> write_mesh_file(mesh::Mesh const& mesh, std::string const&
         TRY(write_plant_obj({ .name = name, .mesh = &mesh }, path));
     } else {
         auto pictures = TRY(PictureMaker::create());
-        auto const picture = pictures.plant(mesh, {}, options.camera);
+        auto const picture = pictures.plant(mesh, options.picture, options.camera);
         TRY(write_file(path, [&](std::ostream& out) { return render::write_png(out, picture); }));
     }
     return mesh.triangle_count();

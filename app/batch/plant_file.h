@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/render/camera.h"
+#include "app/render/picture_size.h"
 #include "engine/base/result.h"
 #include "engine/export/glb_writer.h"
 #include "engine/mesh/mesh.h"
@@ -14,6 +15,7 @@
 namespace tractus::batch {
 
 struct PlantFileOptions {
+    render::PictureSize picture {}; // Size of a picture.
     // Camera of a picture; no value: fits the whole plant.
     std::optional<render::Camera> camera {};
     exports::GlbOptions glb {};
@@ -21,7 +23,7 @@ struct PlantFileOptions {
 
 // Writes a plant in the format of `path`'s extension: glTF (.glb), Wavefront OBJ (.obj, together
 // with a .mtl file and images whose names begin with the same stem), a multiscale tree graph (.mtg,
-// with branches and organs but no triangles), or a picture (.png) of PictureSize's default size.
+// with branches and organs but no triangles), or a picture (.png).
 // `name` is the plant's name inside the file. Returns the number of triangles. Fails like
 // write_file(), and for a picture if the system has no OpenGL.
 Result<std::uint64_t> write_plant_file(Plant const& plant, std::string const& name,

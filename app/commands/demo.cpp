@@ -4,6 +4,7 @@
 #include "app/files/resources.h"
 #include "app/options/checks.h"
 #include "app/options/glb_options.h"
+#include "app/options/picture_options.h"
 #include "app/options/shared_options.h"
 #include "app/terminal/console.h"
 #include "app/terminal/progress.h"
@@ -28,6 +29,7 @@ void add_demo_command(CLI::App& root, options::Action& action, tools::Methods co
         "demo",
         "See what the station is for: a drawing recorded on the simulated rig varies plants");
     options::add_folder_option(*command, arguments->job.folder)->capture_default_str();
+    options::add_picture_size_option(*command, arguments->job.picture);
     options::add_force_option(*command, arguments->is_forced);
     options::add_glb_options(*command, arguments->job.glb);
     command->footer(options::job_footer());
@@ -60,6 +62,7 @@ void add_demo_command(CLI::App& root, options::Action& action, tools::Methods co
                              .ends = mesh::MeshOptions::Ends::Open,
                              .sections = mesh::MeshOptions::Sections::SameArea,
                              .organs = mesh::MeshOptions::Organs::Cards };
+                job.detail = 0.5;
                 job.glb.vertices
                     = std::max(job.glb.vertices, exports::GlbOptions::Vertices::Quantized);
             }

@@ -16,6 +16,7 @@
 #include "app/options/glb_options.h"
 #include "app/options/growth_options.h"
 #include "app/options/model_options.h"
+#include "app/options/picture_options.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/terminal/progress.h"
@@ -111,7 +112,7 @@ Result<void> write_sequence(GrowArguments const& arguments, scene::Scene const& 
     auto const ageing = TRY(ageing_plant(arguments, scene, name));
     auto file = arguments.file;
     if (arguments.output.extension() == ".png") {
-        render::Framing framing({}, batch::PictureSize().aspect());
+        render::Framing framing({}, file.picture.aspect());
         framing.add(mesh::make_mesh(ageing->parts(1)));
         // All ages share one camera, which is fitted to the fully grown plant.
         file.camera = framing.camera();
@@ -455,6 +456,7 @@ void add_grow_command(CLI::App& root, options::Action& action, tools::Methods co
                      ".png, says in which format")
         ->type_name("FILE")
         ->check(options::name_ending_in({ ".glb", ".obj", ".mtg", ".png" }));
+    options::add_picture_size_option(*command, arguments->file.picture);
     options::add_glb_options(*command, arguments->file.glb);
     options::add_growth_options(*command, arguments->growth, "as drawn, or as in a session");
     options::add_drawing_options(*command, arguments->drawing,

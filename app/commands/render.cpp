@@ -3,63 +3,29 @@
 #include "app/batch/plant_group.h"
 #include "app/batch/session_plant.h"
 #include "app/options/checks.h"
+#include "app/options/picture_options.h"
 #include "app/render/offscreen_context.h"
 #include "app/render/renderer.h"
 #include "engine/base/file.h"
 #include "engine/export/glb_reader.h"
 #include "engine/mesh/make_mesh.h"
 
-#include <charconv>
 #include <fmt/core.h>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace tractus::commands {
 
 namespace {
 
-constexpr int kSmallest_px = 16;
-constexpr int kLargest_px = 8192;
-
 struct RenderArguments {
     std::string input;
     std::string output;
-    std::string size = "1200x900";
+    render::PictureSize size { 1200, 900 };
     double azimuth_deg = 25;
     double elevation_deg = 9;
 };
-
-struct Size {
-    int width = 0;
-    int height = 0;
-};
-
-// Parses a size in pixels such as "1200x900". Returns no value if the text is not a size or out of
-// range.
-std::optional<Size> parse_size(std::string_view text)
-{
-    Size size;
-    char const* const end = text.data() + text.size();
-    auto const first = std::from_chars(text.data(), end, size.width);
-    if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x')
-        return std::nullopt;
-    auto const second = std::from_chars(first.ptr + 1, end, size.height);
-    auto const drawable = [](int px) { return px >= kSmallest_px && px <= kLargest_px; };
-    if (second.ec != std::errc() || second.ptr != end || !drawable(size.width)
-        || !drawable(size.height))
-        return std::nullopt;
-    return size;
-}
-
-std::string check_size(std::string const& text)
-{
-    return parse_size(text)
-        ? std::string()
-        : fmt::format("'{}' is no size: give WIDTHxHEIGHT in pixels, each {} to {}, as in 1200x900",
-                      text, kSmallest_px, kLargest_px);
-}
 
 Result<mesh::Mesh> load_mesh(std::string const& path, scene::EditKinds kinds)
 {
@@ -83,11 +49,11 @@ Result<void> run(RenderArguments const& arguments, scene::EditKinds kinds)
     render::GpuMesh const on_card(mesh);
     render::Stage stage;
     stage.meshes.push_back({ &on_card });
-    auto const size = parse_size(arguments.size).value();
+    auto const& size = arguments.size;
     render::Framing framing({ radians(arguments.azimuth_deg), radians(arguments.elevation_deg) },
-                            static_cast<double>(size.width) / size.height);
+                            size.aspect());
     framing.add(mesh);
-    auto const picture = renderer.picture(stage, framing.camera(), size.width, size.height);
+    auto const picture = renderer.picture(stage, framing.camera(), size.width_px, size.height_px);
     return write_file(arguments.output,
                       [&](std::ostream& out) { return render::write_png(out, picture); });
 }
@@ -111,10 +77,7 @@ void add_render_command(CLI::App& root, options::Action& action, tools::Methods 
         ->type_name("FILE.png")
         ->check(options::picture_name())
         ->required();
-    command->add_option("--size", arguments->size, "Width and height in pixels, 16 to 8192 each")
-        ->type_name("WxH")
-        ->check(CLI::Validator(check_size, ""))
-        ->capture_default_str();
+    options::add_picture_size_option(*command, arguments->size);
     command
         ->add_option("--azimuth", arguments->azimuth_deg,
                      "From which side, -360 to 360: 0 from where the user sits, growing around the "

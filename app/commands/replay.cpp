@@ -5,6 +5,7 @@
 #include "app/options/checks.h"
 #include "app/options/glb_options.h"
 #include "app/options/growth_options.h"
+#include "app/options/picture_options.h"
 #include "app/options/recordings_help.h"
 #include "app/options/shared_options.h"
 #include "app/terminal/console.h"
@@ -81,6 +82,7 @@ void add_replay_command(CLI::App& root, options::Action& action, tools::Methods 
     options::add_folder_option(*command, arguments->job.folder)
         ->description("The folder for pictures, glTF and report; made if it is not there; without "
                       "it, one in the current folder: LOG-plants");
+    options::add_picture_size_option(*command, arguments->job.picture);
     options::add_force_option(*command, arguments->is_forced);
     options::add_glb_options(*command, arguments->job.glb);
     command

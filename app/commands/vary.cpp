@@ -6,6 +6,7 @@
 #include "app/options/drawing_options.h"
 #include "app/options/glb_options.h"
 #include "app/options/growth_options.h"
+#include "app/options/picture_options.h"
 #include "app/options/shared_options.h"
 #include "app/terminal/console.h"
 #include "app/terminal/progress.h"
@@ -70,6 +71,11 @@ void add_output_options(CLI::App& command, VaryArguments& arguments)
                     "Also draw a picture of small pictures of the plants, of at most 48")
         ->type_name("FILE.png")
         ->check(options::name_ending_in({ ".png" }));
+    options::add_picture_size_option(
+        command, arguments.collection.sheet_tile,
+        "Width and height in pixels of each small picture of --sheet; one number for both",
+        "; by how much the plants' own sizes differ is --sizes")
+        ->needs("--sheet");
     command
         .add_option("--construction", arguments.collection.construction,
                     "How much what was sketched differs, too: a rule's angles, construction lines, "

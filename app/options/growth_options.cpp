@@ -84,7 +84,7 @@ void add_individuality_options(CLI::App& command, variation::Individuality& how)
         ->check(number(0, 0.5))
         ->capture_default_str();
     command
-        .add_option("--size", how.size,
+        .add_option("--sizes", how.size,
                     "Share by which plants as wide as high are larger or smaller, at most; narrow "
                     "ones, which turning hardly changes, by up to twice that; 0 for all of "
                     "one size")

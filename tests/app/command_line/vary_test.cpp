@@ -51,7 +51,7 @@ TEST_F(Vary, NoTwoPlantsAreAlikeUnlessTheyAreAsDrawn)
     auto const wild = run("tractus vary " + what + "wild --growth wild").out;
     EXPECT_EQ(wild.find(": 0.0 mm"), std::string::npos) << wild;
     auto const drawn = run("tractus vary " + what
-                           + "drawn --variability 0 --branches 0 --size 0 --turn 0 "
+                           + "drawn --variability 0 --branches 0 --sizes 0 --turn 0 "
                              "--younger 0 --leaf-size 0 --own-seeds 0")
                            .out;
     EXPECT_NE(drawn.find("from plant to plant: 0.0 mm, +- 0.0 mm"), std::string::npos) << drawn;

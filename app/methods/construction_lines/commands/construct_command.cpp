@@ -7,6 +7,7 @@
 #include "app/methods/construction_lines/line_drawing.h"
 #include "app/methods/construction_lines/line_sketch_file.h"
 #include "app/options/checks.h"
+#include "app/options/picture_options.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "engine/base/file.h"
@@ -35,6 +36,7 @@ struct ConstructArguments {
     tools::Methods methods;
     fs::path sketch;
     fs::path output;
+    render::PictureSize picture;
     lines::SketchOverrides given;
     bool smooth = false;
     bool report = false;
@@ -97,7 +99,8 @@ Result<std::string> write_folder(ConstructArguments const& arguments, scene::Loa
     TRY(write_model_files(base, model));
     if (!arguments.report)
         for (auto const* const ending : { ".png", ".glb" })
-            TRY(batch::write_plant_file(plant, name, fs::path(base).concat(ending)));
+            TRY(batch::write_plant_file(plant, name, fs::path(base).concat(ending),
+                                        { .picture = arguments.picture }));
     if (arguments.session)
         TRY(batch::begin_session(fs::path(base).concat(".tractus"), { load },
                                  arguments.methods.edits));
@@ -144,7 +147,8 @@ Result<void> make_plant(ConstructArguments const& arguments, lines::LineSketchFi
     auto const scene = TRY(scene::apply_edit({}, load, document::make_load_options()));
     auto written = arguments.output.string();
     if (to_file)
-        TRY(batch::write_plant_file(*scene.base, name, arguments.output));
+        TRY(batch::write_plant_file(*scene.base, name, arguments.output,
+                                    { .picture = arguments.picture }));
     else
         written = TRY(write_folder(arguments, load, model, *scene.base));
     if (arguments.report)
@@ -191,6 +195,7 @@ void add_options(CLI::App& command, ConstructArguments& arguments)
             "as the file's ending says: .glb, .obj, .mtg or .png")
         ->type_name("OUTPUT")
         ->required();
+    options::add_picture_size_option(command, arguments.picture);
     command
         .add_option("--pattern", arguments.given.pattern,
                     "How organs stand, in place of what the sketch says: distichous, decussate, "

@@ -7,6 +7,7 @@
 #include "app/methods/leaves/leaf_library.h"
 #include "app/methods/leaves/leaf_mesh.h"
 #include "app/options/checks.h"
+#include "app/options/picture_options.h"
 #include "app/terminal/console.h"
 #include "engine/base/file.h"
 #include "engine/methods/leaves/leaf.h"
@@ -37,6 +38,7 @@ struct LeavesArguments {
     std::optional<double> age;
     std::uint64_t seed = 1;
     fs::path output;
+    render::PictureSize picture;
     double size_mm = 100;
     std::optional<int> paint; // Side of the painted pictures in pixels; no value: not painted.
 };
@@ -178,7 +180,8 @@ Result<void> draw_leaf(LeavesArguments const& arguments)
     auto const grown = TRY(leaf_to_draw(grammar, arguments));
     auto const& triangles = grown.triangles;
     auto const mesh = TRY(mesh_to_draw(grammar, grown, arguments));
-    TRY(batch::write_mesh_file(mesh, arguments.grammar.stem().string(), arguments.output));
+    TRY(batch::write_mesh_file(mesh, arguments.grammar.stem().string(), arguments.output,
+                               { .picture = arguments.picture }));
     if (triangles.overlapping_faces > 0)
         terminal::print_error(fmt::format("{}: parts of the limb overlap themselves: {}\n",
                                           grammar.name, triangles.overlapping_faces));
@@ -249,7 +252,8 @@ void add_leaves_command(CLI::App& root, options::Action& action, tools::Methods 
         ->type_name("FILE")
         ->check(options::name_ending_in({ ".png", ".glb", ".obj" }))
         ->required();
-    draw->add_option("--size", drawn->size_mm, "The longer side of the flat leaf, in mm")
+    options::add_picture_size_option(*draw, drawn->picture);
+    draw->add_option("--length", drawn->size_mm, "The longer side of the flat leaf, in mm")
         ->type_name("MM")
         ->check(options::number(0.1, 10'000))
         ->capture_default_str();

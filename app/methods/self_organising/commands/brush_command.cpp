@@ -9,6 +9,7 @@
 #include "app/methods/self_organising/habit_file.h"
 #include "app/options/checks.h"
 #include "app/options/glb_options.h"
+#include "app/options/picture_options.h"
 #include "app/options/shared_options.h"
 #include "app/terminal/console.h"
 #include "engine/base/file.h"
@@ -259,6 +260,7 @@ void add_brush_command(CLI::App& root, options::Action& action, tools::Methods c
                      "What to write: .glb, .obj, .mtg, a picture (.png), or a session (.tractus)")
         ->type_name("FILE")
         ->check(options::name_ending_in({ ".glb", ".obj", ".mtg", ".png", ".tractus" }));
+    options::add_picture_size_option(*command, arguments->file.picture);
     options::add_glb_options(*command, arguments->file.glb);
     auto* const example
         = command

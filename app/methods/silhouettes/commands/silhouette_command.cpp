@@ -9,6 +9,7 @@
 #include "app/methods/silhouettes/silhouette_report.h"
 #include "app/options/checks.h"
 #include "app/options/glb_options.h"
+#include "app/options/picture_options.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "engine/base/file.h"
@@ -350,6 +351,7 @@ void add_options(CLI::App& command, SilhouetteArguments& arguments)
                     "The folder for pictures and glTF, made if it is not there; or the tree alone, "
                     "as the file's ending says: .glb, .obj, .mtg or .png")
         ->type_name("OUTPUT");
+    options::add_picture_size_option(command, arguments.file.picture);
     // These options are added before the form's options, which override a style.
     add_style_options(command, arguments);
     add_form_options(command, arguments);

@@ -13,6 +13,7 @@
 #include "app/methods/sketch_lsystem/sketch_report.h"
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 #include "app/options/checks.h"
+#include "app/options/picture_options.h"
 #include "app/options/shared_options.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
@@ -49,6 +50,7 @@ struct SketchArguments {
     fs::path twig;
     fs::path rule;
     fs::path folder;
+    render::PictureSize picture;
     std::size_t number = 1; // Number of the stroke in its file, from 1.
     std::string surface;    // Surface on which the stroke was drawn; empty: surface_for() decides.
     // Where the plant stands: at the stroke's "foot", "begin" or "end".
@@ -204,7 +206,8 @@ Result<void> write_plant(SketchArguments const& arguments, scene::Edit const& lo
     auto const scene = TRY(scene::apply_edit({}, load, document::make_load_options()));
     auto const name = arguments.stroke.stem().string();
     for (auto const* const ending : { ".png", ".glb" })
-        TRY(batch::write_plant_file(*scene.base, name, fs::path(base).concat(ending)));
+        TRY(batch::write_plant_file(*scene.base, name, fs::path(base).concat(ending),
+                                    { .picture = arguments.picture }));
     if (arguments.session) {
         auto const edit = TRY(Result<sketch::GrowAlongStroke>(drawn));
         TRY(batch::begin_session(fs::path(base).concat(".tractus"), { edit },
@@ -373,6 +376,7 @@ void add_options(CLI::App& command, SketchArguments& arguments)
                           "The folder for the plant's files; made if it is not there")
               ->type_name("FOLDER")
               ->required();
+    options::add_picture_size_option(command, arguments.picture);
     command
         .add_option(
             "--from-twig", arguments.twig,

@@ -132,7 +132,7 @@ TEST(LeavesCommand, DrawWritesTrianglesOfTheWantedSize)
     auto const file = folder / "hand.obj";
     auto const outcome
         = commands::run({ "leaves", "draw", (shipped("leaves") / "hand.leaf").string(), "--steps",
-                          "7", "--size", "80", "-o", file.string() });
+                          "7", "--length", "80", "-o", file.string() });
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     std::ifstream lines(file);
     std::size_t triangles = 0;
