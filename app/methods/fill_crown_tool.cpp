@@ -28,6 +28,7 @@ void visit(tools::OptionVisitor& visitor, FillCrownTool& tool)
 {
     visitor.choice({ .words = kWhenWords }, tool.when);
     self_organising::visit_species(visitor, tool.species);
+    self_organising::visit_girth(visitor, tool.girth);
 }
 
 // Returns a growth period in which the tree grows inside the balls. The period's stroke has a tip
@@ -53,7 +54,8 @@ self_organising::LifePeriod part_of(std::vector<silhouette::CrownBall> const& ba
 Result<std::vector<scene::Edit>> fill_edits(tools::Tool const& tool, Stroke const&,
                                             scene::Scene const& scene)
 {
-    auto const habit = self_organising::habit_of(tool.get<FillCrownTool>()->species);
+    auto const& options = *tool.get<FillCrownTool>();
+    auto const habit = self_organising::habit_of(options.species, options.girth);
     return std::vector { TRY(fill_crown(scene, habit, kFillYears, 1 + scene.plants.size())) };
 }
 

@@ -39,6 +39,12 @@ constexpr std::array<tools::OptionWord, 16> kHabitWords { {
     { "larch", "Larch" },
 } };
 
+// Option words, in the order of the enumeration Girth. Logs that are older than "rings" name none.
+constexpr std::array<tools::OptionWord, 2> kGirthWords { {
+    { "pipe", "By the pipe model" },
+    { "rings", "With annual rings" },
+} };
+
 // Option words, in the order of the enumeration What.
 constexpr std::array<tools::OptionWord, 10> kWhatWords { {
     { "go_on", "Go on" },
@@ -60,6 +66,7 @@ void visit(tools::OptionVisitor& visitor, GrowthBrushTool& tool)
     visitor.number({ "least_radius", "mm", 1, 100, 1, "Light" }, tool.min_radius_mm);
     visitor.number({ "radius", "mm", 2, 200, 2, "Pressed" }, tool.most_radius_mm);
     visitor.choice({ kWhatWords }, tool.what);
+    visit_girth(visitor, tool.girth);
 }
 
 Result<GrownTree const*> active_tree(scene::Scene const& scene)
@@ -91,7 +98,7 @@ Result<std::vector<scene::Edit>> grow_without_brush(GrowthBrushTool const& tool,
 {
     LifePeriod const part { .years = tool.what == What::Year ? 1 : 10 };
     if (scene.plants.empty())
-        return std::vector<scene::Edit> { PlantTree { .habit = habit_of(tool.species),
+        return std::vector<scene::Edit> { PlantTree { .habit = habit_of(tool.species, tool.girth),
                                                       .first = part } };
     TRY(active_tree(scene));
     return std::vector<scene::Edit> { GrowOn { scene.drawn->id, part } };
@@ -103,7 +110,7 @@ Result<std::vector<scene::Edit>> change_habit(GrowthBrushTool const& tool,
     auto const* const tree = TRY(active_tree(scene));
     bool const is_other_chance = tool.what == What::Reseed;
     return std::vector<scene::Edit> { ChangeHabit {
-        scene.drawn->id, is_other_chance ? tree->habit : habit_of(tool.species),
+        scene.drawn->id, is_other_chance ? tree->habit : habit_of(tool.species, tool.girth),
         tree->seed + (is_other_chance ? 1 : 0) } };
 }
 
@@ -116,7 +123,7 @@ Result<std::vector<scene::Edit>> edits_for(tools::Tool const& tool, Stroke const
     if (options.what == What::AllYear || options.what == What::AllTenYears)
         return std::vector<scene::Edit> { GrowStand { .years
                                                       = options.what == What::AllYear ? 1 : 10 } };
-    auto const habit = habit_of(options.species);
+    auto const habit = habit_of(options.species, options.girth);
     if (options.what == What::FromYear)
         return std::vector { TRY(grow_from_active(scene, habit, { .years = 1 })) };
     if (options.what == What::Habit || options.what == What::Reseed)
@@ -153,6 +160,11 @@ void visit_species(tools::OptionVisitor& visitor, GrowthBrushTool::Species& spec
         species);
 }
 
+void visit_girth(tools::OptionVisitor& visitor, GrowthBrushTool::Girth& girth)
+{
+    visitor.choice({ kGirthWords, tools::WordOption::Offered::Never }, girth);
+}
+
 bool is_unmodified(scene::PlantState const& plant)
 {
     return plant.strokes.empty() && plant.indicators.empty() && plant.grafts.empty()
@@ -174,13 +186,15 @@ Result<scene::Edit> grow_from_active(scene::Scene const& scene, Habit const& hab
                                   .next = std::move(part) });
 }
 
-Habit habit_of(GrowthBrushTool::Species species)
+Habit habit_of(GrowthBrushTool::Species species, GrowthBrushTool::Girth girth)
 {
     std::string_view const name = kHabitWords[static_cast<std::size_t>(species)].word;
     for (auto const& known : habit_texts())
         if (known.name == name) {
             auto habit = parse_habit(known.text, known.name);
             CHECK(habit.has_value());
+            if (girth == GrowthBrushTool::Girth::Pipe)
+                habit->ring_mm = 0;
             return *std::move(habit);
         }
     CHECK(false);

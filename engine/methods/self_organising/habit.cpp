@@ -50,6 +50,8 @@ constexpr std::array kNumbers {
     HabitNumber { "twig_mm", &Habit::twig_mm, 0.1, 100 },
     HabitNumber { "weight", &Habit::weight, 0, 20 },
     HabitNumber { "flare", &Habit::flare, 0, 3 },
+    HabitNumber {
+        .key = "ring_mm", .value = &Habit::ring_mm, .least = 0, .most = 50, .is_sparse = true },
     HabitNumber { "leaf_years", &Habit::leaf_years, 0, 20, true },
     HabitNumber { "leaves_at_node", &Habit::leaves_at_node, 0, 60, true },
     HabitNumber { "leaf_mm", &Habit::leaf_mm, 1, 2000 },
@@ -75,7 +77,7 @@ std::span<HabitNumber const> habit_numbers()
 
 Result<void> check_habit(Habit const& habit)
 {
-    for (auto const& [key, member, least, most, is_whole] : kNumbers) {
+    for (auto const& [key, member, least, most, is_whole, is_sparse] : kNumbers) {
         double const value = habit.*member;
         if (!(value >= least && value <= most))
             return fail(Fault::User,

@@ -67,6 +67,8 @@ struct Habit {
     // Factor on gravity in the computation of sagging branches; 1: real weight of green wood.
     double weight = 1;
     double flare = 0.5; // Extra width of the trunk at the ground, as a share of its width.
+    // Least width of the trunk's annual rings (shown_diameters()); 0: the pipe model alone decides.
+    double ring_mm = 0;
 
     // The fields from here on describe leaves, which the shoots of the last `leaf_years` years
     // bear.
@@ -90,6 +92,8 @@ struct HabitNumber {
     double least;
     double most;
     bool is_whole = false;
+    // True: sessions leave the number out while it is 0, as those did that are older than it.
+    bool is_sparse = false;
 };
 std::span<HabitNumber const> habit_numbers();
 

@@ -22,7 +22,10 @@ void list_habit(scene::Fields& fields, Habit& habit)
     fields.sparse_field("latin", &habit.latin);
     fields.sparse_field("leaves", &habit.leaves);
     for (auto const& number : habit_numbers())
-        fields.field(number.key, &(habit.*number.value));
+        if (number.is_sparse)
+            fields.sparse_field(number.key, &(habit.*number.value));
+        else
+            fields.field(number.key, &(habit.*number.value));
 }
 
 void list_part(scene::Fields& fields, LifePeriod& part)

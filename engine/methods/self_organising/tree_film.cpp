@@ -96,7 +96,7 @@ TreeFilm::TreeFilm(GrownTree const& tree, std::vector<GrowingTree> trees)
     whole_ = plant_of(last, habit, seed_);
     for (auto const& grown : trees_) {
         number_in_.push_back(numbers_in(grown, last));
-        diameters_.push_back(diameters(grown, growth_laws_in_year(habit_, grown.step)));
+        diameters_.push_back(shown_diameters(grown, habit_));
     }
     std::vector<std::uint32_t> node_of_segment(whole_.plant.segment_count());
     for (auto const& axis : whole_.plant.axes)

@@ -25,7 +25,8 @@ public:
         , habit_(habit)
         , seed_(seed)
         , laws_(growth_laws_in_year(habit, tree.step))
-        , diameters_(diameters(tree, laws_))
+        , diameters_(shown_diameters(tree, habit))
+        , pipe_widths_(tree.is_brushed ? diameters(tree, laws_) : std::vector<double>())
     {
     }
 
@@ -138,9 +139,10 @@ private:
     bool is_leafy(std::uint32_t node) const
     {
         constexpr double kRounding = 1.0001;
-        bool const is_twig = diameters_[node] <= habit_.twig_mm * kRounding;
-        return tree_.step - tree_.links[node].step < habit_.leaf_years
-            || (tree_.is_brushed && is_twig && habit_.leaf_years > 0);
+        if (tree_.step - tree_.links[node].step < habit_.leaf_years)
+            return true;
+        return tree_.is_brushed && habit_.leaf_years > 0
+            && pipe_widths_[node] <= habit_.twig_mm * kRounding;
     }
 
     // Spreads leaves along an internode, each turned by the divergence angle of the axis.
@@ -189,8 +191,9 @@ private:
     std::uint64_t seed_;
     Laws laws_;
     std::vector<double> diameters_;
-    std::vector<SegmentId> segment_; // Segment that ends at each tree node.
-    std::vector<AxisId> axis_;       // Plant axis of each tree node.
+    std::vector<double> pipe_widths_; // Widths without rings; only of a brushed tree.
+    std::vector<SegmentId> segment_;  // Segment that ends at each tree node.
+    std::vector<AxisId> axis_;        // Plant axis of each tree node.
     std::unordered_set<std::uint32_t> known_keys_;
     TreePlant made_;
 };

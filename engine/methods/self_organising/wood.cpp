@@ -1,5 +1,6 @@
 #include "engine/methods/self_organising/wood.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -25,6 +26,41 @@ std::vector<double> diameters(GrowingTree const& tree, Laws const& laws)
     for (auto& sum : sums) // Most internodes are twigs and need no pow() call.
         sum = sum == twig ? laws.twig_diameter : std::pow(sum, 1 / laws.pipe_exponent);
     return sums;
+}
+
+namespace {
+
+// Width of a ring on axes of order 1, as a share of that on the trunk.
+constexpr double kBranchRing = 0.3;
+
+// Length of the trunk's lowest internode as a share of the habit's, at most 1. The lowest internode
+// cannot be pruned, so that this share does not change while the tree lives.
+double ring_scale(GrowingTree const& tree, Habit const& habit)
+{
+    auto const lowest = tree.links[0].main;
+    if (lowest == kNone)
+        return 1;
+    Vec3 const internode = tree.places[lowest].position - tree.places[0].position;
+    return std::min(length_of(internode) / habit.internode_mm, 1.0);
+}
+
+} // namespace
+
+std::vector<double> shown_diameters(GrowingTree const& tree, Habit const& habit)
+{
+    auto widths = diameters(tree, growth_laws_in_year(habit, tree.step));
+    if (habit.ring_mm <= 0 || tree.size() == 0)
+        return widths;
+    double const on_trunk = 2 * habit.ring_mm * ring_scale(tree, habit);
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        auto const& node = tree.links[i];
+        if (node.order > 1)
+            continue;
+        auto const years = tree.step - std::max(node.step, tree.given_step);
+        double const ring = node.order == 0 ? on_trunk : kBranchRing * on_trunk;
+        widths[i] = std::max(widths[i], habit.twig_mm + ring * years);
+    }
+    return widths;
 }
 
 void shed_branches(GrowingTree& tree, std::vector<double> const& received, Laws const& laws)

@@ -63,6 +63,31 @@ TEST(GrowthBrushTool, HasAHabitForEachOfItsWords)
     EXPECT_EQ(habit_texts().size(), 16U);
 }
 
+TEST(GrowthBrushTool, LogsOlderThanTheRingsKeepTheirTrees)
+{
+    std::array const kinds { &GrowthBrushTool::kKind, &methods::FillCrownTool::kKind };
+    auto const girth_in = [&](char const* words) {
+        return tools::parse_tool(kinds, GrowthBrushTool::kKind.word, words)
+            .value()
+            .get<GrowthBrushTool>()
+            ->girth;
+    };
+    EXPECT_EQ(girth_in("birch new"), GrowthBrushTool::Girth::Pipe);
+    EXPECT_EQ(girth_in("birch new rings"), GrowthBrushTool::Girth::Rings);
+    auto const filled = tools::parse_tool(kinds, methods::FillCrownTool::kKind.word, "oak").value();
+    EXPECT_EQ(filled.get<methods::FillCrownTool>()->girth, GrowthBrushTool::Girth::Pipe);
+
+    using Species = GrowthBrushTool::Species;
+    EXPECT_EQ(habit_of(Species::Birch, GrowthBrushTool::Girth::Pipe).ring_mm, 0);
+    EXPECT_GT(habit_of(Species::Birch).ring_mm, 0);
+    auto const stroke = drawn_stroke({ 0, 0, 0 }, 5);
+    auto const older = drawn({}, { .girth = GrowthBrushTool::Girth::Pipe }, stroke);
+    auto const newer = drawn({}, {}, stroke);
+    EXPECT_EQ(older.base->node_position_mm, newer.base->node_position_mm);
+    EXPECT_EQ(older.base->organs.size(), newer.base->organs.size());
+    EXPECT_LT(older.base->node_radius_mm.front(), newer.base->node_radius_mm.front());
+}
+
 TEST(GrowthBrushTool, GrowsATreeByThePensTime)
 {
     auto const quick = drawn({}, {}, drawn_stroke({ 10, 20, 0 }, 2));

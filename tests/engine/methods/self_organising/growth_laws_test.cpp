@@ -1,8 +1,11 @@
 // Tests of laws of growth that hold for any parameters and any markers.
 
+#include "engine/methods/self_organising/brush.h"
 #include "engine/methods/self_organising/grow.h"
+#include "engine/methods/self_organising/life.h"
 #include "engine/methods/self_organising/light.h"
 #include "engine/methods/self_organising/markers.h"
+#include "engine/methods/self_organising/prune.h"
 #include "engine/methods/self_organising/vigour.h"
 #include "engine/methods/self_organising/wood.h"
 #include "tests/engine/methods/self_organising/random_case.h"
@@ -247,6 +250,83 @@ TEST(GrowthLaws, DeadWoodKeepsTheTrunkFromShrinking)
         }
     }
     EXPECT_GT(shed, 20U) << "some branches died";
+}
+
+// A tree of 18 years whose habit has rings of the given width on the trunk.
+GrowingTree tree_with_rings(double ring_mm, Habit& habit)
+{
+    habit = { .terminal_loss = 0.1, .weight = 0.2, .ring_mm = ring_mm };
+    return grow_without_brush(habit, 18, 3).value();
+}
+
+TEST(GrowthLaws, WithoutRingsThePipeModelIsShown)
+{
+    Habit habit;
+    auto const tree = tree_with_rings(0, habit);
+    EXPECT_EQ(shown_diameters(tree, habit), diameters(tree, growth_laws_in_year(habit, tree.step)));
+}
+
+TEST(GrowthLaws, RingsWidenTheTrunkAndItsBranchesOnly)
+{
+    Habit habit;
+    auto const without = tree_with_rings(0, habit);
+    auto const tree = tree_with_rings(5, habit);
+    ASSERT_EQ(tree.size(), without.size());
+    auto const pipes = diameters(tree, growth_laws_in_year(habit, tree.step));
+    auto const shown = shown_diameters(tree, habit);
+    std::size_t widened = 0;
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        auto const& node = tree.links[i];
+        EXPECT_EQ(tree.places[i].position, without.places[i].position) << "rings add no weight";
+        EXPECT_GE(shown[i], pipes[i]);
+        widened += shown[i] > pipes[i] ? 1U : 0U;
+        if (node.order > 1 || node.step == tree.step) {
+            EXPECT_EQ(shown[i], pipes[i]);
+        }
+        if (node.order == 0) {
+            EXPECT_GE(shown[i], habit.twig_mm + 2 * habit.ring_mm * (tree.step - node.step));
+        }
+        if (node.parent != kNone) {
+            EXPECT_LE(shown[i], shown[node.parent]) << "wood narrows from the base to the tips";
+        }
+    }
+    EXPECT_GT(widened, 20U);
+}
+
+TEST(GrowthLaws, RingsAreNarrowerWhereInternodesAreShort)
+{
+    Habit habit;
+    auto tree = tree_with_rings(5, habit);
+    auto const full = shown_diameters(tree, habit);
+    for (auto& place : tree.places)
+        place.position *= 0.1;
+    auto const pipes = diameters(tree, growth_laws_in_year(habit, tree.step));
+    auto const small = shown_diameters(tree, habit);
+    EXPECT_LT(small[0] - habit.twig_mm, 0.5 * (full[0] - habit.twig_mm));
+    for (std::size_t i = 0; i < tree.size(); ++i)
+        EXPECT_GE(small[i], pipes[i]);
+}
+
+TEST(GrowthLaws, RingsNeverShrinkNotEvenWhereTheTrunkIsCut)
+{
+    Habit habit;
+    auto tree = tree_with_rings(5, habit);
+    auto const before = shown_diameters(tree, habit);
+    std::map<std::pair<std::uint64_t, std::uint32_t>, double> known;
+    double height_mm = 0;
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        known[{ tree.links[i].axis, tree.links[i].rank }] = before[i];
+        height_mm = std::max(height_mm, tree.places[i].position.z());
+    }
+    std::vector<BrushBall> const balls { { .centre = Vec3(0, 0, 0.6 * height_mm),
+                                           .radius = 0.1 * height_mm } };
+    ASSERT_GT(prune(tree, balls, habit, 1).value(), 0U);
+    auto const after = shown_diameters(tree, habit);
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        auto const was = known.find({ tree.links[i].axis, tree.links[i].rank });
+        ASSERT_NE(was, known.end());
+        EXPECT_GE(after[i], was->second * (1 - 1e-12));
+    }
 }
 
 TEST(GrowthLaws, AxesKeepTheirNamesAsTheTreeGrows)
