@@ -33,7 +33,8 @@ TEST_F(PictureSize, IsAskedForInOneWayEverywhere)
     write("line.txt", "0 0 0\n0 0 40\n2 0 80\n");
     write("tree.json",
           R"({"trunk": [[0, 0], [0, 60]],
-              "outline": [[0, 20], [-30, 40], [-20, 80], [20, 80], [30, 40], [0, 20]]})");
+              "outline": [[0, 20], [-20, 25], [-30, 40], [-28, 60], [-20, 80], [0, 88], [20, 80],
+                          [28, 60], [30, 40], [20, 25], [0, 20]]})");
     write("herb.json", R"({"strokes": [[[0, 0], [0, 100]], [[-10, 0], [-30, 50], [-10, 100]]]})");
     struct Case {
         char const* command;
