@@ -32,6 +32,8 @@ TEST_F(SilhouetteCommand, ReportsWhatItInfers)
     }
     EXPECT_LE(report["coverage"]["before"], report["coverage"]["after"]);
     EXPECT_GE(report["coverage"]["after"], 0.85);
+    EXPECT_GE(report["leaf_coverage"]["inside"], 0.92);
+    EXPECT_LE(report["leaf_coverage"]["outside"], 0.08);
     ASSERT_EQ(report["arrangement"].size(), 2U);
     for (auto const& place : report["arrangement"][0]) {
         EXPECT_GE(place["theta"], 0);
