@@ -110,6 +110,7 @@ public:
         , longest_mm_(kLongestSpray * options.height_mm)
         , shortest_mm_(kShortestSpray * options.height_mm)
         , nodes_(raster_, longest_mm_)
+        , bearers_(raster_, longest_mm_)
         , random_({ .seed = options.seed, .stream = kFillStream, .substream = 0 })
     {
     }
@@ -122,7 +123,8 @@ public:
         collect_nodes();
         if (nodes_.is_empty())
             return;
-        reach_gaps();
+        if (!bearers_.is_empty())
+            reach_gaps();
         constexpr int kPasses = 6;
         for (int pass = 0; pass < kPasses && !is_filled(); ++pass)
             cover_pixels();
@@ -205,8 +207,12 @@ private:
         auto const& axis = tree_.plant.axes[id];
         for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
             Vec2 const at = seen_from_front(tree_.plant.node_position_mm[axis.first_node + i + 1]);
-            if (raster_.is_inside(at))
+            if (!raster_.is_inside(at))
+                continue;
+            if (axis.order > 0 || has_only_trunk_)
                 nodes_.add({ at, id, axis.first_segment + i });
+            if (axis.order < deepest_)
+                bearers_.add({ at, id, axis.first_segment + i });
         }
     }
 
@@ -214,10 +220,10 @@ private:
     void collect_nodes()
     {
         auto const& axes = tree_.plant.axes;
+        for (auto const& axis : axes)
+            deepest_ = std::max(deepest_, axis.order);
+        has_only_trunk_ = axes.size() == 1;
         for (AxisId id = 0; id < axes.size(); ++id)
-            if (axes[id].order > 0)
-                add_nodes_of(id);
-        for (AxisId id = 0; id < axes.size() && nodes_.is_empty(); ++id)
             add_nodes_of(id);
     }
 
@@ -255,18 +261,20 @@ private:
         }
     }
 
-    // Adds a branch from the nearest node to a gap. Returns its nodes as seen; none if it would
-    // leave the outline.
+    // Adds a branch to a gap, from the nearest node of an axis above the last level, so that the
+    // tree keeps its number of levels. Returns its nodes as seen; none if it would leave the
+    // outline.
     std::vector<Vec2> branch_to(Gap const& gap)
     {
-        auto const from = *nodes_.nearest(gap.at_mm);
+        auto const from = *bearers_.nearest(gap.at_mm);
+        Vec2 const to_gap = gap.at_mm - from.at_mm;
         auto const& plant = tree_.plant;
         auto const ends = nodes_of(plant, from.segment);
         Vec3 const base = plant.node_position_mm[ends.tip];
         Vec3 const before = plant.node_position_mm[ends.base];
         // The branch ends where its last twig reaches the gap.
-        double const share = std::max(0.4, 1 - 0.5 * longest_mm_ / gap.away_mm);
-        Vec2 const across = share * (gap.at_mm - from.at_mm);
+        double const share = std::max(0.4, 1 - 0.5 * longest_mm_ / to_gap.norm());
+        Vec2 const across = share * to_gap;
         Vec3 const way(across.x(), across.norm() * random_.uniform(-0.3, 0.3), across.y());
         Vec3 const along = (base - before).normalized() * way.norm();
         for (double const bend : { 0.35, 0.0 }) {
@@ -387,7 +395,10 @@ private:
     LeafRaster raster_;
     double longest_mm_; // Greatest and smallest length of a twig.
     double shortest_mm_;
-    SeenNodes nodes_;
+    SeenNodes nodes_;   // Nodes of branches, which bear twigs.
+    SeenNodes bearers_; // Nodes that bear added branches: of all axes but those of the last level.
+    std::uint32_t deepest_ = 1; // Order of the axes of the last level.
+    bool has_only_trunk_ = false;
     Random random_;
     std::size_t most_sprays_ = 0;
     std::map<AxisId, int> branches_on_; // Number of branches added to each axis.

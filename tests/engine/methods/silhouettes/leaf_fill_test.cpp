@@ -56,6 +56,7 @@ Drawing drawn_by_hand(SpeciesCrown const& crown, std::uint32_t number)
                     + random.uniform(-0.3, 0.3));
         }
     }
+    drawing.outline[0].push_back(drawing.outline[0].front());
     return drawing;
 }
 
@@ -72,7 +73,7 @@ TreeForm preset_of(std::string_view name, bool reaches)
     return {};
 }
 
-Tree tree_of(Drawing const& drawing, TreeForm const& form, double height_mm = 8000)
+Tree leafy_tree_of(Drawing const& drawing, TreeForm const& form, double height_mm = 8000)
 {
     auto const skeleton = infer_skeleton(drawing, skeleton_options(form));
     EXPECT_TRUE(skeleton) << skeleton.error().message;
@@ -106,7 +107,7 @@ TEST(LeafFill, FillsTheOutlinesOfTenSpeciesAsSeen)
     for (std::uint32_t number = 0; number < kCrowns.size(); ++number) {
         auto const& crown = kCrowns[number];
         auto const drawing = drawn_by_hand(crown, number);
-        auto const tree = tree_of(drawing, preset_of(crown.form, true));
+        auto const tree = leafy_tree_of(drawing, preset_of(crown.form, true));
         check_plant(tree.plant);
         auto const coverage = leaf_coverage(tree.plant, tree.outline_mm);
         EXPECT_GE(coverage.inside, 0.92) << crown.name;
@@ -121,12 +122,19 @@ TEST(LeafFill, FillsTheOutlinesOfTenSpeciesAsSeen)
 TEST(LeafFill, LeavesTreesFromBeforeThisLawAsTheyWere)
 {
     auto const drawing = drawn_by_hand(kCrowns[0], 0);
-    auto const before = tree_of(drawing, preset_of("oak", false));
+    auto const before = leafy_tree_of(drawing, preset_of("oak", false));
     auto const coverage = leaf_coverage(before.plant, before.outline_mm);
     EXPECT_LT(coverage.inside, 0.9);
     EXPECT_FALSE(TreeForm().leaves_reach_outline);
-    auto const after = tree_of(drawing, preset_of("oak", true));
+    auto const after = leafy_tree_of(drawing, preset_of("oak", true));
     ASSERT_GE(after.plant.axes.size(), before.plant.axes.size());
+    auto const orders = [](Plant const& plant) {
+        std::uint32_t most = 0;
+        for (auto const& axis : plant.axes)
+            most = std::max(most, axis.order);
+        return most;
+    };
+    EXPECT_EQ(orders(after.plant), orders(before.plant));
     for (std::size_t i = 0; i < before.plant.node_position_mm.size(); ++i)
         ASSERT_EQ(after.plant.node_position_mm[i], before.plant.node_position_mm[i]) << i;
     EXPECT_LE(after.sprays, static_cast<std::size_t>(kMostAdded * double(before.sprays)) + 400);
@@ -136,10 +144,10 @@ TEST(LeafFill, TheSameSeedGivesTheSameLeavesAndAnotherSeedOthers)
 {
     auto const drawing = drawn_by_hand(kCrowns[6], 6);
     auto form = preset_of("oak", true);
-    auto const digest = digest_of(tree_of(drawing, form).plant);
-    EXPECT_EQ(digest_of(tree_of(drawing, form).plant), digest);
+    auto const digest = digest_of(leafy_tree_of(drawing, form).plant);
+    EXPECT_EQ(digest_of(leafy_tree_of(drawing, form).plant), digest);
     form.seed = 2;
-    EXPECT_NE(digest_of(tree_of(drawing, form).plant), digest);
+    EXPECT_NE(digest_of(leafy_tree_of(drawing, form).plant), digest);
 }
 
 // Neither the unit of the drawing nor the height of the tree matters to what leaves cover.
@@ -148,7 +156,7 @@ TEST(LeafFill, CoversAsMuchAtAnySize)
     auto const drawing = drawn_by_hand(kCrowns[6], 6);
     auto const form = preset_of("oak", true);
     for (double const height_mm : { 50.0, 30'000.0 }) {
-        auto const tree = tree_of(drawing, form, height_mm);
+        auto const tree = leafy_tree_of(drawing, form, height_mm);
         auto const coverage = leaf_coverage(tree.plant, tree.outline_mm);
         EXPECT_GE(coverage.inside, 0.92) << height_mm;
         EXPECT_LE(coverage.outside, 0.08) << height_mm;
@@ -158,7 +166,7 @@ TEST(LeafFill, CoversAsMuchAtAnySize)
 // Sizes of twigs must stay in the range of those under the old law, so that none is seen to fill.
 TEST(LeafFill, AddsTwigsOfTheUsualSizes)
 {
-    auto const tree = tree_of(drawn_by_hand(kCrowns[0], 0), preset_of("oak", true));
+    auto const tree = leafy_tree_of(drawn_by_hand(kCrowns[0], 0), preset_of("oak", true));
     for (auto const& organ : tree.plant.organs) {
         double const length_mm = kSprayLength_mm * static_cast<double>(organ.scale.x());
         EXPECT_LT(length_mm, 0.0611 * 8000);
