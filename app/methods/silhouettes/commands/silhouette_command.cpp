@@ -66,7 +66,7 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
 {
     auto form = arguments.form;
     form.has_whole_nodes = true;
-    form.leaves_reach_outline = true;
+    form.leaves_reach_outline = silhouette::fills_outline(form);
     if (arguments.branches)
         form.plane_branches = *arguments.branches;
     else if (form.plane_branches == 0)
