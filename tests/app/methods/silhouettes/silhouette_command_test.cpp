@@ -42,6 +42,18 @@ TEST_F(SilhouetteCommand, ReportsWhatItInfers)
     EXPECT_GT(report["elements"], 1'000);
 }
 
+// The paper's own filling, which the manual's figures use, must stay as it was.
+TEST_F(SilhouetteCommand, FillsWithLeavesUnlessThePapersFillingIsAskedFor)
+{
+    auto const inside = [&](std::vector<std::string> const& more) {
+        std::vector<std::string> words { "silhouette", path("oak.json"), "--report" };
+        words.insert(words.end(), more.begin(), more.end());
+        return json::parse(commands::run(words).out)["leaf_coverage"]["inside"].get<double>();
+    };
+    EXPECT_LT(inside({ "--branches", "0" }), 0.9);
+    EXPECT_GE(inside({ "--branches", "20" }), 0.92);
+}
+
 TEST_F(SilhouetteCommand, TheSameSeedGivesTheSameFile)
 {
     for (auto const& [name, seed] :
