@@ -158,6 +158,7 @@ TreeForm form_of(OutlineTool const& tool, TreeForm form)
         form.base_angle_deg = ready.base_angle_deg;
         form.tip_angle_deg = ready.tip_angle_deg;
     }
+    form.leaves_reach_outline = tool.fills == FillsOption::ToOutline && fills_outline(form);
     if (tool.fills == FillsOption::AsAtFirst)
         form.plane_branches = 0, form.base_angle_deg = 0, form.tip_angle_deg = 0;
     else if (form.plane_branches == 0)

@@ -53,7 +53,7 @@ struct OutlineTool {
         = Reads::Closely;
 
     NodesOption nodes = NodesOption::Whole;
-    FillsOption fills = FillsOption::BySpacing;
+    FillsOption fills = FillsOption::ToOutline;
 
     // How long the features recognised in an outline are shown (kSeenLayer in outline_layer.h).
     enum class SeenFor { AWhile, Always, WithTriangles } seen = SeenFor::AWhile;

@@ -1,6 +1,7 @@
 #include "app/methods/silhouettes/silhouette_report.h"
 
 #include "engine/methods/silhouettes/crown_surface.h"
+#include "engine/methods/silhouettes/leaf_raster.h"
 #include "engine/methods/silhouettes/sibling_style.h"
 
 #include <algorithm>
@@ -209,6 +210,7 @@ std::string print_report(Skeleton const& skeleton, Tree const& tree,
 {
     auto const& system = skeleton.systems[0];
     auto const& counts = system.triangles;
+    auto const leaves = leaf_coverage(tree.plant, tree.outline_mm);
     Report bumps = Report::array();
     for (auto const& bump : system.bumps)
         bumps.push_back(bump_json(bump));
@@ -230,6 +232,7 @@ std::string print_report(Skeleton const& skeleton, Tree const& tree,
         { "branch", std::move(branches) },
         { "coverage",
           { { "before", system.coverage_before }, { "after", system.coverage_after } } },
+        { "leaf_coverage", { { "inside", leaves.inside }, { "outside", leaves.outside } } },
         { "arrangement", arrangements_json(tree) },
         { "elements", tree.element_count() },
         { "leaves", tree.leaves },

@@ -29,6 +29,9 @@ namespace tractus::silhouette {
 //                 mean angle, "drawn": [{"name", "u", "base", "end"}, …]}. Branches of bumps come
 //                 first, then added branches
 //   coverage      {"before", "after"}: share of the outline's inside that crowns cover
+//   leaf_coverage {"inside": share of the outline that leaves cover, "outside": share of the
+//   leaves'
+//                 picture that is outside of it}, as seen from the drawing plane in full foliage
 //   arrangement   for each level a list of [{"name", "theta", "u"}, …]: degrees around the parent,
 //                 0 to the right and 180 to the left, and the place as a share of the parent's
 //                 length; deeper levels show the branches of a single parent

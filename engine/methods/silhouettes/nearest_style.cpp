@@ -81,6 +81,7 @@ Result<TreeForm> with_style_of(TreeForm form, Plant const& plant)
     taken.seed = form.seed;
     taken.has_whole_nodes = form.has_whole_nodes;
     taken.plane_branches = form.plane_branches;
+    taken.leaves_reach_outline = form.leaves_reach_outline;
     return taken;
 }
 

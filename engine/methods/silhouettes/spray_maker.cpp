@@ -9,15 +9,19 @@ namespace tractus::silhouette {
 
 namespace {
 
-constexpr std::uint32_t kSprayVariants = 8;
-
-// Length of a parent that gets TreeOptions::sprays twigs, and greatest and smallest length of a
-// twig, as shares of the tree's height.
+// Length of a parent that gets TreeOptions::sprays twigs, as a share of the tree's height.
 constexpr double kParent = 0.07;
-constexpr double kLongestSpray = 0.055;
-constexpr double kShortestSpray = 0.016;
 
 } // namespace
+
+Eigen::Matrix3d spray_frame(Vec3 const& heading, Vec3 const& fallback)
+{
+    Vec3 side = heading.cross(Vec3::UnitZ());
+    side = side.norm() > 1e-3 ? Vec3(side.normalized()) : fallback;
+    Eigen::Matrix3d frame;
+    frame << side, heading, side.cross(heading);
+    return frame;
+}
 
 void SprayMaker::add_shapes()
 {
@@ -68,10 +72,7 @@ void SprayMaker::add(SprayPlace const& place, TwigDirection const& way, Random& 
     Vec3 const across = (space.linear() * Vec3(-place.along.y(), place.along.x(), 0)).normalized();
     Vec3 const out = std::cos(way.around) * across + std::sin(way.around) * forward.cross(across);
     Vec3 const heading = (std::cos(way.lean) * forward + std::sin(way.lean) * out).normalized();
-    Vec3 side = heading.cross(Vec3::UnitZ());
-    side = side.norm() > 1e-3 ? Vec3(side.normalized()) : across;
-    Eigen::Matrix3d frame;
-    frame << side, heading, side.cross(heading);
+    auto const frame = spray_frame(heading, across);
     Vec3 const base = space * Vec3(place.at.x(), place.at.y(), 0);
     double length = way.length * unit_of(space);
     if (surface_)

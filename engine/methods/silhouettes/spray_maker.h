@@ -5,9 +5,21 @@
 #include "engine/methods/silhouettes/tree.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace tractus::silhouette {
+
+// Number of different shapes of twigs with leaves; the twig without leaves is the shape after them.
+constexpr std::uint32_t kSprayVariants = 8;
+
+// Greatest and smallest length of a twig, as shares of the tree's height.
+constexpr double kLongestSpray = 0.055;
+constexpr double kShortestSpray = 0.016;
+
+// Axes of a spray whose twig points along `heading` (a unit vector): x to the right, level unless
+// the heading is upright, when it is `fallback`; y along the heading; z out of the upper side.
+Eigen::Matrix3d spray_frame(Vec3 const& heading, Vec3 const& fallback);
 
 // The parent axis of twigs with leaves, already part of the tree.
 struct SprayParent {

@@ -3,6 +3,7 @@
 #include "engine/methods/silhouettes/branch_set.h"
 #include "engine/methods/silhouettes/branch_space.h"
 #include "engine/methods/silhouettes/leaf_blade.h"
+#include "engine/methods/silhouettes/leaf_fill.h"
 #include "engine/methods/silhouettes/line.h"
 #include "engine/methods/silhouettes/sibling_style.h"
 #include "engine/methods/silhouettes/spray_maker.h"
@@ -47,6 +48,13 @@ public:
                       *tree.leaf);
         else
             grow({ .system = 0, .space = space, .line = Line(tree.whole_trunk()) });
+        for (auto const& point : tree.outline) {
+            Vec3 const place_mm = space * Vec3(point.x(), point.y(), 0);
+            tree_.outline_mm.emplace_back(place_mm.x(), place_mm.z());
+        }
+        if (options_.leaves_reach_outline && !tree.leaf)
+            fill_with_leaves(tree_, options_,
+                             { std::move(may_stick_out_), fit_ ? &*fit_ : nullptr });
         apply_pipe_model(tree_.plant, 2.2, options_.tip_radius_of_height * options_.height_mm);
         for (auto& [level, places] : told_)
             tree_.arrangements.push_back(std::move(places));
@@ -235,6 +243,10 @@ private:
         }
         plant.segment_material.resize(plant.segment_count() + places.size() - 1, 0);
         tree_.axis_names.push_back(parent.name.empty() ? kTrunkName : parent.name);
+        bool const is_drawn = parent.is_stroke
+            || (parent.system != kNoSystem && skeleton_.systems[parent.system].is_of_own_outline);
+        may_stick_out_.push_back(
+            is_drawn || (parent.parent_axis != kNone && may_stick_out_[parent.parent_axis]));
         return id;
     }
 
@@ -281,7 +293,8 @@ private:
     std::vector<std::pair<std::vector<Vec2>, OrganShapeId>> leaf_shapes_;
     std::map<std::size_t, BranchSet> set_maker_;
     std::map<std::uint32_t, std::vector<PlacedBranch>> told_;
-    std::optional<SurfaceFit> fit_; // The drawn crown surface; no value: not drawn.
+    std::optional<SurfaceFit> fit_;   // The drawn crown surface; no value: not drawn.
+    std::vector<bool> may_stick_out_; // For each axis: LeafFillLimits::may_stick_out.
     SprayMaker sprays_ { tree_, options_ };
     BranchSetMaker maker_;
     std::vector<StyledBranchSetMaker> styled_; // Makers of styled branches, one for each level.

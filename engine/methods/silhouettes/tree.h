@@ -36,6 +36,9 @@ struct TreeOptions {
     Vec3f leaf_color { 0.25f, 0.42f, 0.13f };
     Vec3f bark_color { 0.34f, 0.27f, 0.2f };
     double tip_radius_of_height = 0.0006;
+    // True: as seen from the drawing plane, the leaves fill the outline and stay inside of it
+    // (leaf_fill.h).
+    bool leaves_reach_outline = false;
 };
 
 // A branch's position around its parent. Its name comes from name_of(), or is "a" and the position
@@ -60,6 +63,8 @@ struct Tree {
     std::vector<std::vector<PlacedBranch>> arrangements;
     std::size_t leaves = 0;
     std::size_t sprays = 0;
+    // The crown's outline as seen from the drawing plane, plant millimetres (x and z).
+    std::vector<Vec2> outline_mm {};
 
     // Number of parts as users count them: axes, twigs and leaves.
     std::size_t element_count() const { return plant.axes.size() + sprays + leaves; }

@@ -63,6 +63,7 @@ bool is_usual(TreeForm form)
     TreeForm usual;
     usual.seed = form.seed;
     usual.has_whole_nodes = form.has_whole_nodes;
+    usual.leaves_reach_outline = form.leaves_reach_outline;
     if (form.plane_branches == kUsualPlaneBranches)
         usual.plane_branches = kUsualPlaneBranches;
     return form == usual;
@@ -134,6 +135,7 @@ TreeOptions tree_options(TreeForm const& form, double height_mm)
     options.angles = angles_of(form);
     options.leaf.per_spray = form.leaves;
     options.leaf.width = form.leaf_width;
+    options.leaves_reach_outline = form.leaves_reach_outline;
     options.levels.resize(form.patterns.size(), options.levels.back());
     for (std::size_t level = 0; level < form.patterns.size(); ++level) {
         options.levels[level].pattern = form.patterns[level];

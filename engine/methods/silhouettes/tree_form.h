@@ -29,6 +29,9 @@ struct TreeForm {
     // before this option existed: they have one branch per bump, then others until the crown is
     // covered.
     int plane_branches = 0;
+    // True: the leaves fill the outline as seen (TreeOptions::leaves_reach_outline). False for
+    // trees from before this option existed.
+    bool leaves_reach_outline = false;
     // Branching angles at the trunk's base and tip, degrees; 0: the default (BranchingAngles).
     double base_angle_deg = 0;
     double tip_angle_deg = 0;
@@ -39,7 +42,8 @@ struct TreeForm {
 constexpr int kUsualPlaneBranches = 26;
 constexpr int kMaxPlaneBranches = 60;
 
-// True if nothing was set by hand; the seed and has_whole_nodes do not count.
+// True if nothing was set by hand; the seed, has_whole_nodes and
+// leaves_reach_outline do not count.
 bool is_usual(TreeForm form);
 
 // Approximate number of branches on the last level according to the form's styles; 1 for a form

@@ -81,6 +81,7 @@ void list(scene::Fields& fields, TreeForm& form)
         list(fields, kStyleNames[level], form.styles[level]);
     fields.sparse_field("whole_nodes", &form.has_whole_nodes);
     fields.sparse_field("plane_branches", &form.plane_branches);
+    fields.sparse_field("leaves_reach_outline", &form.leaves_reach_outline);
     fields.sparse_field("base_angle_deg", &form.base_angle_deg);
     fields.sparse_field("tip_angle_deg", &form.tip_angle_deg);
 }

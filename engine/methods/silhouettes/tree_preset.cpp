@@ -60,4 +60,10 @@ std::span<TreePreset const> tree_presets()
     return kForms;
 }
 
+bool fills_outline(TreeForm const& form)
+{
+    auto const& fern = tree_presets().back();
+    return form.styles != fern.form.styles;
+}
+
 } // namespace tractus::silhouette

@@ -16,4 +16,8 @@ struct TreePreset {
 // The presets: oak, pine, willow, eucalyptus, fir, poplar, fern.
 std::span<TreePreset const> tree_presets();
 
+// Whether the leaves of new trees with this form fill their outline
+// (TreeForm::leaves_reach_outline): all but ferns, whose pinnae are seen apart.
+bool fills_outline(TreeForm const& form);
+
 } // namespace tractus::silhouette

@@ -71,6 +71,8 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
         form.plane_branches = *arguments.branches;
     else if (form.plane_branches == 0)
         form.plane_branches = silhouette::kUsualPlaneBranches;
+    // Without branches in the plane the tree is filled as the paper says, and not further.
+    form.leaves_reach_outline = form.plane_branches > 0 && silhouette::fills_outline(form);
     std::vector<silhouette::Pattern> given;
     for (auto const& word : arguments.patterns)
         // The check one_of() of the option has made sure that the pattern exists.
@@ -329,7 +331,7 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
             "--branches", arguments.branches,
             "Branches of the trunk in the drawing's plane where the outline has fewer bumps "
             "than that, as many as the form has without it; 0: branches in bumps, and in "
-            "gaps until the crown is full")
+            "gaps until the crown is full, and no leaves added to fill the outline")
         ->type_name("N")
         ->check(options::whole_number(0, kMaxPlaneBranches));
     command

@@ -51,7 +51,9 @@ scene::Scene stepped(scene::Scene const& scene, scene::Edit const& edit)
 // Returns the form of trees that are newly begun.
 TreeForm begun_form()
 {
-    return { .has_whole_nodes = true, .plane_branches = kUsualPlaneBranches };
+    return { .has_whole_nodes = true,
+             .plane_branches = kUsualPlaneBranches,
+             .leaves_reach_outline = true };
 }
 
 TreeForm style_of(scene::Scene const& scene, scene::ItemId plant)

@@ -31,7 +31,7 @@ TEST(OutlineTool, SaysItsNumbersInLogs)
     OutlineTool const tool { .levels = 1, .leaves = 8, .what = OutlineTool::What::New };
     auto const words = tools::words_for(tool);
     EXPECT_EQ(words.name + " " + words.arguments,
-              "outline levels=1 leaves=8 new of_any siblings closely whole_nodes fills_by_spacing");
+              "outline levels=1 leaves=8 new of_any siblings closely whole_nodes fills_to_outline");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(tool));
 }
@@ -123,6 +123,7 @@ TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
         EXPECT_EQ(tools::parse_tool(tools, said.name, said.arguments).value(), tool);
         auto form = ready.form;
         form.has_whole_nodes = true;
+        form.leaves_reach_outline = ready.name != std::string("fern");
         EXPECT_EQ(meant(trunk_at(0), {}, *tool.get<OutlineTool>()).form, form) << ready.name;
         auto given = *tool.get<OutlineTool>();
         given.what = OutlineTool::What::Form;
@@ -236,7 +237,7 @@ TEST(OutlineTool, CarriesAStyle)
         document.draw({ stroke, OutlineTool { .style = silhouette::StyleScope::None } });
     OutlineTool const carrying { .what = OutlineTool::What::Carry };
     auto const words = tools::words_for(carrying);
-    EXPECT_EQ(words.arguments, "carry of_any siblings closely whole_nodes fills_by_spacing");
+    EXPECT_EQ(words.arguments, "carry of_any siblings closely whole_nodes fills_to_outline");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(carrying));
     auto const tree = [&] { return *silhouette::outlined_tree(*document.newest()->scene.drawn); };
@@ -473,6 +474,21 @@ TEST(OutlineTool, FillsOutlinesBySpacingUnlessALogIsOlder)
     EXPECT_EQ(older.base_angle_deg, 0);
 }
 
+// Whether leaves fill the outline as seen must be said by the words of the log that drew it.
+TEST(OutlineTool, FillsOutlinesWithLeavesUnlessALogIsOlder)
+{
+    auto const tools = methods::all_methods().tools;
+    auto const form_by = [&](std::string const& words) {
+        document::Document document({}, document::Document::Working::AtOnce);
+        document.draw({ trunk_at(0), tools::parse_tool(tools, "outline", words).value() });
+        return outlined_tree(*document.newest()->scene.drawn)->form;
+    };
+    EXPECT_TRUE(form_by(tools::words_for(OutlineTool {}).arguments).leaves_reach_outline);
+    EXPECT_EQ(form_by("fills_to_outline").plane_branches, kUsualPlaneBranches);
+    EXPECT_FALSE(form_by("oak closely whole_nodes fills_by_spacing").leaves_reach_outline);
+    EXPECT_FALSE(form_by("oak closely whole_nodes").leaves_reach_outline);
+}
+
 // The tool must erase branches before the trunk and the crown's outline. Without its outline, the
 // tree is a bare stem. The trunk is then the last line, which cannot be erased.
 TEST(EraseOutlineTool, TakesLinesOfTheDrawingAway)
@@ -578,7 +594,7 @@ TEST(OutlineLayer, ShowsWhatWasSeenInTheOutline)
     EXPECT_FALSE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::Always }));
     EXPECT_TRUE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::WithTriangles }));
     EXPECT_EQ(tools::words_for(OutlineTool { .seen = Seen::Always }).arguments,
-              "of_any siblings closely seen_stays whole_nodes fills_by_spacing");
+              "of_any siblings closely seen_stays whole_nodes fills_to_outline");
 }
 
 } // namespace

@@ -32,12 +32,26 @@ TEST_F(SilhouetteCommand, ReportsWhatItInfers)
     }
     EXPECT_LE(report["coverage"]["before"], report["coverage"]["after"]);
     EXPECT_GE(report["coverage"]["after"], 0.85);
+    EXPECT_GE(report["leaf_coverage"]["inside"], 0.92);
+    EXPECT_LE(report["leaf_coverage"]["outside"], 0.08);
     ASSERT_EQ(report["arrangement"].size(), 2U);
     for (auto const& place : report["arrangement"][0]) {
         EXPECT_GE(place["theta"], 0);
         EXPECT_LT(place["theta"], 360);
     }
     EXPECT_GT(report["elements"], 1'000);
+}
+
+// The paper's own filling, which the manual's figures use, must stay as it was.
+TEST_F(SilhouetteCommand, FillsWithLeavesUnlessThePapersFillingIsAskedFor)
+{
+    auto const inside = [&](std::vector<std::string> const& more) {
+        std::vector<std::string> words { "silhouette", path("oak.json"), "--report" };
+        words.insert(words.end(), more.begin(), more.end());
+        return json::parse(commands::run(words).out)["leaf_coverage"]["inside"].get<double>();
+    };
+    EXPECT_LT(inside({ "--branches", "0" }), 0.9);
+    EXPECT_GE(inside({ "--branches", "20" }), 0.92);
 }
 
 TEST_F(SilhouetteCommand, TheSameSeedGivesTheSameFile)

@@ -124,6 +124,10 @@ TEST_F(SilhouetteCommand, AFormSaysThatNodesAreWhole)
     EXPECT_EQ(written().find("whole_nodes"), std::string::npos) << written();
     edit.form.has_whole_nodes = true;
     EXPECT_NE(written().find(R"("whole_nodes":true)"), std::string::npos) << written();
+    // The same is true of leaves that fill the outline.
+    EXPECT_EQ(written().find("leaves_reach_outline"), std::string::npos) << written();
+    edit.form.leaves_reach_outline = true;
+    EXPECT_NE(written().find(R"("leaves_reach_outline":true)"), std::string::npos) << written();
     auto const again = session::edit_of(session::record_of(edit), methods::all_methods().edits);
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(again->get<FormTree>()->form, edit.form);
