@@ -67,7 +67,7 @@ set(app/methods      engine drivers app/render app/session app/tools ${methods})
 set(app/io           engine drivers app/files app/terminal app/methods)
 set(app/batch        engine drivers calib sim app/files app/render app/terminal app/session app/tools app/document
                      app/play app/station app/methods app/io)
-set(app/options      engine calib app/files app/terminal app/document app/methods app/io app/batch)
+set(app/options      engine calib app/files app/terminal app/render app/document app/methods app/io app/batch)
 foreach(method construction_lines leaves self_organising silhouettes sketch_lsystem)
     set(app/methods/${method}/commands drivers ${app/methods/${method}} app/methods/${method} app/io app/batch app/options)
     list(APPEND commands app/methods/${method}/commands)

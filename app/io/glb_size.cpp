@@ -6,7 +6,7 @@ namespace tractus::io {
 
 std::optional<std::string> large_glb_size(exports::GlbSummary const& summary)
 {
-    if (summary.triangles <= kManyTriangles)
+    if (summary.triangles <= kManyTriangles && summary.bytes <= kManyBytes)
         return std::nullopt;
     return fmt::format("about {:.1f} million triangles and {:.0f} MB, which takes long to open",
                        static_cast<double>(summary.triangles) / 1e6,

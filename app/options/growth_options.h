@@ -15,7 +15,7 @@ namespace tractus::options {
 void add_growth_options(CLI::App& command, batch::GrowthOptions& growth,
                         std::string const& without);
 
-// Adds "--branches X", "--size X", "--turn X", "--younger X", "--leaf-size X" and "--own-seeds X",
+// Adds "--branches X", "--sizes X", "--turn X", "--younger X", "--leaf-size X" and "--own-seeds X",
 // which control how much the plants of a collection differ from each other. `how` must outlive the
 // command.
 void add_individuality_options(CLI::App& command, variation::Individuality& how);

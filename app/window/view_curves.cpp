@@ -417,11 +417,11 @@ std::vector<render::Curve> growing_curves(view::WindowState const& state)
 {
     // Least width of a line, as a share of the diagonal of the plant's box. Lines without a width
     // would be invisible.
-    constexpr double kThinnest = 1.0 / 400;
+    constexpr double kThinnestShare = 1.0 / 400;
     auto const& box_mm = state.skeleton_box_mm;
     float const thinnest_mm = box_mm.empty()
         ? 0
-        : static_cast<float>(kThinnest * (box_mm.max_mm - box_mm.min_mm).norm());
+        : static_cast<float>(kThinnestShare * (box_mm.max_mm - box_mm.min_mm).norm());
     std::vector<render::Curve> curves;
     for (auto const& line : state.preview) {
         auto& curve = curves.emplace_back();

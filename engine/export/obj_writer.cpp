@@ -4,6 +4,7 @@
 #include "engine/export/texture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
@@ -36,13 +37,15 @@ public:
     Named name_of(Material const& material)
     {
         auto const& color = material.base_color;
+        auto const& pictures = material.textures;
         Key const key { material.name,
-                        color.x(),
-                        color.y(),
-                        color.z(),
-                        material.roughness,
                         material.kind,
-                        material.textures.base_color.get() };
+                        { color.x(), color.y(), color.z(), material.roughness, material.metalness,
+                          material.translucency, pictures.normal_strength },
+                        { pictures.base_color.get(), pictures.normal.get(),
+                          pictures.roughness.get(), pictures.translucency.get() },
+                        pictures.alpha,
+                        pictures.color };
         if (auto const known = names_.find(key); known != names_.end())
             return { known->second, false };
         auto name = name_word(material.name);
@@ -53,8 +56,9 @@ public:
     }
 
 private:
-    using Key = std::tuple<std::string, float, float, float, float, Material::Kind,
-                           TexturePicture const*>;
+    using Key = std::tuple<std::string, Material::Kind, std::array<float, 7>,
+                           std::array<TexturePicture const*, 4>, MaterialTextures::Alpha,
+                           MaterialTextures::Color>;
     std::map<Key, std::string> names_;
     std::map<std::string, int> uses_;
 };

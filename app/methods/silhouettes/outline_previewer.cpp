@@ -50,7 +50,8 @@ public:
         auto tree = tree_with(*edit, scene);
         if (!tree)
             return {};
-        if (!tree->has_crown() && edit->part == DrawTree::Part::Trunk)
+        // Beside a tree, an open line may still become an outline.
+        if (edit->part == DrawTree::Part::Trunk && scene.plants.empty())
             return { line_of(points_of(edit->stroke), scene) };
         if (!tree->has_crown())
             return {};

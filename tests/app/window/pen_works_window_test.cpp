@@ -366,7 +366,7 @@ TEST_F(PenWorksWindow, SetsNumbersOfATool)
     run(window, script);
     auto const words = tools::words_for(window.state().hand);
     EXPECT_EQ(words.name, "sketch");
-    EXPECT_EQ(words.arguments, "laterals=3 angle=50 at_foot");
+    EXPECT_EQ(words.arguments, "laterals=3 angle=55 first=15 ratio=0.95 lateral=0.7 at_foot");
     EXPECT_EQ(window.station().counts().strokes, 0u);
 }
 

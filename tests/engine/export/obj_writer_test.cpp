@@ -3,7 +3,9 @@
 #include "engine/mesh/make_mesh.h"
 #include "tests/engine/mesh/sample_plants.h"
 
+#include <array>
 #include <gtest/gtest.h>
+#include <memory>
 #include <sstream>
 
 namespace tractus::exports {
@@ -112,6 +114,29 @@ TEST(ObjWriter, AMaterialThatIsNotUsedTakesNoName)
     ASSERT_TRUE(write_mtl(materials, std::span(&placed, 1)));
     EXPECT_NE(materials.str().find("newmtl bark\nKd 0.3100"), std::string::npos);
     EXPECT_EQ(materials.str().find("newmtl bark.2"), std::string::npos);
+}
+
+// Materials that differ in nothing but a picture or a number that glTF shows are different.
+TEST(ObjWriter, MaterialsThatLookDifferentHaveNamesOfTheirOwn)
+{
+    mesh::Mesh const mesh = mesh::make_mesh(mesh::single_axis(1, 1, 1));
+    auto const bumpy = [&] {
+        auto other = mesh;
+        other.materials[0].textures.normal = std::make_shared<TexturePicture const>();
+        return other;
+    }();
+    auto const metallic = [&] {
+        auto other = mesh;
+        other.materials[0].metalness = 1;
+        return other;
+    }();
+    std::array const placed { PlacedMesh { .mesh = &mesh }, PlacedMesh { .mesh = &bumpy },
+                              PlacedMesh { .mesh = &metallic }, PlacedMesh { .mesh = &mesh } };
+    std::ostringstream text;
+    ASSERT_TRUE(write_obj(text, placed, "tree.mtl"));
+    EXPECT_NE(text.str().find("usemtl bark.2\n"), std::string::npos);
+    EXPECT_NE(text.str().find("usemtl bark.3\n"), std::string::npos);
+    EXPECT_EQ(text.str().find("usemtl bark.4\n"), std::string::npos);
 }
 
 TEST(ObjWriter, SaysThatTheStreamFailed)

@@ -4,6 +4,8 @@
 #include "app/document/document.h"
 #include "app/methods/all_methods.h"
 #include "app/methods/construction_lines/line_tool.h"
+#include "app/methods/fill_crown_tool.h"
+#include "app/methods/self_organising/growth_brush_tool.h"
 #include "app/methods/silhouettes/arrange_tool.h"
 #include "app/methods/silhouettes/crown_tool.h"
 #include "app/methods/silhouettes/erase_outline_tool.h"
@@ -80,15 +82,24 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
               silhouette::Search::OnTrunk);
     // Without arguments, as in old logs, these tools differ from their present defaults: crowns had
     // incomplete nodes and were not filled by spacing, plants did not stand at the foot of a
-    // stroke, construction lines had other depths and were read one by one, and strokes were not
-    // laid by heading. All other tools have the same defaults.
+    // stroke, rules had longer internodes, trees of a habit had no annual rings, construction
+    // lines had other depths and were read one by one, and strokes were not laid by heading. All
+    // other tools have the same defaults.
+    using Brush = self_organising::GrowthBrushTool;
     constexpr auto kMinTwist = variation::StrokeLaying::LeastTwist;
     for (auto const* const kind : tools) {
         auto const begun = kind == &OutlineTool::kKind ? tools::Tool(tool_of_old_logs())
             : kind == &CrownTool::kKind                ? tools::Tool(
                                  CrownTool { .nodes = NodesOption::AsAtFirst, .fills = FillsOption::AsAtFirst })
             : kind == &sketch::SketchTool::kKind
-            ? tools::Tool(sketch::SketchTool { .stands = sketch::SketchTool::Stands::AsDrawn })
+            ? tools::Tool(sketch::SketchTool { .angle_deg = 45,
+                                               .first_length_mm = 30,
+                                               .length_ratio = 0.9,
+                                               .lateral_length = 0.62,
+                                               .stands = sketch::SketchTool::Stands::AsDrawn })
+            : kind == &Brush::kKind ? tools::Tool(Brush { .girth = Brush::Girth::Pipe })
+            : kind == &methods::FillCrownTool::kKind
+            ? tools::Tool(methods::FillCrownTool { .girth = Brush::Girth::Pipe })
             : kind == &lines::LineTool::kKind ? tools::Tool(lines::LineTool {
                   .depth_by = lines::DepthBy::StemsHeight, .reading = lines::Reading::OneByOne })
             : kind == &tools::DrawTool::kKind ? tools::Tool(tools::DrawTool { .laying = kMinTwist })
