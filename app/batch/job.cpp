@@ -282,8 +282,9 @@ mesh::Mesh Job::mesh_for_file(Plant const& plant) const
     double const share = options_.detail;
     if (share >= 1)
         return mesh::make_mesh(plant, options_.mesh);
-    return mesh::make_mesh(mesh::coarser_plant(plant, options_.mesh, share),
-                           mesh::coarser_options(options_.mesh, share));
+    return mesh::make_mesh(
+        mesh::coarser_plant(plant, options_.mesh, share, mesh::CoarserOrgans::KeepFew),
+        mesh::coarser_options(options_.mesh, share));
 }
 
 Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)

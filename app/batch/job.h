@@ -32,8 +32,8 @@ struct JobOptions {
     bool all_seasons = false;
     exports::GlbOptions glb {}; // Options of collection.glb; those of its meshes are in `mesh`.
     mesh::MeshOptions mesh {};
-    // Share of the triangles that plants keep in collection.glb, above 0 and at most 1
-    // (mesh::coarser_plant()).
+    // Share of the triangles that plants keep in collection.glb, above 0 and at most 1. Organs of
+    // which there are few all stay (mesh::coarser_plant()).
     double detail = 1;
     render::PictureSize picture {};   // Size of base.png, strokes.png and varied.png.
     std::filesystem::path session {}; // New session file that saves the drawing; empty: none.

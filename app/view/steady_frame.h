@@ -12,9 +12,9 @@ namespace tractus::view {
 // an empty sheet. The box has room for more than there is, and becomes larger in few, distinct
 // steps, so that views do not zoom with each movement of the pen. It never becomes smaller.
 //
-// From the first point of what grows, the box reaches at least kFirstHeight_mm upwards and
-// kFirstReach_mm in each horizontal direction; a step multiplies a reach by kStep. It does not
-// reach below the lowest point. Any frame and unit; the constants are for millimetres on the desk.
+// The box reaches at least kFirstHeight_mm upwards and kFirstReach_mm in each horizontal direction
+// from the first point of what grows; a step multiplies a reach by kStep. The box does not reach
+// below the lowest point. Any frame and unit; the constants are for millimetres on the desk.
 class SteadyFrame {
 public:
     static constexpr double kFirstReach_mm = 20;

@@ -27,7 +27,7 @@ struct StrokeInProgress {
     std::size_t number = 0;   // Number of strokes finished before this one.
 };
 
-// What a stroke in progress would make if it ended now.
+// The effect that a stroke in progress would have if it ended now.
 struct StrokePreview {
     // The previewed branches; null if there is no preview. Immutable; shared by equal previews.
     std::shared_ptr<std::vector<tools::SkeletonLine> const> lines {};

@@ -315,7 +315,8 @@ double area_of(Organ const& organ)
     return std::abs(double { organ.scale.x() } * organ.scale.y());
 }
 
-void thin_organs(Plant const& plant, MeshOptions const& options, double share, Branches& coarse)
+void thin_organs(Plant const& plant, MeshOptions const& options, double share, CoarserOrgans organs,
+                 Branches& coarse)
 {
     auto const coarser = coarser_options(options, share);
     std::vector<std::vector<std::size_t>> of_shape(plant.organ_shapes.size());
@@ -332,8 +333,10 @@ void thin_organs(Plant const& plant, MeshOptions const& options, double share, B
         auto const cheap = make_prototype(plant, id, coarser).triangle_count();
         if (cheap == 0)
             continue;
+        bool const keeps_all = organs == CoarserOrgans::KeepFew && all.size() <= kFewOrgans;
         auto const stay = those_that_stay(
-            all, kOrgans, share * static_cast<double>(full) / static_cast<double>(cheap));
+            all, kOrgans,
+            keeps_all ? 1 : share * static_cast<double>(full) / static_cast<double>(cheap));
         auto const area = [&](double sum, std::size_t i) { return sum + area_of(plant.organs[i]); };
         double const growth = growth_by_area(std::accumulate(all.begin(), all.end(), 0.0, area),
                                              std::accumulate(stay.begin(), stay.end(), 0.0, area));
@@ -402,7 +405,8 @@ MeshOptions coarser_options(MeshOptions const& options, double share)
     return coarser;
 }
 
-Plant coarser_plant(Plant const& plant, MeshOptions const& options, double share)
+Plant coarser_plant(Plant const& plant, MeshOptions const& options, double share,
+                    CoarserOrgans organs)
 {
     auto const coarser = coarser_options(options, share);
     auto const box = bounds(plant);
@@ -410,7 +414,7 @@ Plant coarser_plant(Plant const& plant, MeshOptions const& options, double share
     Coarsener coarsener(plant, kUnseen * size_mm / std::sqrt(share));
     double const budget = share * static_cast<double>(tube_triangles(plant, options));
     auto coarse = coarser_branches(plant, coarsener, coarser, budget);
-    thin_organs(plant, options, share, coarse);
+    thin_organs(plant, options, share, organs, coarse);
     thin_polygons(plant, share, coarse);
     return std::move(coarse.plant);
 }

@@ -3,6 +3,8 @@
 #include "engine/mesh/make_mesh.h"
 #include "engine/plant/plant.h"
 
+#include <cstddef>
+
 namespace tractus::mesh {
 
 // Simplification of a plant for distant views, to a share of its triangles. The remaining parts do
@@ -20,10 +22,19 @@ namespace tractus::mesh {
 // tubes also have open ends and thin organs become cards.
 MeshOptions coarser_options(MeshOptions const& options, double share);
 
+// Whether a coarser plant has fewer, enlarged organs of every shape, or all organs of those shapes
+// of which it has at most kFewOrgans.
+enum class CoarserOrgans { Thin, KeepFew };
+constexpr std::size_t kFewOrgans = 200;
+
 // Returns a plant whose mesh with coarser_options() has at most `share` of the triangles of `plant`
 // meshed with `options`, and not many fewer. It has more only if the trunk alone has more. `share`:
 // above 0, at most 1. `plant` must meet the conditions of make_mesh(). The same arguments always
 // give the same plant.
-Plant coarser_plant(Plant const& plant, MeshOptions const& options, double share);
+//
+// `organs` = KeepFew suits plants that are seen from nearby, where a leaf that is missing in a
+// seedling shows. The mesh may then have somewhat more triangles.
+Plant coarser_plant(Plant const& plant, MeshOptions const& options, double share,
+                    CoarserOrgans organs = CoarserOrgans::Thin);
 
 } // namespace tractus::mesh

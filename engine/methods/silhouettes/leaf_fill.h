@@ -7,7 +7,7 @@
 
 namespace tractus::silhouette {
 
-// What fill_with_leaves() must respect.
+// Limits on where fill_with_leaves() puts leaves.
 struct LeafFillLimits {
     // For each axis of the plant: true if its leaves may stick out of the outline, because the
     // axis, or one that bears it, was drawn.

@@ -1,5 +1,6 @@
 #include "app/batch/plant_group.h"
 #include "app/files/resources.h"
+#include "app/io/glb_size.h"
 #include "app/io/model_file.h"
 #include "app/methods/all_methods.h"
 #include "app/play/simulated_recording.h"
@@ -33,6 +34,15 @@ TEST(StationDemo, IsRecordedFromItsScriptByteForByte)
     auto const kept = read_file(files::find_resource("demo/station.tractus-log").value()).value();
     EXPECT_TRUE(out.str() == kept) << "record it again: its script says how";
     EXPECT_LT(kept.size(), 2'000'000u);
+}
+
+TEST(GlbSize, ANoteComesBeforeManyBytesAsBeforeManyTriangles)
+{
+    EXPECT_FALSE(io::large_glb_note({ .bytes = 100'000'000, .triangles = 5'000'000 }, {}));
+    auto const note = io::large_glb_note({ .bytes = 431'000'000, .triangles = 4'000'000 }, {});
+    ASSERT_TRUE(note);
+    EXPECT_NE(note->find("431 MB"), std::string::npos) << *note;
+    EXPECT_TRUE(io::large_glb_note({ .bytes = 90'000'000, .triangles = 5'000'001 }, {}));
 }
 
 TEST(StationDemo, DrawsWithEveryMethodInOneDocument)

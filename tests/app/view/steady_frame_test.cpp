@@ -29,7 +29,7 @@ TEST(SteadyFrame, GrowsInFewSteps)
     EXPECT_LE(tops.size(), 5u);
 }
 
-// What grows to one side makes room on that side alone.
+// A plant that grows to one side makes room on that side alone.
 TEST(SteadyFrame, KeepsTheOtherSides)
 {
     SteadyFrame frame;

@@ -104,6 +104,21 @@ TEST(LevelOfDetail, TubesOfFewSidesKeepTheVolumeOfRoundOnes)
     EXPECT_NEAR(volume(8), round, 0.06 * round);
 }
 
+TEST(LevelOfDetail, KeepsShapesOfFewOrgansAsTheyAreIfAsked)
+{
+    auto plant = sample_tree(3);
+    ASSERT_FALSE(plant.organs.empty());
+    // The first organ's shape has as many organs as are kept, then one more.
+    auto const organ = plant.organs.front();
+    plant.organs.assign(kFewOrgans, organ);
+    EXPECT_LT(coarser_plant(plant, {}, 0.5).organs.size(), kFewOrgans);
+    auto const kept = coarser_plant(plant, {}, 0.5, CoarserOrgans::KeepFew);
+    ASSERT_EQ(kept.organs.size(), kFewOrgans);
+    EXPECT_EQ(kept.organs.front().scale, organ.scale);
+    plant.organs.push_back(organ);
+    EXPECT_LT(coarser_plant(plant, {}, 0.5, CoarserOrgans::KeepFew).organs.size(), kFewOrgans);
+}
+
 TEST(LevelOfDetail, TheTrunkStaysInItsPlaceAndAsThickAsItIs)
 {
     auto const plant = sample_tree(4);

@@ -124,7 +124,7 @@ TEST_F(SilhouetteCommand, AFormSaysThatNodesAreWhole)
     EXPECT_EQ(written().find("whole_nodes"), std::string::npos) << written();
     edit.form.has_whole_nodes = true;
     EXPECT_NE(written().find(R"("whole_nodes":true)"), std::string::npos) << written();
-    // The same is true of leaves that fill the outline.
+    // Sessions without this setting are older, too: leaves do not fill the outlines of their trees.
     EXPECT_EQ(written().find("leaves_reach_outline"), std::string::npos) << written();
     edit.form.leaves_reach_outline = true;
     EXPECT_NE(written().find(R"("leaves_reach_outline":true)"), std::string::npos) << written();

@@ -193,7 +193,7 @@ TEST(LeafRaster, MeasuresSharesOfAreas)
     auto const coverage = leaf_coverage(plant, square);
     EXPECT_NEAR(coverage.inside, 0.24, 0.004);
     EXPECT_NEAR(coverage.outside, 1.0 / 3, 0.01);
-    // The same leaf twice is seen once.
+    // A leaf that is drawn twice covers no more than once.
     plant.organs.push_back(plant.organs[0]);
     EXPECT_EQ(leaf_coverage(plant, square).inside, coverage.inside);
     EXPECT_EQ(leaf_coverage(plant, {}).inside, 0);
