@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fmt/core.h>
 
 namespace tractus::calib {
 
@@ -11,8 +10,8 @@ namespace {
 
 // Jumps within this time of each other count as one, such as a jump and its return.
 constexpr Duration kJumpLasts = std::chrono::milliseconds(500);
-// Time for which a moved stop is reported, long enough for the message to be read.
-constexpr Duration kStopIsTold = std::chrono::seconds(10);
+// Time for which a slip or a moved stop is reported, long enough for the message to be read.
+constexpr Duration kSlipIsTold = std::chrono::seconds(10);
 
 // If a reading changes and changes back within this time, that is noise. A sensor with at least
 // kNoisyFlickers such changes has noise.
@@ -49,7 +48,9 @@ void HeightMonitor::push(drivers::HeightSample const& sample)
     alive_ = std::max(alive_.value_or(sample.time), sample.time);
     watch_rail(sample);
     watch_jump(sample);
+    thin_batches(sample);
     watch_step(sample);
+    watch_slow_slip(sample);
     watch_stop(sample);
     watch_stuck(sample);
     watch_rate(sample.time);
@@ -58,8 +59,10 @@ void HeightMonitor::push(drivers::HeightSample const& sample)
 
 void HeightMonitor::advance(Timestamp now)
 {
-    close_old(HeightFaultKind::Jump, kJumpLasts, now);
-    close_old(HeightFaultKind::Stop, kStopIsTold, now);
+    auto const& jump = watch(HeightFaultKind::Jump).open;
+    bool const is_slip = jump && jump->step_mm != 0;
+    close_old(HeightFaultKind::Jump, is_slip ? kSlipIsTold : kJumpLasts, now);
+    close_old(HeightFaultKind::Stop, kSlipIsTold, now);
     if (!alive_)
         alive_ = now;
     if (now - *alive_ > limits_.silence_after)
@@ -110,6 +113,8 @@ void HeightMonitor::restart_after_reconnection()
     last_.reset();
     rail_since_.reset();
     path_.clear();
+    slow_slip_.clear();
+    batch_end_.reset();
     recent_.clear();
 }
 
@@ -162,8 +167,12 @@ void HeightMonitor::watch_jump(drivers::HeightSample const& sample)
         = verdict == HeightJudge::Verdict::Believed && believed_.size() > doubts_;
     if (doubted_ && !all_were_right)
         see(*doubted_);
-    if (verdict == HeightJudge::Verdict::Step)
-        path_.clear(); // Otherwise the jump would be reported as a slow step as well.
+    if (verdict == HeightJudge::Verdict::Step) {
+        // Otherwise the jump would be reported as a slow step and a slip as well.
+        path_.clear();
+        slow_slip_.clear();
+        batch_end_.reset();
+    }
     doubted_.reset();
     doubts_ = 0;
 }
@@ -237,6 +246,29 @@ constexpr Duration kStepTakes = std::chrono::milliseconds(30);
 
 } // namespace
 
+// Leaves only the last of the readings that arrive together, after a pause of the computer or in
+// bursts: it is the one that was taken when it arrived. Each is known when the next batch begins.
+void HeightMonitor::thin_batches(drivers::HeightSample const& sample)
+{
+    constexpr double kPartOfInterval = 0.5;
+    thinned_.clear();
+    if (!height_of(sample)) {
+        slow_slip_.clear();
+        batch_end_.reset();
+    }
+    double const hz = rate_hz();
+    auto const lasts = Duration(hz > 0 ? std::llround(kPartOfInterval / hz * 1e9) : 0);
+    for (auto const& reading : believed_) {
+        bool const is_in_batch = batch_end_ && reading.arrival >= batch_begin_
+            && reading.arrival - batch_begin_ < lasts;
+        if (batch_end_ && !is_in_batch)
+            thinned_.push_back(*batch_end_);
+        if (!is_in_batch)
+            batch_begin_ = reading.arrival;
+        batch_end_ = reading;
+    }
+}
+
 // Looks for a slow step: compares the heights of the last 30 ms with those of the 30 ms that ended
 // 30 ms earlier. Without a step, the height between their middles changes by the mean of both
 // speeds times the time, exactly so under a steady acceleration.
@@ -245,29 +277,35 @@ void HeightMonitor::watch_step(drivers::HeightSample const& sample)
     constexpr std::size_t kMinForStep = 3;
     if (!height_of(sample))
         path_.clear();
+    // Readings that waited during a gap arrive together, so that their times are unknown.
+    constexpr Duration kWaitingComes = std::chrono::milliseconds(5);
     for (auto const& reading : believed_) {
         bool const is_gap = !path_.empty()
             && (reading.arrival - path_.back().time > kStepTakes
                 || reading.arrival < path_.back().time);
-        if (is_gap)
+        if (is_gap) {
             // A change across a gap in the readings must not be reported as a slow step.
             path_.clear();
-        path_.push_back({ reading.arrival, reading.height_mm });
+            gap_end_ = reading.arrival;
+        }
+        if (!gap_end_ || reading.arrival - *gap_end_ >= kWaitingComes
+            || reading.arrival < *gap_end_)
+            path_.push_back({ reading.arrival, reading.height_mm });
     }
     if (believed_.empty() || path_.empty())
         return;
-    while (sample.time - path_.front().time > 2 * kSide + kStepTakes)
+    auto const newest = path_.back().time;
+    while (newest - path_.front().time > 2 * kSide + kStepTakes)
         path_.pop_front();
-    auto const after = line_through(path_, sample.time, {}, kSide);
-    auto const before
-        = line_through(path_, sample.time, kSide + kStepTakes, 2 * kSide + kStepTakes);
+    auto const after = line_through(path_, newest, {}, kSide);
+    auto const before = line_through(path_, newest, kSide + kStepTakes, 2 * kSide + kStepTakes);
     if (std::min(after.count, before.count) < kMinForStep
         || std::abs(after.mm_per_s - before.mm_per_s) > limits_.step_speed_mm_per_s)
         return;
     double const way_mm = (after.mm_per_s + before.mm_per_s) / 2 * (after.seconds - before.seconds);
     double const step_mm = after.mm - before.mm - way_mm;
     double const scatter_mm = std::max(after.scatter_mm, before.scatter_mm);
-    auto const when = sample.time - kSide - kStepTakes / 2;
+    auto const when = newest - kSide - kStepTakes / 2;
     if (std::abs(step_mm) > limits_.step_mm + limits_.step_scatters * scatter_mm)
         see({ .kind = HeightFaultKind::Jump,
               .begin = when,
@@ -276,17 +314,39 @@ void HeightMonitor::watch_step(drivers::HeightSample const& sample)
               .step_mm = step_mm });
 }
 
+void HeightMonitor::watch_slow_slip(drivers::HeightSample const& sample)
+{
+    double const count_mm = std::abs(mm_per_count_at(rig_.height_model, sample.counts).value_or(0));
+    // A converter too coarse to show noise makes corners of every movement.
+    bool const has_noise = flickers_ >= kNoisyFlickers;
+    for (auto const& reading : thinned_) {
+        auto const slip = slow_slip_.push(reading.arrival, reading.height_mm, count_mm);
+        if (slip && has_noise)
+            see({ .kind = HeightFaultKind::Jump,
+                  .begin = slip->begin,
+                  .end = slip->end,
+                  .counts = sample.counts,
+                  .step_mm = slip->step_mm });
+    }
+}
+
 void HeightMonitor::watch_stop(drivers::HeightSample const& sample)
 {
     auto const height = height_of(sample);
     if (!height)
         return;
-    if (auto const moved = stop_.push(sample.time, *height))
+    auto const tell = [&](LowestStop::Moved const& moved, double sign) {
         see({ .kind = HeightFaultKind::Stop,
-              .begin = moved->time,
-              .end = moved->time,
+              .begin = moved.time,
+              .end = moved.time,
               .counts = sample.counts,
-              .step_mm = moved->to_mm - moved->from_mm });
+              .step_mm = sign * (moved.to_mm - moved.from_mm),
+              .is_highest_stop = sign < 0 });
+    };
+    if (auto const moved = lowest_stop_.push(sample.time, *height))
+        tell(*moved, 1);
+    if (auto const moved = highest_stop_.push(sample.time, -*height))
+        tell(*moved, -1);
 }
 
 void HeightMonitor::learn_noise(drivers::HeightSample const& sample)
@@ -352,94 +412,6 @@ HeightFaultTotal HeightMonitor::total(HeightFaultKind kind) const
     if (open)
         add(result, *open);
     return result;
-}
-
-std::string describe_fault(HeightFault const& fault)
-{
-    double const seconds = to_seconds(fault.end - fault.begin);
-    switch (fault.kind) {
-    case HeightFaultKind::Silence:
-        return fmt::format("height sensor silent for {:.0f} s: is it plugged in?",
-                           std::floor(seconds));
-    case HeightFaultKind::Rail:
-        return fmt::format("height sensor reads {}, the end of its range: wiper or cable open?",
-                           fault.counts);
-    case HeightFaultKind::Jump:
-        if (fault.speed_mm_per_s == 0)
-            return fmt::format("height stepped by {:+.0f} mm: has the string slipped? then zero it",
-                               fault.step_mm);
-        return fmt::format("height jumped at {:.1f} m/s: string slipping or contact loose?",
-                           fault.speed_mm_per_s / 1000);
-    case HeightFaultKind::Stuck:
-        return fmt::format("height stuck at {} for {:.0f} s: string torn or jammed?", fault.counts,
-                           seconds);
-    case HeightFaultKind::Stop:
-        return fmt::format("lowest stop {:.0f} mm {} than before: has the string slipped?",
-                           std::abs(fault.step_mm), fault.step_mm > 0 ? "higher" : "lower");
-    }
-    return {};
-}
-
-namespace {
-
-// Prints "once, for 0.3 s at 12.1 s" or "3 times, for 2.3 s in all, the longest at 12.1 s".
-std::string how_long(HeightFaultTotal const& total, Timestamp start)
-{
-    double const at_s = to_seconds(total.worst.begin - start);
-    double const seconds = to_seconds(total.duration);
-    if (total.count == 1)
-        return fmt::format("once, for {:.1f} s at {:.1f} s", seconds, at_s);
-    return fmt::format("{} times, for {:.1f} s in all, the longest at {:.1f} s", total.count,
-                       seconds, at_s);
-}
-
-std::string describe_total(HeightFaultKind kind, HeightFaultTotal const& total, Timestamp start)
-{
-    auto const& worst = total.worst;
-    switch (kind) {
-    case HeightFaultKind::Silence:
-        return fmt::format("the height sensor fell silent {}: check its plug and its cable",
-                           how_long(total, start));
-    case HeightFaultKind::Rail:
-        return fmt::format("the height sensor read {}, an end of its range, {}: its wiper or its "
-                           "cable is open, or the spool is at its stop",
-                           worst.counts, how_long(total, start));
-    case HeightFaultKind::Jump:
-        if (worst.speed_mm_per_s == 0)
-            return fmt::format("the height stepped {}, by {:+.1f} mm at {:.1f} s, in the midst of "
-                               "a movement: if the string slipped, zero it with \"tractus "
-                               "calibrate zero\"",
-                               total.count == 1 ? "once" : fmt::format("{} times", total.count),
-                               worst.step_mm, to_seconds(worst.begin - start));
-        return fmt::format("the height jumped {}, at up to {:.1f} m/s at {:.1f} s, more suddenly "
-                           "than a hand: the string slips or a contact is loose",
-                           total.count == 1 ? "once" : fmt::format("{} times", total.count),
-                           worst.speed_mm_per_s / 1000, to_seconds(worst.begin - start));
-    case HeightFaultKind::Stuck:
-        return fmt::format("the height sensor stood still at {} {}: if the surface moved then, the "
-                           "string is torn or jammed",
-                           worst.counts, how_long(total, start));
-    case HeightFaultKind::Stop:
-        return fmt::format("the surface's lowest stop reads {:.1f} mm {} than before, as told at "
-                           "{:.1f} s: if nothing lies under it, the string has slipped: zero it "
-                           "with \"tractus calibrate zero\"",
-                           std::abs(worst.step_mm), worst.step_mm > 0 ? "higher" : "lower",
-                           to_seconds(worst.begin - start));
-    }
-    return {};
-}
-
-} // namespace
-
-std::vector<std::string> describe_faults(HeightMonitor const& monitor, Timestamp start)
-{
-    std::vector<std::string> sentences;
-    for (std::size_t i = 0; i < kHeightFaultKinds; ++i) {
-        auto const kind = static_cast<HeightFaultKind>(i);
-        if (auto const total = monitor.total(kind); total.count > 0)
-            sentences.push_back(describe_total(kind, total, start));
-    }
-    return sentences;
 }
 
 } // namespace tractus::calib

@@ -3,6 +3,7 @@
 #include "calib/height_judge.h"
 #include "calib/lowest_stop.h"
 #include "calib/rig.h"
+#include "calib/slow_slip.h"
 #include "drivers/reports/height_sample.h"
 #include "engine/base/time.h"
 
@@ -21,12 +22,13 @@ enum class HeightFaultKind {
     Silence, // No readings arrive.
     // Readings are at an end of the converter's range: an open wiper or cable, a short circuit.
     Rail,
-    // The height changed faster than a surface can move (height_judge.h), or was displaced within
-    // about 30 ms during a movement: a slipping string, a loose contact.
+    // The height changed faster than a surface can move (height_judge.h), or was displaced more
+    // abruptly than a hand does it, within about 30 ms during a movement or within 20 to 300 ms
+    // (slow_slip.h): a slipping string, a loose contact.
     Jump,
     Stuck, // Readings no longer show any noise: a torn or jammed string.
-    // The surface comes to rest on another lowest height than before: a string that slipped slowly,
-    // or an object under the surface (lowest_stop.h).
+    // The lowest or the highest height that the surface reaches is another one than before: a
+    // string that slipped slowly, or an object under the surface (lowest_stop.h).
     Stop,
 };
 constexpr std::size_t kHeightFaultKinds = 5;
@@ -42,6 +44,7 @@ struct HeightFault {
     // Change of the height in a jump, up or down; 0: not known yet. For a stop, how much higher it
     // is now than before.
     double step_mm = 0;
+    bool is_highest_stop = false; // For a stop: the surface's highest, not its lowest.
 };
 
 // Total of all faults of one kind.
@@ -62,7 +65,7 @@ struct HeightMonitorLimits {
     // the height changed by more than the movement explains: by more than `step_mm` plus
     // `step_scatters` times the scatter of the readings. (If a hand begins or ends a movement, the
     // two speeds differ by more.)
-    double step_mm = 3;
+    double step_mm = 4;
     double step_scatters = 6;
     double step_speed_mm_per_s = 60;
 
@@ -100,7 +103,7 @@ public:
     void advance(Timestamp now);
 
     // Returns the present fault; if there are several, the first in the order of HeightFaultKind. A
-    // jump counts as present for half a second, a moved stop for ten.
+    // jump counts as present for half a second, a slip or a moved stop for ten.
     std::optional<HeightFault> present() const;
 
     // Returns the total of all faults of a kind so far, including a present one.
@@ -128,7 +131,9 @@ private:
     void watch_rail(drivers::HeightSample const& sample);
     void watch_jump(drivers::HeightSample const& sample);
     void doubt(drivers::HeightSample const& sample, double height_mm);
+    void thin_batches(drivers::HeightSample const& sample);
     void watch_step(drivers::HeightSample const& sample);
+    void watch_slow_slip(drivers::HeightSample const& sample);
     void watch_stop(drivers::HeightSample const& sample);
     void watch_stuck(drivers::HeightSample const& sample);
     void learn_noise(drivers::HeightSample const& sample);
@@ -159,7 +164,16 @@ private:
     };
     std::deque<Height> path_ {};
 
-    LowestStop stop_ {};
+    std::optional<Timestamp> gap_end_ {}; // First reading after the last gap.
+
+    // Believed readings of which only the last of each batch is left, for slow_slip_.
+    std::vector<HeightJudge::Reading> thinned_ {};
+    std::optional<HeightJudge::Reading> batch_end_ {}; // Last reading of the present batch.
+    Timestamp batch_begin_ {};
+
+    SlowSlip slow_slip_ {};
+    LowestStop lowest_stop_ {};
+    LowestStop highest_stop_ {}; // Gets all heights negated.
 
     // Noise detection: a change of the reading soon followed by the opposite change, which no hand
     // causes.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace tractus::calib {
 
@@ -12,12 +11,15 @@ constexpr Duration kRests = std::chrono::milliseconds(300);
 constexpr double kRestTolerance_mm = 0.5;
 // A surface counts as let down only if it comes from at least this far above its resting height.
 constexpr double kComesFrom_mm = 10;
+// A surface turns if it goes up again by at least this much.
+constexpr double kGoesUp_mm = 10;
+constexpr double kSmooth_s = 0.003;
 constexpr double kSamePositionTolerance_mm = 0.3;
 constexpr double kBelow_mm = 1;   // A height this far below a resting place counts as below it.
 constexpr double kMinMove_mm = 2; // Least movement of the stop that is reported.
 // Greatest rise of the stop that is reported; a surface resting higher was held, not let down.
 constexpr double kMaxMove_mm = 30;
-constexpr std::size_t kTimesOfStop = 4;
+constexpr std::size_t kTimesOfStop = 3;
 // Rests needed at a higher place, since a hand can rest above a stop, too.
 constexpr std::size_t kTimesHigher = 4;
 // Rests needed at a lower place; fewer suffice, since nothing goes below a stop.
@@ -37,8 +39,20 @@ void LowestStop::Place::add(double height_mm)
 
 std::optional<LowestStop::Moved> LowestStop::push(Timestamp time, double height_mm)
 {
-    if (!rests_since_)
-        highest_mm_ = lowest_mm_ = height_mm;
+    auto place_mm = place_of_turn(time, height_mm);
+    lowest_mm_ = std::min(lowest_mm_, height_mm);
+    if (auto const rest_mm = place_of_rest(time, height_mm))
+        place_mm = rest_mm;
+    if (!place_mm)
+        return std::nullopt;
+    auto const moved = let_down(time, *place_mm);
+    lowest_mm_ = height_mm;
+    highest_mm_ = valley_mm_ = smooth_mm_;
+    return moved;
+}
+
+std::optional<double> LowestStop::place_of_rest(Timestamp time, double height_mm)
+{
     bool const goes_on = rests_since_ && time >= *rests_since_
         && std::abs(height_mm - rest_mm_) <= kRestTolerance_mm;
     if (!goes_on) {
@@ -48,17 +62,30 @@ std::optional<LowestStop::Moved> LowestStop::push(Timestamp time, double height_
         is_rest_reported_ = false;
     }
     rest_mm_ += (height_mm - rest_mm_) / static_cast<double>(++rest_count_);
-    highest_mm_ = std::max(highest_mm_, height_mm);
-    lowest_mm_ = std::min(lowest_mm_, height_mm);
     if (is_rest_reported_ || time - *rests_since_ < kRests)
         return std::nullopt;
     is_rest_reported_ = true;
-    double const highest_mm = std::exchange(highest_mm_, rest_mm_);
-    if (highest_mm - rest_mm_ < kComesFrom_mm)
-        return std::nullopt;
-    auto const moved = let_down(time, rest_mm_);
-    lowest_mm_ = rest_mm_;
-    return moved;
+    bool const is_let_down = highest_mm_ - rest_mm_ >= kComesFrom_mm;
+    highest_mm_ = valley_mm_ = smooth_mm_;
+    return is_let_down ? std::optional(rest_mm_) : std::nullopt;
+}
+
+// Finds the lowest point of a movement down and up. A surface that rests there in between has been
+// let down already.
+std::optional<double> LowestStop::place_of_turn(Timestamp time, double height_mm)
+{
+    if (!rests_since_ || time < last_time_)
+        smooth_mm_ = highest_mm_ = valley_mm_ = lowest_mm_ = height_mm;
+    else
+        smooth_mm_
+            += (height_mm - smooth_mm_) * std::min(1.0, to_seconds(time - last_time_) / kSmooth_s);
+    last_time_ = time;
+    if (smooth_mm_ > highest_mm_ && highest_mm_ - valley_mm_ < kComesFrom_mm)
+        highest_mm_ = valley_mm_ = smooth_mm_;
+    valley_mm_ = std::min(valley_mm_, smooth_mm_);
+    bool const has_turned
+        = highest_mm_ - valley_mm_ >= kComesFrom_mm && smooth_mm_ - valley_mm_ >= kGoesUp_mm;
+    return has_turned ? std::optional(valley_mm_) : std::nullopt;
 }
 
 std::optional<LowestStop::Moved> LowestStop::let_down(Timestamp time, double height_mm)

@@ -1,8 +1,10 @@
 #include "calib/fuser.h"
+#include "calib/height_monitor.h"
 #include "sim/simulated_rig.h"
 #include "tests/bench/report.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace tractus {
 namespace {
@@ -58,6 +60,31 @@ void fuse_pen_and_height(benchmark::State& state)
                  + heights * sizeof(drivers::HeightSample) });
 }
 BENCHMARK(fuse_pen_and_height);
+
+// A trembling hand moves the surface: the pairs of corners that slips are told from.
+void watch_a_minute_of_heights(benchmark::State& state)
+{
+    constexpr double kTremor_hz = 9;
+    calib::Rig const rig = sim::true_rig({});
+    std::vector<drivers::HeightSample> heights;
+    for (auto time = Timestamp {}; time < Timestamp(60s); time += 2ms) {
+        double const turns = 2 * std::numbers::pi * to_seconds(time);
+        double const counts = 2000 + 800 * std::sin(turns / 4) + 4 * std::sin(kTremor_hz * turns)
+            + static_cast<double>(heights.size() * 7919 % 3);
+        heights.push_back(
+            { .time = time, .counts = static_cast<std::int32_t>(counts), .full_scale = 4095 });
+    }
+    for (auto _ : state) {
+        calib::HeightMonitor monitor(rig);
+        for (auto const& height : heights)
+            monitor.push(height);
+        benchmark::DoNotOptimize(monitor.present());
+    }
+    auto const count = static_cast<double>(heights.size());
+    report(state,
+           { .items = count, .item = "readings", .bytes = count * sizeof(drivers::HeightSample) });
+}
+BENCHMARK(watch_a_minute_of_heights);
 
 void simulate_a_stroke(benchmark::State& state)
 {

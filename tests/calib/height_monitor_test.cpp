@@ -72,9 +72,9 @@ TEST(HeightMonitor, SeesASlowSlipInTheMidstOfAMovement)
     EXPECT_EQ(describe_fault(*monitor.present()),
               "height stepped by -6 mm: has the string slipped? then zero it");
     EXPECT_EQ(describe_faults(monitor, {}),
-              std::vector<std::string> { "the height stepped once, by -6.0 mm at 0.5 s, in the "
-                                         "midst of a movement: if the string slipped, zero it with "
-                                         "\"tractus calibrate zero\"" });
+              std::vector<std::string> { "the height stepped once, by -6.0 mm at 0.5 s, more "
+                                         "abruptly than a hand: if the string slipped, zero it "
+                                         "with \"tractus calibrate zero\"" });
 }
 
 TEST(HeightMonitor, TakesNoSmallStepForASlip)

@@ -16,13 +16,19 @@ public:
     // was reported during this time.
     bool to(double height_mm)
     {
-        constexpr double kStep_mm = 0.4;
+        bool is_told = through(height_mm);
+        for (int i = 0; i < 250; ++i)
+            is_told |= step(0);
+        return is_told;
+    }
+
+    // As to(), but without a rest.
+    bool through(double height_mm)
+    {
         bool is_told = false;
         while (std::abs(height_mm - height_mm_) > kStep_mm)
             is_told |= step(height_mm > height_mm_ ? kStep_mm : -kStep_mm);
-        for (int i = 0; i < 250; ++i)
-            is_told |= step(i == 0 ? height_mm - height_mm_ : 0);
-        return is_told;
+        return is_told | step(height_mm - height_mm_);
     }
 
     // Lets the surface down from 150 mm to a height several times, and returns how often a moved
@@ -40,6 +46,8 @@ public:
     LowestStop::Moved const& last() const { return last_; }
 
 private:
+    static constexpr double kStep_mm = 0.4;
+
     bool step(double by_mm)
     {
         height_mm_ += by_mm;
@@ -73,6 +81,15 @@ TEST(LowestStop, HasMovedWhenTheSurfaceGoesBelowIt)
     EXPECT_EQ(surface.down_to(15, 1), 0);
     EXPECT_EQ(surface.down_to(15, 1), 1);
     EXPECT_NEAR(surface.last().to_mm - surface.last().from_mm, -5, 0.2);
+}
+
+TEST(LowestStop, IsKnownFromTurnsWithoutRest)
+{
+    Moved surface;
+    for (double const height_mm : { 150, 20, 150, 20, 150, 20, 150, 20, 150, 15, 150, 15 })
+        EXPECT_FALSE(surface.through(height_mm)) << height_mm;
+    EXPECT_TRUE(surface.through(150)) << "it turned twice at 15 mm";
+    EXPECT_NEAR(surface.last().to_mm - surface.last().from_mm, -5, 0.3);
 }
 
 TEST(LowestStop, IsWhereItWasAsLongAsTheSurfaceComesThere)

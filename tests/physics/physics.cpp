@@ -2,9 +2,9 @@
 //
 //   tractus_physics [RIGS [FIRST_SEED [CHECK...]]]
 //
-// CHECK is heights, zeroing, fusing, latency, slips or tilt; by default all checks are run. The
-// rigs of a row have the seeds from FIRST_SEED on; the seeds of those that miss the row's goal are
-// printed. Exit code 1 if a row with a goal misses it.
+// CHECK is heights, zeroing, fusing, latency, slips, set_down or tilt; by default all checks are
+// run. The rigs of a row have the seeds from FIRST_SEED on; the seeds of those that miss the row's
+// goal are printed. Exit code 1 if a row with a goal misses it.
 
 #include "tests/physics/checks.h"
 
@@ -27,7 +27,8 @@ struct Check {
 constexpr std::array kChecks {
     Check { "heights", check_heights }, Check { "zeroing", check_zeroing },
     Check { "fusing", check_fusing },   Check { "latency", check_latency },
-    Check { "slips", check_slips },     Check { "tilt", check_tilt },
+    Check { "slips", check_slips },     Check { "set_down", check_set_down },
+    Check { "tilt", check_tilt },
 };
 
 bool is_wanted(char const* name, int count, char** arguments)
