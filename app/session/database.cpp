@@ -209,6 +209,34 @@ Result<Database> Database::open(fs::path const& path, Access access)
     return database;
 }
 
+Result<Database> Database::open_in_memory(std::string const& name, std::string_view bytes)
+{
+    sqlite3* handle = nullptr;
+    int code = sqlite3_open_v2(":memory:", &handle,
+                               SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_EXRESCODE,
+                               nullptr);
+    Database database(name, handle);
+    if (code == SQLITE_OK && !bytes.empty()) {
+        auto* const copy = static_cast<unsigned char*>(sqlite3_malloc64(bytes.size()));
+        if (!copy)
+            return database.error(SQLITE_NOMEM);
+        std::memcpy(copy, bytes.data(), bytes.size());
+        // The versions of the format for writing and reading (section 1.3.3 of the file format). A
+        // database in memory has no write-ahead log.
+        constexpr std::size_t kWriteVersion = 18;
+        constexpr std::size_t kReadVersion = 19;
+        if (bytes.size() > kReadVersion && copy[kWriteVersion] == 2 && copy[kReadVersion] == 2)
+            copy[kWriteVersion] = copy[kReadVersion] = 1;
+        auto const size = static_cast<sqlite3_int64>(bytes.size());
+        code = sqlite3_deserialize(handle, "main", copy, size, size,
+                                   SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_RESIZEABLE);
+    }
+    if (code != SQLITE_OK)
+        return database.error(code);
+    database.harden_connection();
+    return database;
+}
+
 Result<Statement> Database::prepare(char const* sql) const
 {
     sqlite3_stmt* statement = nullptr;
@@ -253,6 +281,16 @@ Result<void> Database::back_up(fs::path const& copy) const
     if (auto const original = fs::status(path_, failed); fs::is_regular_file(original))
         fs::permissions(made, original.permissions(), failed);
     return rename_on_disk(made, copy);
+}
+
+Result<std::string> Database::bytes() const
+{
+    sqlite3_int64 size = 0;
+    std::unique_ptr<unsigned char, void (*)(void*)> const copy(
+        sqlite3_serialize(database_.get(), "main", &size, 0), sqlite3_free);
+    if (!copy)
+        return error(SQLITE_NOMEM);
+    return std::string(reinterpret_cast<char const*>(copy.get()), static_cast<std::size_t>(size));
 }
 
 bool Database::is_in_transaction() const

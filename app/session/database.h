@@ -71,6 +71,10 @@ public:
 
     static Result<Database> open(std::filesystem::path const& path, Access access);
 
+    // Opens a copy of a file's bytes in memory, which can be changed; no bytes make an empty
+    // database. `name` is the name of the database for messages. A write-ahead log is not read.
+    static Result<Database> open_in_memory(std::string const& name, std::string_view bytes = {});
+
     Result<Statement> prepare(char const* sql) const;
 
     // Runs statements that return no rows; `sql` may have several, separated by semicolons.
@@ -82,6 +86,9 @@ public:
     // Copies the whole database to a file. The file appears only when complete, and replaces an
     // older one.
     Result<void> back_up(std::filesystem::path const& copy) const;
+
+    // Returns the whole database as the bytes of a file.
+    Result<std::string> bytes() const;
 
     // True from "BEGIN" to the end of that transaction. An error may also end a transaction.
     bool is_in_transaction() const;

@@ -249,9 +249,15 @@ Result<SessionContents> read_session(std::filesystem::path const& path, scene::E
     auto const database = TRY(open_session(path, Database::Access::Read));
     // Makes all reads see one consistent state, even while another program writes.
     TRY(database.execute("BEGIN"));
+    return read_session(database, path.string(), kinds);
+}
+
+Result<SessionContents> read_session(Database const& database, std::string const& name,
+                                     scene::EditKinds kinds)
+{
     SessionContents contents;
     auto const take = [&](SessionEdit&& edit) { contents.edits.push_back(std::move(edit)); };
-    auto summary = TRY(read_all(database, path.string(), { kinds, take }));
+    auto summary = TRY(read_all(database, name, { kinds, take }));
     contents.origin = std::move(summary.origin);
     contents.step = summary.step;
     return contents;
@@ -263,9 +269,8 @@ Result<SessionSummary> check_session(Database const& database, std::string const
     return read_all(database, name, { kinds, [](SessionEdit&&) {} });
 }
 
-// Writes the tables of a new session with its rows and origin in a single transaction.
-static Result<void> write_tables(Database const& database, SessionOrigin const& origin,
-                                 std::span<EditRow const> rows, std::size_t step)
+Result<void> write_session(Database const& database, SessionOrigin const& origin,
+                           std::span<EditRow const> rows, std::size_t step)
 {
     TRY(database.execute("BEGIN"));
     TRY(make_tables(database));
@@ -285,7 +290,7 @@ Result<void> write_new_session(fs::path const& path, SessionOrigin const& origin
 {
     return make_session_file(path, [&](fs::path const& made) -> Result<void> {
         auto const database = TRY(Database::open(made, Database::Access::Create));
-        TRY(write_tables(database, origin, rows, step));
+        TRY(write_session(database, origin, rows, step));
         return database.execute("PRAGMA journal_mode = WAL");
     });
 }

@@ -98,6 +98,11 @@ struct SessionSummary {
 // is not a session, is damaged, or is newer than this program.
 Result<SessionContents> read_session(std::filesystem::path const& path, scene::EditKinds kinds);
 
+// Reads a session from an open database, which was checked by check_is_session(). `name` is the
+// file's name, for messages.
+Result<SessionContents> read_session(Database const& database, std::string const& name,
+                                     scene::EditKinds kinds);
+
 // Checks all edits of an open database without keeping them. `name` is the file's name, for
 // messages. Fails with a user error if the file is damaged or newer than this program.
 Result<SessionSummary> check_session(Database const& database, std::string const& name,
@@ -122,6 +127,11 @@ struct EditRow {
 // user error if the file exists or cannot be written.
 Result<void> write_new_session(std::filesystem::path const& path, SessionOrigin const& origin,
                                std::span<EditRow const> rows, std::size_t step);
+
+// Writes the tables of a new session with its rows into an empty database, in a single transaction.
+// Fails with a Database error.
+Result<void> write_session(Database const& database, SessionOrigin const& origin,
+                           std::span<EditRow const> rows, std::size_t step);
 
 // Returns the checksum that the row has if it is intact.
 std::int64_t checksum_of(EditRow const& row);

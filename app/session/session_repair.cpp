@@ -102,7 +102,13 @@ Result<SalvagedSession> salvage_session(fs::path const& path, scene::EditKinds k
     std::string log;
     if (fs::exists(log_path, ignored))
         log = TRY(read_file(log_path, kMaxBytes));
-    auto scanned = scan_pages(file, log, kinds);
+    return salvage_session({ file, log }, path, kinds);
+}
+
+Result<SalvagedSession> salvage_session(SessionBytes const& bytes, fs::path const& path,
+                                        scene::EditKinds kinds)
+{
+    auto scanned = scan_pages(bytes.file, bytes.log, kinds);
     if (scanned.rows.empty())
         return fail(Fault::User,
                     fmt::format("{}: no edit of a session can be found in it", path.string()));

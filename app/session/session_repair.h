@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tractus::session {
@@ -27,6 +28,17 @@ struct SalvagedSession {
 // malformed. The file is not changed. Fails with a user error if there is no intact edit, or if the
 // file cannot be read or is larger than 4 GiB.
 Result<SalvagedSession> salvage_session(std::filesystem::path const& path, scene::EditKinds kinds);
+
+// The bytes of a session's file and of the write-ahead log beside it ("" if there is none).
+struct SessionBytes {
+    std::string_view file {};
+    std::string_view log {};
+};
+
+// Like the function above, for bytes in memory; `path` is the file's name, for messages and for
+// what the session does not say of itself.
+Result<SalvagedSession> salvage_session(SessionBytes const& bytes,
+                                        std::filesystem::path const& path, scene::EditKinds kinds);
 
 // Makes the contents of a session from the salvaged edits, numbered anew without gaps. Edits that
 // this program does not know become UnknownEdits.

@@ -132,9 +132,13 @@ Result<std::int64_t> read_format(Database const& database, std::string const& na
 Result<Database> open_session(std::filesystem::path const& path, Database::Access access)
 {
     auto database = TRY(Database::open(path, access));
-    auto const format = TRY(read_format(database, path.string()));
-    TRY(check_schema(database, path.string(), format));
+    TRY(check_is_session(database, path.string()));
     return database;
+}
+
+Result<void> check_is_session(Database const& database, std::string const& name)
+{
+    return check_schema(database, name, TRY(read_format(database, name)));
 }
 
 Result<void> make_tables(Database const& database)

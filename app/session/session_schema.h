@@ -18,6 +18,9 @@ namespace tractus::session {
 // anything besides a session's tables, such as a view, a trigger, an index or an extra column.
 Result<Database> open_session(std::filesystem::path const& path, Database::Access access);
 
+// Checks an open database as open_session() does. `name` is the file's name, for messages.
+Result<void> check_is_session(Database const& database, std::string const& name);
+
 // Reads the version of the file's format. Fails with a user error if the file is not a session or
 // this program does not know its format. `name` is the file's name, for messages.
 Result<std::int64_t> read_format(Database const& database, std::string const& name);

@@ -4,39 +4,16 @@
 // consistent pen.
 
 #include "drivers/pens/family_decoder.h"
-#include "engine/base/check.h"
+#include "tests/fuzz/pen_watch.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-namespace {
-
-using namespace tractus;
-
-class Watch {
-public:
-    void see(drivers::PenSample const& sample)
-    {
-        CHECK(sample.position_mm.allFinite());
-        CHECK(sample.in_range || (!sample.touching && sample.buttons == 0));
-        CHECK(sample.in_range || last_.in_range); // A pen that is away must give no samples.
-        CHECK(!(sample.in_range && last_.in_range && sample.eraser != last_.eraser));
-        CHECK(sample.in_range || sample.position_mm == last_.position_mm);
-        CHECK(!sample.pressure || (*sample.pressure >= 0 && *sample.pressure <= 1));
-        CHECK(sample.time >= last_.time);
-        last_ = sample;
-    }
-
-private:
-    drivers::PenSample last_;
-};
-
-} // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
+    using namespace tractus;
     if (size == 0)
         return 0;
     auto const families = drivers::pen_families();
@@ -46,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
                                                         .y_maximum = 31'750,
                                                         .pressure_maximum = 8191 });
     auto rest = std::as_bytes(std::span(data, size)).subspan(1);
-    Watch watch;
+    PenWatch watch;
     drivers::PenSilence silence;
     // The first time is above 0, because the first samples of a report get earlier times than the
     // report.
