@@ -30,9 +30,13 @@ std::optional<std::string> large_glb_note(exports::GlbSummary const& expected,
     auto const* const instanced = options.organs == exports::GlbOptions::Organs::Instanced
         ? ""
         : "--organs instanced is smaller for programs that know EXT_mesh_gpu_instancing; ";
-    return fmt::format("the .glb will have {}: {}{}{}\"tractus vary\" has --sides and --lods, and "
-                       "writes a file for each plant into a folder",
-                       *size, compressed, quantized, instanced);
+    auto const files = expected.files == 1
+        ? std::string("the .glb")
+        : fmt::format("the {} .glb files together", expected.files);
+    return fmt::format("{} will have {}: {}{}{}\"tractus vary\" has --sides and --lods{}", files,
+                       *size, compressed, quantized, instanced,
+                       expected.files == 1 ? ", and writes a file for each plant into a folder"
+                                           : "");
 }
 
 } // namespace tractus::io

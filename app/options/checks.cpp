@@ -118,6 +118,11 @@ CLI::Validator one_of(std::vector<std::string> const& words)
         }));
 }
 
+CLI::Validator suggest(std::vector<std::string> const& words)
+{
+    return with_completion_words(words, check([](std::string const&) { return std::string(); }));
+}
+
 // Prefix of validators' names that contain words for shell completion. The name is the only text of
 // a validator that CLI11 returns from an option.
 static constexpr std::string_view kOffers = "offers\n";

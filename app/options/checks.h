@@ -40,6 +40,10 @@ CLI::Validator one_of(std::vector<std::string> const& words);
 // Adds words for shell completion to `check`. The words do not change what `check` accepts.
 CLI::Validator with_completion_words(std::vector<std::string> const& words, CLI::Validator check);
 
+// Accepts any text. Shell completion offers `words`, for options that also accept others, such as
+// names of files.
+CLI::Validator suggest(std::vector<std::string> const& words);
+
 // Returns the words for shell completion stored in the option's validators, including those of
 // one_of(). Empty if there are none.
 std::vector<std::string> completion_words(CLI::Option& option);

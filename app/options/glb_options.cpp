@@ -41,7 +41,8 @@ CLI::Option* add_glb_options(CLI::App& command, exports::GlbOptions& options)
             "each material; every program opens it, and Blender, Unity, Unreal and Godot want it. "
             "instanced: a mesh and many places (EXT_mesh_gpu_instancing); small, for three.js, "
             "Babylon.js and Blender from 3.6 on. nodes: an object for each, for editing single "
-            "leaves; slow to open where there are thousands")
+            "leaves; slow to open where there are thousands. A .usda has them instanced "
+            "(PointInstancer) unless this says merged")
         ->type_name("HOW")
         ->check(one_of({ "merged", "instanced", "nodes" }))
         ->default_str("merged");

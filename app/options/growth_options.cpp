@@ -17,6 +17,12 @@ static std::string preset_check(std::string const& name)
     return preset ? "" : preset.error().message;
 }
 
+static std::string month_check(std::string const& text)
+{
+    auto const month = scene::parse_month(text);
+    return month ? "" : month.error().message;
+}
+
 void add_growth_options(CLI::App& command, batch::GrowthOptions& growth, std::string const& without)
 {
     std::vector<std::string> names;
@@ -46,7 +52,8 @@ void add_growth_options(CLI::App& command, batch::GrowthOptions& growth, std::st
                     fmt::format("Grown leaves in the place of the plant's own: {}, or a .leaf "
                                 "file; \"oak+spots=0.3\" with damage",
                                 fmt::join(names, ", ")))
-        ->type_name("NAME");
+        ->type_name("NAME|FILE")
+        ->check(suggest(names));
     add_season_options(command, growth.season);
 }
 
@@ -112,12 +119,8 @@ void add_season_options(CLI::App& command, std::optional<scene::Season>& season)
         },
         "The time of the year: buds, spring, summer, autumn, winter or bare, a month's name, or "
         "its number, 1 to below 13; without it, as the model or the session has its leaves");
-    month->type_name("WHEN")->check(CLI::Validator(
-        [](std::string const& text) {
-            auto const read = scene::parse_month(text);
-            return read ? "" : read.error().message;
-        },
-        ""));
+    month->type_name("WHEN")->check(
+        with_completion_words(scene::season_words(), CLI::Validator(month_check, "")));
     command
         .add_option_function<double>(
             "--fallen",

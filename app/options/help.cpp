@@ -10,15 +10,16 @@
 namespace tractus::options {
 
 static constexpr std::size_t kIndent = 24;
-static constexpr std::size_t kTextWidth = 80 - kIndent;
+static constexpr std::size_t kLineWidth = 80;
+static constexpr std::size_t kTextWidth = kLineWidth - kIndent;
 
-static std::string wrapped(std::string const& text)
+static std::string wrapped(std::string const& text, std::size_t width = kTextWidth)
 {
     std::istringstream words(text);
     std::string lines;
     std::size_t column = 0;
     for (std::string word; words >> word; column += word.size()) {
-        if (column > 0 && column + 1 + word.size() > kTextWidth) {
+        if (column > 0 && column + 1 + word.size() > width) {
             lines += '\n';
             column = 0;
         } else if (column > 0) {
@@ -28,6 +29,34 @@ static std::string wrapped(std::string const& text)
         lines += word;
     }
     return lines;
+}
+
+// Wraps the paragraphs that have lines much too long for a terminal. Indented lines and empty ones
+// stay as they are and separate paragraphs.
+static std::string with_wrapped_paragraphs(std::string const& text)
+{
+    constexpr std::size_t kTooLong = kLineWidth + 5;
+    std::istringstream lines(text);
+    std::string all;
+    std::string paragraph;
+    bool is_too_long = false;
+    auto const end_paragraph = [&] {
+        if (!paragraph.empty())
+            all += is_too_long ? wrapped(paragraph, kLineWidth) + '\n' : paragraph;
+        paragraph.clear();
+        is_too_long = false;
+    };
+    for (std::string line; std::getline(lines, line);) {
+        if (line.empty() || line.front() == ' ') {
+            end_paragraph();
+            all += line + '\n';
+            continue;
+        }
+        paragraph += line + '\n';
+        is_too_long |= line.size() > kTooLong;
+    }
+    end_paragraph();
+    return all;
 }
 
 static std::string names_of(std::set<CLI::Option*> const& options)
@@ -95,7 +124,7 @@ std::string HelpFormatter::make_subcommand(CLI::App const* command) const
 
 std::string HelpFormatter::make_footer(CLI::App const* command) const
 {
-    auto text = CLI::Formatter::make_footer(command);
+    auto text = with_wrapped_paragraphs(footer_of(*command));
     auto const lines = examples_of(*command);
     if (!lines.empty())
         text += text.empty() ? "Examples:\n" : "\nExamples:\n";

@@ -66,8 +66,9 @@ CLI::Option* add_force_option(CLI::App& command, bool& is_forced)
 char const* job_footer()
 {
     return "Writes base.png (the plant as its model gives it), strokes.png (what was drawn),\n"
-           "varied.png (one variation), collection.png and collection.glb (all of them) and\n"
-           "report.txt, which is printed, too. The same seed gives the same plants.";
+           "varied.png (one variation), collection.png and collection.glb (all of them; the\n"
+           "demo also makes index.html, which shows them in a browser) and report.txt, which is\n"
+           "printed, too. The same seed gives the same plants.";
 }
 
 } // namespace tractus::options

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <regex>
 #include <set>
 #include <tuple>
@@ -33,9 +34,22 @@ struct Candidate {
 };
 using Candidates = std::vector<Candidate>;
 
+// Returns the compiled pattern. Each is compiled once, since that takes longer than the search.
+std::regex const& compiled(std::string const& pattern)
+{
+    static std::mutex mutex;
+    static std::map<std::string, std::regex> patterns;
+    std::lock_guard const lock(mutex);
+    return patterns.try_emplace(pattern, pattern).first->second;
+}
+
+// Texts that no USB string descriptor can contain match nothing: a log may hold a text of any
+// length, and std::regex needs stack in proportion to it.
 bool matches(std::string const& text, std::string const& pattern)
 {
-    return std::regex_search(text, std::regex(pattern));
+    constexpr std::size_t kMaxUnits = 126; // UTF-16 units in a descriptor (USB 2.0, section 9.6.7).
+    constexpr std::size_t kMaxBytes = 3 * kMaxUnits; // A unit has at most three bytes in UTF-8.
+    return text.size() <= kMaxBytes && std::regex_search(text, compiled(pattern));
 }
 
 // Compares a device with a row of the table. No value if the ids or the interface number differ.

@@ -20,6 +20,7 @@ struct GlbSummary {
     std::uint64_t triangles = 0;
     // Approximate size of the file with Vertices::Compressed; set only for before_writing().
     std::uint64_t compressed_bytes = 0;
+    std::size_t files = 1; // Number of files that have these sizes together.
 };
 
 struct GlbOptions {

@@ -31,6 +31,11 @@ Vec3 linear_color(Vec3f const& srgb)
     return srgb.cwiseMax(0.0f).cwiseMin(1.0f).cast<double>().unaryExpr(&linear_from_srgb);
 }
 
+bool is_thin(Material::Kind kind)
+{
+    return kind == Material::Kind::Leaf || kind == Material::Kind::Petal;
+}
+
 std::string_view material_kind_name(Material::Kind kind)
 {
     for (auto const& [known, word] : kKindWords)

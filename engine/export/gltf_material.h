@@ -14,6 +14,9 @@ double srgb_from_linear(double linear);
 // Converts a colour to linear light, clamped to 0 to 1.
 Vec3 linear_color(Vec3f const& srgb);
 
+// True for materials of which both sides are seen: leaves and petals are a single layer.
+bool is_thin(Material::Kind kind);
+
 // Convert a material kind to its name in the extras of a glTF material, and back; no value for an
 // unknown name.
 std::string_view material_kind_name(Material::Kind kind);

@@ -18,11 +18,6 @@ constexpr int kLinearMipmapLinear = 9987;
 constexpr int kRepeat = 10497;
 constexpr int kClampToEdge = 33071;
 
-bool is_thin(Material::Kind kind)
-{
-    return kind == Material::Kind::Leaf || kind == Material::Kind::Petal;
-}
-
 // Rounds to six significant digits, so that the float 0.3 is not written as 0.30000001192092896.
 double six_digits(double value)
 {

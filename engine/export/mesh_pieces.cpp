@@ -3,6 +3,7 @@
 #include "engine/base/check.h"
 #include "engine/export/tangents.h"
 #include "engine/export/texture.h"
+#include "engine/mesh/organ_copy.h"
 
 #include <algorithm>
 #include <utility>
@@ -24,51 +25,6 @@ struct Copies {
 Copies copies_in(std::size_t count, std::size_t piece, std::size_t piece_count)
 {
     return { count * piece / piece_count, count * (piece + 1) / piece_count };
-}
-
-// Transforms the normals of an organ's prototype to the plant's frame.
-struct NormalTurn {
-    // Normals are multiplied by the cofactors of the scale. Unlike its inverse, these exist even if
-    // a scale is zero.
-    explicit NormalTurn(mesh::InstanceTransform const& instance)
-        : rotation(instance.rotation.toRotationMatrix())
-        , is_mirrored(instance.scale.prod() < 0)
-    {
-        auto const& s = instance.scale;
-        Vec3f const cofactors(s.y() * s.z(), s.x() * s.z(), s.x() * s.y());
-        factors = is_mirrored ? Vec3f(-cofactors) : cofactors;
-    }
-
-    Vec3f operator()(Vec3f const& normal) const
-    {
-        Vec3f const scaled = factors.cwiseProduct(normal);
-        float const length = scaled.norm();
-        return rotation * (length > 0 ? Vec3f(scaled / length) : normal);
-    }
-
-    Eigen::Matrix3f rotation;
-    bool is_mirrored; // True if the organ is mirrored, so that its triangles must be reversed.
-    Vec3f factors;
-};
-
-void append_copy(mesh::TriangleMesh const& prototype, mesh::InstanceTransform const& instance,
-                 mesh::TrianglePlace& to)
-{
-    NormalTurn const turn(instance);
-    auto const count = prototype.positions_mm.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        Vec3f const scaled = instance.scale.cwiseProduct(prototype.positions_mm[i]);
-        *to.position_mm++ = turn.rotation * scaled + instance.translation_mm;
-        *to.normal++ = turn(prototype.normals[i]);
-        *to.texture++ = prototype.texture_coordinates[i];
-    }
-    auto const& indices = prototype.indices;
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        *to.index++ = to.vertex + indices[i];
-        *to.index++ = to.vertex + indices[turn.is_mirrored ? i + 2 : i + 1];
-        *to.index++ = to.vertex + indices[turn.is_mirrored ? i + 1 : i + 2];
-    }
-    to.vertex += static_cast<std::uint32_t>(count);
 }
 
 // Adds to `bounds` a box around each copy of the organ.
@@ -405,7 +361,7 @@ TriangleView MeshPieces::organ_piece(Run const& run, std::size_t piece,
         : static_cast<std::uint32_t>(run.start.vertices + copies.first * vertices);
     place.vertex = first_vertex;
     for (auto i = copies.first; i < copies.end; ++i)
-        append_copy(prototype, instances[i], place);
+        mesh::append_copy(prototype, instances[i], place);
     return view_of(buffer, first_vertex);
 }
 

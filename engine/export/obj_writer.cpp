@@ -1,15 +1,13 @@
 #include "engine/export/obj_writer.h"
 
 #include "engine/export/gltf_frame.h"
+#include "engine/export/material_names.h"
 #include "engine/export/texture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <map>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,43 +23,6 @@ std::string name_word(std::string const& name)
             c = '_';
     return word;
 }
-
-// Gives different materials different names, and equal materials the same name.
-class MaterialNames {
-public:
-    struct Named {
-        std::string name;
-        bool is_new;
-    };
-
-    Named name_of(Material const& material)
-    {
-        auto const& color = material.base_color;
-        auto const& pictures = material.textures;
-        Key const key { material.name,
-                        material.kind,
-                        { color.x(), color.y(), color.z(), material.roughness, material.metalness,
-                          material.translucency, pictures.normal_strength },
-                        { pictures.base_color.get(), pictures.normal.get(),
-                          pictures.roughness.get(), pictures.translucency.get() },
-                        pictures.alpha,
-                        pictures.color };
-        if (auto const known = names_.find(key); known != names_.end())
-            return { known->second, false };
-        auto name = name_word(material.name);
-        if (int const uses = uses_[name]++; uses > 0)
-            name += fmt::format(".{}", uses + 1);
-        names_.emplace(key, name);
-        return { name, true };
-    }
-
-private:
-    using Key = std::tuple<std::string, Material::Kind, std::array<float, 7>,
-                           std::array<TexturePicture const*, 4>, MaterialTextures::Alpha,
-                           MaterialTextures::Color>;
-    std::map<Key, std::string> names_;
-    std::map<std::string, int> uses_;
-};
 
 class ObjText {
 public:
@@ -108,18 +69,20 @@ private:
             Vec3 const at = to_gltf(placed);
             fmt::format_to(to, "v {:.6f} {:.6f} {:.6f}\n", at.x(), at.y(), at.z());
         }
+        // The first row of a picture is at v = 0 in our meshes, but at v = 1 in OBJ files.
         for (auto const& texture : mesh.texture_coordinates)
-            fmt::format_to(to, "vt {:.5f} {:.5f}\n", texture.x(), texture.y());
+            fmt::format_to(to, "vt {:.5f} {:.5f}\n", texture.x(), 1 - texture.y());
         for (auto const& normal : mesh.normals) {
             Vec3 const n = turn_to_gltf(Vec3(place_.linear()
                                              * (turn * normal.cast<double>().cwiseQuotient(scale))))
                                .normalized();
             fmt::format_to(to, "vn {:.4f} {:.4f} {:.4f}\n", n.x(), n.y(), n.z());
         }
+        std::size_t const swap = scale.prod() < 0 ? 1 : 0; // Mirroring turns triangles inside out.
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
             auto const a = next_ + mesh.indices[i];
-            auto const b = next_ + mesh.indices[i + 1];
-            auto const c = next_ + mesh.indices[i + 2];
+            auto const b = next_ + mesh.indices[i + 1 + swap];
+            auto const c = next_ + mesh.indices[i + 2 - swap];
             fmt::format_to(to, "f {0}/{0}/{0} {1}/{1}/{1} {2}/{2}/{2}\n", a, b, c);
         }
         next_ += mesh.positions_mm.size();
@@ -128,7 +91,7 @@ private:
 
     std::ostream& out_;
     Eigen::Isometry3d place_ = Eigen::Isometry3d::Identity();
-    MaterialNames names_;
+    MaterialNames names_ { name_word, '.' };
     std::string used_;
     std::size_t next_ = 1; // Number of the next vertex; OBJ counts from 1 throughout the file.
 };
@@ -195,7 +158,7 @@ public:
         }
     }
 
-    std::vector<MtlPicture> take_pictures() { return std::move(pictures_); }
+    std::vector<PictureFile> take_pictures() { return std::move(pictures_); }
 
 private:
     std::string add_picture(std::string const& name, std::string const& png)
@@ -214,15 +177,15 @@ private:
 
     std::ostream& out_;
     std::string stem_;
-    std::vector<MtlPicture> pictures_;
+    std::vector<PictureFile> pictures_;
 };
 
 } // namespace
 
-Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants,
-                                          std::string_view stem)
+Result<std::vector<PictureFile>> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants,
+                                           std::string_view stem)
 {
-    MaterialNames names;
+    MaterialNames names(name_word, '.');
     MtlText text(out, stem);
     out << "# tractus\n";
     for (auto const& placed : plants) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/export/picture_file.h"
 #include "engine/export/placed_mesh.h"
 
 #include <ostream>
@@ -19,12 +20,6 @@ namespace tractus::exports {
 Result<void> write_obj(std::ostream& out, std::span<PlacedMesh const> plants,
                        std::string_view library = {});
 
-// A picture that a .mtl file refers to and that must be stored beside it.
-struct MtlPicture {
-    std::string name;
-    std::string png;
-};
-
 // Writes the materials for an OBJ file of the same plants as a .mtl file: colours, roughness (Pr
 // and Ns), metalness (Pm, always 0) and pictures. Returns the pictures, whose names begin with
 // `stem`; if `stem` is empty there are no pictures. Plants given as functions are made again.
@@ -32,7 +27,7 @@ struct MtlPicture {
 // Translucency and occlusion are left out, since MTL does not support them. Default colour pictures
 // are multiplied by the material's colour beforehand, since not every reader does that. Fails if
 // the stream fails.
-Result<std::vector<MtlPicture>> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants,
-                                          std::string_view stem = {});
+Result<std::vector<PictureFile>> write_mtl(std::ostream& out, std::span<PlacedMesh const> plants,
+                                           std::string_view stem = {});
 
 } // namespace tractus::exports

@@ -199,6 +199,7 @@ Branches Coarsener::branches(std::vector<char> const& stays)
     coarse.materials = plant_.materials;
     coarse.organ_shapes = plant_.organ_shapes;
     coarse.contours = plant_.contours;
+    coarse.root_flare = plant_.root_flare;
     bears_.assign(plant_.segment_count(), 0);
     for (AxisId id = 0; id < plant_.axes.size(); ++id)
         if (stays[id] && plant_.axes[id].parent_segment != kNone)

@@ -1,5 +1,6 @@
 #include "engine/mesh/make_mesh.h"
 
+#include "engine/mesh/coarse_mesh.h"
 #include "engine/mesh/mesh_plan.h"
 #include "engine/mesh/organ_card.h"
 #include "engine/mesh/organ_mesh.h"
@@ -29,6 +30,16 @@ Mesh make_mesh(Plant const& plant, MeshOptions const& options, std::stop_token c
     return mesh;
 }
 
+// Returns the greatest scale of a shape's copies; 1 if there are none.
+static float max_scale(Plant const& plant, OrganShapeId shape)
+{
+    float scale = 0;
+    for (auto const& organ : plant.organs)
+        if (organ.shape == shape)
+            scale = std::max(scale, organ.scale.cwiseAbs().maxCoeff());
+    return scale > 0 ? scale : 1;
+}
+
 // Sets the texture coordinates of the card of a cut-out leaf, so that it shows the leaf's picture.
 static void place_in_picture(OrganShape const& shape, TriangleMesh& card)
 {
@@ -48,11 +59,17 @@ TriangleMesh make_prototype(Plant const& plant, OrganShapeId id, MeshOptions con
     // are made for the bounding box.
     auto const lies
         = material.textures.base_color ? TextureMapping::OnPatches : TextureMapping::OnBox;
+    if (options.organs == MeshOptions::Organs::Cards && !shape.spray.empty())
+        return organ_mesh(coarser_spray(shape), options.subdivision, lies);
     auto full = organ_mesh(shape, options.subdivision, lies);
+    if (options.organ_error_mm > 0 && !full.indices.empty())
+        full = simplified(full, static_cast<float>(options.organ_error_mm) / max_scale(plant, id));
     auto const kind = material.kind;
     bool const is_thin = kind == Material::Kind::Leaf || kind == Material::Kind::Petal;
-    if (options.organs == MeshOptions::Organs::Full || !is_thin || full.indices.empty())
+    if (options.organs == MeshOptions::Organs::Full || full.indices.empty())
         return full;
+    if (!is_thin)
+        return full.triangle_count() > 6 ? organ_spindle(full) : full;
     auto card = organ_card(full);
     if (card && shape.kind == OrganShape::Kind::Leaf)
         place_in_picture(shape, *card);

@@ -37,9 +37,13 @@ struct MeshOptions {
     Sections sections = Sections::OnCircle;
 
     // Cards: a thin organ (of a two-sided material) is replaced by a card (organ_card.h) if the
-    // card has fewer triangles.
+    // card has fewer triangles; buds and fruits have as few as roughly keep their shape.
     enum class Organs { Full, Cards };
     Organs organs = Organs::Full;
+
+    // By how much the surface of an organ may differ from its exact one, to save triangles. 0: not
+    // at all.
+    double organ_error_mm = 0;
 };
 
 // Returns the triangle mesh of a plant, in the plant's frame. In each surface tubes come first,

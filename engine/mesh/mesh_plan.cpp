@@ -58,13 +58,13 @@ struct Block {
 
 // Adds to `bounds` a ball around each section of an axis; the ball of the last section also
 // contains the dome. `reach`: greatest distance of a section's outline from its centre, for radius
-// 1.
+// 1. `overhang_mm` is added to it.
 template<typename Stations>
-void add_sections(Stations const& stations, double reach, Bounds& bounds)
+void add_sections(Stations const& stations, double reach, double overhang_mm, Bounds& bounds)
 {
     for (auto const& station : stations) {
         auto const center = station.center_mm.array();
-        double const radius = reach * station.radius_mm;
+        double const radius = reach * station.radius_mm + overhang_mm;
         bounds.min_mm = bounds.min_mm.cwiseMin((center - radius).matrix());
         bounds.max_mm = bounds.max_mm.cwiseMax((center + radius).matrix());
     }
@@ -196,7 +196,7 @@ void MeshPlan::plan_tubes()
                 };
                 if (has_contour(plant_, axes[i])) {
                     trace_extrusion(plant_, axes[i], options_, extrusion);
-                    add_sections(extrusion.stations, reach, blocks[block].bounds_mm);
+                    add_sections(extrusion.stations, reach, 0, blocks[block].bounds_mm);
                     for_each_part(plant_, axes[i], extrusion.stations,
                                   [&](MaterialId material, TubePart part) {
                                       plan(material, part,
@@ -205,7 +205,7 @@ void MeshPlan::plan_tubes()
                     continue;
                 }
                 auto const& spine = spines_[i];
-                add_sections(spine.stations, 1, blocks[block].bounds_mm);
+                add_sections(spine.stations, 1, spine.overhang_mm, blocks[block].bounds_mm);
                 for_each_part(plant_, axes[i], spine.stations,
                               [&](MaterialId material, TubePart part) {
                                   plan(material, part, tube_extent(spine, part));

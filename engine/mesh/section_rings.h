@@ -19,8 +19,8 @@ void for_each_ring(Spine const& spine, TubePart const& part, std::size_t vertice
     std::uint32_t const last_station = static_cast<std::uint32_t>(spine.stations.size()) - 1;
     bool const is_pointed = part.last == last_station && spine.tip == Spine::Tip::Point;
     if (part.first == 0 && spine.closed_base) {
-        use(part.first, sides);
-        vertices -= sides;
+        use(part.first, base_vertex_count(spine));
+        vertices -= base_vertex_count(spine);
     }
     for (auto i = part.first; i <= (is_pointed ? part.last - 1 : part.last); ++i) {
         use(i, sides + 1);

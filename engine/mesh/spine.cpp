@@ -256,11 +256,13 @@ Collar collar_on(Parent const& parent, SpineBuffers const& spine, MeshOptions co
              std::min(inside, 0.5 * length), std::min(4.5 * radius, 0.4 * length), false };
 }
 
+// Widens the spine at its base.
 void apply_collar(SpineBuffers& spine, Collar const& collar)
 {
     auto& stations = spine.stations;
     double const spacing = 0.15 * collar.fall_mm;
-    insert_station(stations, collar.level_mm, spacing);
+    // A saddle begins exactly at this level.
+    insert_station(stations, collar.level_mm, 0.01 * collar.fall_mm);
     for (double const share : { 0.2, 0.5, 1.0 })
         insert_station(stations, collar.level_mm + share * collar.fall_mm, spacing);
     double const rise = collar.base_radius_mm - spine.nodes[0].radius_mm;
@@ -270,6 +272,38 @@ void apply_collar(SpineBuffers& spine, Collar const& collar)
             break;
         station.radius_mm = std::max(kMinRadius_mm, station.radius_mm + rise * share);
     }
+}
+
+// Returns the saddle between an axis with this collar and its parent. None if the axis continues
+// its parent, or runs along it.
+Saddle saddle_on(Parent const& parent, SpineBuffers const& spine, Collar const& collar)
+{
+    constexpr double kLeastSine = 0.4;
+    auto const& direction = spine.nodes[0].direction;
+    double const sine = parent.direction.cross(direction).norm();
+    // The collar of a short axis begins inside the parent.
+    bool const leaves = collar.level_mm * sine > 0.9 * parent.radius_mm;
+    if (parent.continued || sine < kLeastSine || !leaves)
+        return {};
+    return { .base_mm = spine.nodes[0].position_mm,
+             .parent_direction = parent.direction,
+             .parent_radius_mm = parent.radius_mm,
+             .level_mm = collar.level_mm,
+             .end_mm = collar.level_mm + collar.fall_mm };
+}
+
+// Returns the ridges of a trunk, and adds the stations that show how they fade. No ridges for axes
+// that are much thinner than the plant's thickest one, or do not rise.
+Ridges add_ridges(RootFlare const& flare, double thickest_mm, std::vector<SpineStation>& stations)
+{
+    auto const base = stations.front();
+    bool const is_trunk = base.radius_mm >= 0.5 * thickest_mm && base.tangent.z() > 0.5;
+    if (flare.ridges == 0 || !(flare.depth > 0) || !is_trunk)
+        return {};
+    double const reach_mm = 1.2 * base.radius_mm;
+    for (double const share : { 0.15, 0.35, 0.6, 1.0, 1.5, 2.2, 3.0 })
+        insert_station(stations, share * reach_mm, 0.1 * reach_mm);
+    return { flare.ridges, flare.depth, flare.turn, reach_mm };
 }
 
 } // namespace
@@ -288,11 +322,27 @@ Spine trace_spine(Plant const& plant, Axis const& axis, MeshOptions const& optio
     Tracer(options, room).trace(parent);
 
     bool const thin = spine.sides <= options.min_sides && options.min_sides < options.max_sides;
-    if (parent && options.collar > 0 && (!thin || parent->continued))
-        apply_collar(room, collar_on(*parent, room, options));
-    else if (parent)
+    if (parent && options.collar > 0 && (!thin || parent->continued)) {
+        auto const collar = collar_on(*parent, room, options);
+        apply_collar(room, collar);
+        spine.saddle = saddle_on(*parent, room, collar);
+        if (spine.saddle.parent_radius_mm > 0) {
+            spine.overhang_mm = collar.fall_mm;
+            // Inside the parent only the base is needed; corners of the saddle may be below other
+            // stations.
+            std::erase_if(room.stations, [&](SpineStation const& station) {
+                return station.arc_mm > 0 && station.arc_mm < collar.level_mm;
+            });
+        }
+    } else if (parent) {
         room.stations.front().radius_mm
             = std::min(room.stations.front().radius_mm, parent->radius_mm);
+    } else if (axis.parent_axis == kNone && options.sections == MeshOptions::Sections::OnCircle) {
+        spine.ridges = add_ridges(plant.root_flare, thickest_mm, room.stations);
+        constexpr int kSidesPerRidge = 5;
+        spine.sides = std::clamp(kSidesPerRidge * spine.ridges.count, spine.sides, 64);
+        spine.overhang_mm = Ridges::kHighest * spine.ridges.depth * room.stations.front().radius_mm;
+    }
 
     if (options.sections == MeshOptions::Sections::SameArea)
         for (auto& station : room.stations)

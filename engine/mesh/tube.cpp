@@ -1,5 +1,7 @@
 #include "engine/mesh/tube.h"
 
+#include "engine/mesh/tube_shape.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -116,10 +118,11 @@ Vec3 carry(Vec3 const& normal, Vec3 const& from, Vec3 const& to)
 // Writes the rings and ends of a tube in sequence.
 class Writer {
 public:
-    Writer(TrianglePlace& place, int sides)
+    Writer(TrianglePlace& place, Spine const& spine)
         : place_(place)
-        , sides_(static_cast<std::uint32_t>(sides))
-        , circle_(circle_of(sides))
+        , ridges_(spine.ridges)
+        , sides_(static_cast<std::uint32_t>(spine.sides))
+        , circle_(circle_of(spine.sides))
     {
     }
 
@@ -132,6 +135,8 @@ public:
         float const scale = 1 / std::sqrt(1 + section.slope * section.slope);
         write_corners(circle_, count, -section.slope * scale * section.tangent,
                       scale * section.normal, scale * section.binormal, place_.normal->data());
+        if (section.ridge > 0)
+            add_ridges(ridges_, section, count, place_.position_mm, place_.normal);
         float* const texture = place_.texture->data();
         for (std::size_t j = 0; j < count; ++j) {
             texture[2 * j] = circle_.shares[j];
@@ -176,10 +181,22 @@ public:
     {
         write_corners(circle_, sides_, section.center_mm, section.radius_mm * section.normal,
                       section.radius_mm * section.binormal, place_.position_mm->data());
+        if (section.ridge > 0)
+            add_ridges(ridges_, section, sides_, place_.position_mm, nullptr);
         for (std::uint32_t j = 0; j < sides_; ++j) {
             Vec2f const corner(circle_.cosines[3 * j], circle_.sines[3 * j]);
             place_.normal[j] = -section.tangent;
             place_.texture[j] = Vec2f(0.5f, section.v) + corner / static_cast<float>(2 * kPi);
+        }
+        if (ridges_.count > 0) {
+            place_.position_mm[sides_] = section.center_mm;
+            place_.normal[sides_] = -section.tangent;
+            place_.texture[sides_] = { 0.5f, section.v };
+            for (std::uint32_t j = 0; j < sides_; ++j)
+                triangle(place_.vertex + sides_, place_.vertex + (j + 1) % sides_,
+                         place_.vertex + j);
+            advance(std::size_t { sides_ } + 1);
+            return;
         }
         for (std::uint32_t j = 2; j < sides_; ++j)
             triangle(place_.vertex, place_.vertex + j, place_.vertex + j - 1);
@@ -203,6 +220,7 @@ private:
     }
 
     TrianglePlace& place_;
+    Ridges const& ridges_;
     std::uint32_t sides_;
     Circle const& circle_;
 };
@@ -273,8 +291,14 @@ void frame_sections(Spine const& spine, std::vector<Section>& sections)
                         station.tangent.cast<float>(),
                         static_cast<float>(station.radius_mm),
                         static_cast<float>(slope_at(stations, i)),
+                        static_cast<float>(ridge_height(spine.ridges, station.arc_mm)),
                         static_cast<float>(v) };
     }
+}
+
+std::size_t base_vertex_count(Spine const& spine)
+{
+    return static_cast<std::size_t>(spine.sides) + (spine.ridges.count > 0 ? 1 : 0);
 }
 
 MeshExtent tube_extent(Spine const& spine, TubePart const& part)
@@ -292,8 +316,8 @@ MeshExtent tube_extent(Spine const& spine, TubePart const& part)
         extent.indices += sides * 3;
     }
     if (part.first == 0 && spine.closed_base) {
-        extent.vertices += sides;
-        extent.indices += (sides - 2) * 3;
+        extent.vertices += base_vertex_count(spine);
+        extent.indices += (spine.ridges.count > 0 ? sides : sides - 2) * 3;
     }
     return extent;
 }
@@ -301,16 +325,18 @@ MeshExtent tube_extent(Spine const& spine, TubePart const& part)
 void write_tube(Spine const& spine, std::span<Section const> sections, TubePart const& part,
                 TrianglePlace& place)
 {
-    Writer writer(place, spine.sides);
+    Writer writer(place, spine);
     if (part.first == 0 && spine.closed_base)
         writer.base(sections[0]);
     bool const has_tip = part.last + 1 == sections.size();
     auto const last_ring = has_tip && spine.tip == Spine::Tip::Point ? part.last - 1 : part.last;
+    auto const rings = place;
     writer.ring(sections[part.first]);
     for (auto i = part.first + 1; i <= last_ring; ++i) {
         writer.ring(sections[i]);
         writer.join();
     }
+    shape_saddle(spine, sections, { part.first, last_ring }, rings.position_mm, rings.normal);
     if (has_tip && spine.tip == Spine::Tip::Point)
         writer.apex(sections[part.last], 1);
     else if (has_tip && spine.tip == Spine::Tip::Dome)

@@ -3,6 +3,7 @@
 #include "engine/mesh/spine.h"
 #include "engine/mesh/triangle_place.h"
 
+#include <cstddef>
 #include <span>
 
 namespace tractus::mesh {
@@ -21,12 +22,17 @@ struct Section {
     Vec3f tangent;
     float radius_mm; // 0 at a pointed tip.
     float slope;     // Change of the radius per unit of length along the axis.
+    float ridge;     // Height of the ridges here (Ridges::depth_at()), 0 for a round section.
     float v;         // Texture coordinate: arc length in units of the local circumference.
 };
 
 // Computes the sections of a spine: their rotation-minimising frames, the slopes for the normals,
 // and the texture coordinates. Replaces the contents of `sections`.
 void frame_sections(Spine const& spine, std::vector<Section>& sections);
+
+// Returns the number of vertices of the cap that closes a spine's base: its corners and, if the
+// section has ridges, its centre, as it is not convex then.
+std::size_t base_vertex_count(Spine const& spine);
 
 // Returns the numbers of vertices and indices that write_tube() writes.
 MeshExtent tube_extent(Spine const& spine, TubePart const& part);

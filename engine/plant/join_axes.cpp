@@ -160,6 +160,7 @@ Plant join_axes(Plant plant)
     joined.materials = plant.materials;
     joined.organ_shapes = plant.organ_shapes;
     joined.contours = plant.contours;
+    joined.root_flare = plant.root_flare;
     return joined;
 }
 

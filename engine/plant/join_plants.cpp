@@ -154,6 +154,8 @@ private:
 
     void append_looks()
     {
+        if (plant_.root_flare.ridges == 0)
+            plant_.root_flare = part_.root_flare;
         for (auto shape : part_.organ_shapes) {
             shape.material = static_cast<MaterialId>(shape.material + shift_.material);
             plant_.organ_shapes.push_back(std::move(shape));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/vectors.h"
 #include "engine/plant/bezier_patch.h"
 #include "engine/plant/cut_leaf.h"
 #include "engine/plant/material.h"
@@ -15,6 +16,15 @@ namespace tractus {
 
 // Index into Plant::organ_shapes.
 using OrganShapeId = std::uint16_t;
+
+// A leaf that is part of an organ with several leaves, such as the spray of leaves of a twig.
+struct LeafOfSpray {
+    Vec3 base_mm = Vec3::Zero(); // Attachment of the leaf, in the organ frame.
+    // Rotation from the leaf's frame, which is defined like the organ frame, to the organ frame.
+    Quat orientation = Quat::Identity();
+    double length_mm = 0;
+    double width_mm = 0;
+};
 
 // Shape of an organ at scale 1, as parameters; engine/mesh makes the triangles.
 //
@@ -51,6 +61,9 @@ struct OrganShape {
     std::vector<BezierPatch> patches {};
     // For Surface only: true if the back has its own triangles, as opaque materials require.
     bool has_back = false;
+    // For Surface only: the single leaves of which the shape consists, if it is a spray of leaves:
+    // one patch for each, in the same order. Empty: the organ is not a spray.
+    std::vector<LeafOfSpray> spray {};
     // The leaf's cut-out: required for Leaf, unused for other kinds. Shared by all copies of a
     // shape, since plants are copied often.
     std::shared_ptr<CutLeaf const> cut {};

@@ -50,6 +50,15 @@ struct Polygon {
     MaterialId material = 0;
 };
 
+// Root flare of trunks: ridges that run down a trunk into its roots. They make the section at the
+// ground lobed and fade within about the trunk's diameter. The mean radius, and thus the widening,
+// is that of the nodes.
+struct RootFlare {
+    int ridges = 0;  // Number of ridges, 0 to 12; 0: the trunk stays round.
+    float depth = 0; // Height of the ridges at the ground, as a share of the radius; 0 to 0.5.
+    float turn = 0;  // Direction of the ridges about +z, in radians.
+};
+
 // The skeleton and organs of a plant: pure data, produced by L-systems, growth models and
 // importers.
 //
@@ -70,6 +79,8 @@ struct Plant {
     // are empty if all cross-sections are round.
     std::vector<Contour> contours;
     std::vector<NodeSection> node_section;
+    // Applies to axes that stand on the ground and are among the thickest.
+    RootFlare root_flare {};
 
     std::size_t segment_count() const { return segment_material.size(); }
 

@@ -10,8 +10,10 @@ namespace tractus::scene {
 bool is_leaf(Plant const& plant, OrganShape const& shape);
 
 // Returns the plant with its leaves replaced by grown leaves of a sheet. The new leaves are chosen
-// at random, but reproducibly for the same plant and sheet. Each has the length, fold and curl of
-// the leaf that it replaces. Other organs stay unchanged.
+// at random, but reproducibly for the same plant and sheet. Each has the place, fold and curl of
+// the leaf that it replaces, and its length, apart from the differences between the sheet's leaves.
+// An organ that is a spray of leaves (OrganShape::spray) becomes as many organs as it has leaves.
+// Other organs stay unchanged.
 Plant foliated(Plant const& plant, lsystem::LeafSheet const& sheet);
 
 } // namespace tractus::scene

@@ -60,6 +60,16 @@ Result<double> parse_month(std::string_view text)
     return month;
 }
 
+std::vector<std::string> season_words()
+{
+    std::vector<std::string> words;
+    for (auto const& time : kTimes)
+        if (time.name != "fall")
+            words.emplace_back(time.name);
+    words.insert(words.end(), kMonths.begin(), kMonths.end());
+    return words;
+}
+
 std::string month_name(double month)
 {
     auto const whole = std::clamp(static_cast<int>(std::floor(month)), 1, 12);

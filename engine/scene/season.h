@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tractus::scene {
 
@@ -25,6 +26,10 @@ struct Season {
 // one of buds, spring, summer, autumn, fall, winter and bare. Fails with a user error that lists
 // the choices.
 Result<double> parse_month(std::string_view text);
+
+// Returns the words that parse_month() reads, in the order of the
+// year: first those for seasons, then the months. Omits "fall", another word for autumn.
+std::vector<std::string> season_words();
 
 // Returns a description of the month, such as "mid-October".
 std::string month_name(double month);

@@ -1,25 +1,25 @@
 #include "app/methods/leaves/atlas_channels.h"
 
-#include <functional>
+#include <array>
+#include <vector>
 
 namespace tractus::leaf {
 
 namespace {
 
 using leaf::LeafPicture;
-using leaf::PageKind;
 using enum AtlasChannel;
 
-AtlasMap const kColorMap { "color", PageKind::Color, { Red, Green, Blue, Alpha } };
-AtlasMap const kNormalMap { "normal", PageKind::Normal, { NormalX, NormalUp, NormalZ } };
-AtlasMap const kNormalDownMap { "normal", PageKind::Normal, { NormalX, NormalDown, NormalZ } };
-AtlasMap const kOrmMap { "orm", PageKind::Plain, { Occlusion, Roughness, Zero } };
+AtlasMap const kColorMap { "color", MapKind::Color, { Red, Green, Blue, Alpha } };
+AtlasMap const kNormalMap { "normal", MapKind::Normal, { NormalX, NormalUp, NormalZ } };
+AtlasMap const kNormalDownMap { "normal", MapKind::Normal, { NormalX, NormalDown, NormalZ } };
+AtlasMap const kOrmMap { "orm", MapKind::Plain, { Occlusion, Roughness, Zero } };
 AtlasMap const kUnderColorMap { "under-color",
-                                PageKind::Color,
+                                MapKind::Color,
                                 { UnderRed, UnderGreen, UnderBlue } };
-AtlasMap const kUnderNormalMap { "under-normal", PageKind::Normal, { UnderX, UnderUp, UnderZ } };
+AtlasMap const kUnderNormalMap { "under-normal", MapKind::Normal, { UnderX, UnderUp, UnderZ } };
 AtlasMap const kUnderNormalDownMap { "under-normal",
-                                     PageKind::Normal,
+                                     MapKind::Normal,
                                      { UnderX, UnderDown, UnderZ } };
 
 std::vector<AtlasChannels> const& table()
@@ -29,7 +29,7 @@ std::vector<AtlasChannels> const& table()
           { kColorMap,
             kNormalMap,
             kOrmMap,
-            { "translucency", PageKind::Plain, { Translucency } },
+            { "translucency", MapKind::Plain, { Translucency } },
             kUnderColorMap,
             kUnderNormalMap },
           true },
@@ -38,22 +38,22 @@ std::vector<AtlasChannels> const& table()
         { "unreal",
           { kColorMap,
             kNormalDownMap,
-            { "ort", PageKind::Plain, { Occlusion, Roughness, Translucency } },
+            { "ort", MapKind::Plain, { Occlusion, Roughness, Translucency } },
             kUnderColorMap,
             kUnderNormalDownMap } },
         // Unity: a mask map (metallic, occlusion, detail, smoothness) and a thickness map.
         { "unity",
           { kColorMap,
             kNormalMap,
-            { "mask", PageKind::Plain, { Zero, Occlusion, Zero, Smoothness } },
-            { "thickness", PageKind::Plain, { Thickness } },
+            { "mask", MapKind::Plain, { Zero, Occlusion, Zero, Smoothness } },
+            { "thickness", MapKind::Plain, { Thickness } },
             kUnderColorMap,
             kUnderNormalMap } },
         { "godot",
           { kColorMap,
             kNormalMap,
             kOrmMap,
-            { "backlight", PageKind::Color, { BackRed, BackGreen, BackBlue } },
+            { "backlight", MapKind::Color, { BackRed, BackGreen, BackBlue } },
             kUnderColorMap,
             kUnderNormalMap },
           true },
@@ -66,60 +66,79 @@ std::uint8_t times(std::uint8_t a, std::uint8_t b)
     return static_cast<std::uint8_t>((int(a) * int(b) + 127) / 255);
 }
 
-std::uint8_t inverse(std::uint8_t value)
+// The values of a channel in a leaf's picture: every `step`-th byte from `first` on.
+struct ChannelSource {
+    std::uint8_t const* first = nullptr;
+    std::size_t step = 0;
+    // All bits are set for a channel that stores 255 minus the picture's value.
+    std::uint8_t flipped = 0;
+    std::uint8_t const* times = nullptr; // Values to multiply by, one per pixel.
+};
+
+template<std::size_t N>
+ChannelSource source_in(std::vector<std::array<std::uint8_t, N>> const& map, AtlasChannel channel,
+                        AtlasChannel first)
 {
-    return static_cast<std::uint8_t>(255 - value);
+    return { map.front().data()
+                 + (static_cast<std::size_t>(channel) - static_cast<std::size_t>(first)),
+             N };
 }
 
-std::uint8_t value_of(AtlasChannel channel, LeafPicture const& p, std::size_t i)
+ChannelSource flipped(ChannelSource source)
 {
+    source.flipped = 0xff;
+    return source;
+}
+
+ChannelSource source_of(AtlasChannel channel, LeafPicture const& p)
+{
+    static constexpr std::uint8_t kZero = 0;
     switch (channel) {
     case Zero:
-        return 0;
+        break;
     case Red:
     case Green:
     case Blue:
     case Alpha:
-        return p.color[i][static_cast<std::size_t>(channel) - static_cast<std::size_t>(Red)];
+        return source_in(p.color, channel, Red);
     case NormalX:
-        return p.normal[i][0];
+        return { p.normal.front().data(), 3 };
     case NormalUp:
-        return p.normal[i][1];
+        return { p.normal.front().data() + 1, 3 };
     case NormalDown:
-        return inverse(p.normal[i][1]);
+        return flipped({ p.normal.front().data() + 1, 3 });
     case NormalZ:
-        return p.normal[i][2];
+        return { p.normal.front().data() + 2, 3 };
     case Occlusion:
-        return p.roughness[i][0];
     case Roughness:
-        return p.roughness[i][1];
+        return source_in(p.roughness, channel, Occlusion);
     case Smoothness:
-        return inverse(p.roughness[i][1]);
+        return flipped(source_in(p.roughness, Roughness, Occlusion));
     case Translucency:
-        return p.translucency[i];
+        return { p.translucency.data(), 1 };
     case Thickness:
-        return inverse(p.translucency[i]);
+        return flipped({ p.translucency.data(), 1 });
     case BackRed:
     case BackGreen:
-    case BackBlue:
-        return times(
-            p.color[i][static_cast<std::size_t>(channel) - static_cast<std::size_t>(BackRed)],
-            p.translucency[i]);
+    case BackBlue: {
+        auto source = source_in(p.color, channel, BackRed);
+        source.times = p.translucency.data();
+        return source;
+    }
     case UnderRed:
     case UnderGreen:
     case UnderBlue:
-        return p
-            .under_color[i][static_cast<std::size_t>(channel) - static_cast<std::size_t>(UnderRed)];
+        return source_in(p.under_color, channel, UnderRed);
     case UnderX:
-        return p.under_normal[i][0];
+        return { p.under_normal.front().data(), 3 };
     case UnderUp:
-        return p.under_normal[i][1];
+        return { p.under_normal.front().data() + 1, 3 };
     case UnderDown:
-        return inverse(p.under_normal[i][1]);
+        return flipped({ p.under_normal.front().data() + 1, 3 });
     case UnderZ:
-        return p.under_normal[i][2];
+        return { p.under_normal.front().data() + 2, 3 };
     }
-    return 0;
+    return { &kZero, 0 };
 }
 
 } // namespace
@@ -129,19 +148,24 @@ std::span<AtlasChannels const> atlas_channels()
     return table();
 }
 
-void place_in_cell(AtlasMap const& map, leaf::LeafPicture const& picture, leaf::CellPage& page,
-                   std::size_t cell)
+void place_picture(AtlasMap const& map, leaf::LeafPicture const& picture, std::uint8_t* to,
+                   std::size_t row_bytes)
 {
-    auto const width = static_cast<std::size_t>(page.cell);
-    auto const side = static_cast<std::size_t>(page.side);
-    auto const columns = side / width;
+    auto const width = static_cast<std::size_t>(picture.side);
     auto const channels = map.channels.size();
-    for (std::size_t y = 0; y < width; ++y) {
-        auto* to = page.pixels.data()
-            + channels * ((cell / columns * width + y) * side + cell % columns * width);
-        for (std::size_t x = 0; x < width; ++x)
-            for (auto const channel : map.channels)
-                *to++ = value_of(channel, picture, y * width + x);
+    for (std::size_t c = 0; c < channels; ++c) {
+        auto const source = source_of(map.channels[c], picture);
+        for (std::size_t y = 0; y < width; ++y) {
+            auto const* const from = source.first + y * width * source.step;
+            auto* const row = to + y * row_bytes + c;
+            if (source.times)
+                for (std::size_t x = 0; x < width; ++x)
+                    row[x * channels] = times(from[x * source.step], source.times[y * width + x]);
+            else
+                for (std::size_t x = 0; x < width; ++x)
+                    row[x * channels]
+                        = static_cast<std::uint8_t>(from[x * source.step] ^ source.flipped);
+        }
     }
 }
 

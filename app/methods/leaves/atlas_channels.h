@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/methods/leaves/leaf_mips.h"
+#include "engine/base/mips.h"
 #include "engine/methods/leaves/leaf_paint.h"
 
 #include <cstddef>
@@ -41,7 +41,7 @@ enum class AtlasChannel : std::uint8_t {
 
 struct AtlasMap {
     std::string name; // Name of the map in file names: page-0-NAME.png.
-    leaf::PageKind kind = leaf::PageKind::Plain;
+    MapKind kind = MapKind::Plain;
     std::vector<AtlasChannel> channels {};
 };
 
@@ -57,8 +57,9 @@ struct AtlasChannels {
 // The supported engines: gltf, unreal, unity, godot, in this order.
 std::span<AtlasChannels const> atlas_channels();
 
-// Draws a leaf's picture into a cell of a page, in the channels that the map has.
-void place_in_cell(AtlasMap const& map, leaf::LeafPicture const& picture, leaf::CellPage& page,
-                   std::size_t cell);
+// Copies a leaf's picture to a part of a page, in the channels that the map has. `to` is the part's
+// first pixel, and `row_bytes` the size of a row of the page.
+void place_picture(AtlasMap const& map, leaf::LeafPicture const& picture, std::uint8_t* to,
+                   std::size_t row_bytes);
 
 } // namespace tractus::leaf

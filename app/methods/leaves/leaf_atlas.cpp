@@ -1,14 +1,15 @@
 #include "app/methods/leaves/leaf_atlas.h"
 
+#include "app/methods/leaves/atlas_page.h"
 #include "app/methods/leaves/leaf_library.h"
 #include "engine/base/file.h"
 #include "engine/base/parallel.h"
 #include "engine/export/glb_writer.h"
-#include "engine/export/png.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -24,11 +25,8 @@ struct AtlasLeaf {
     std::uint64_t seed = 0;
     double age = 0;
     double pixel_mm = 0; // Side of a pixel in millimetres of the leaf.
-    leaf::Cutout cutout;
+    AtlasShape shape {};
 };
-
-// The maps of a page, in the order of AtlasChannels::maps.
-using PageMaps = std::vector<leaf::CellPage>;
 
 double gutter(int cell)
 {
@@ -61,6 +59,18 @@ leaf::PaintOptions paint_options_of(AtlasOptions const& options, leaf::Grammar c
     return paint;
 }
 
+// Number of levels of each map. At still smaller ones a pixel is more than a hundredth of a cell,
+// so that no mask could keep its coverage.
+std::size_t level_count(AtlasOptions const& options)
+{
+    constexpr int kMinCell = 8; // Side of a cell at the smallest level, in pixels.
+    std::size_t count = 1;
+    if (options.mips == AtlasOptions::Mips::Files)
+        while (options.cell >> count >= kMinCell)
+            ++count;
+    return count;
+}
+
 double blade_length(leaf::Grammar const& grammar)
 {
     return grammar.outline.points.empty() ? 1.0 : grammar.outline.points.back().at.y();
@@ -71,6 +81,7 @@ public:
     AtlasWriter(AtlasOptions const& options, fs::path const& folder)
         : options_(options)
         , folder_(folder)
+        , size_ { options.cell, options.page, level_count(options) }
     {
     }
 
@@ -81,11 +92,13 @@ public:
         TRY(make_folder(folder_));
         auto const each = static_cast<std::size_t>(options_.count);
         auto const count = grammars_.size() * each;
-        auto const columns = static_cast<std::size_t>(options_.page / options_.cell);
+        auto const per_page = size_.columns() * size_.columns();
+        // One painter more than there are threads, so that none of them waits.
+        std::vector<leaf::LeafPainter> painters(static_cast<std::size_t>(thread_count()) + 1);
         Json pages = Json::array();
-        for (std::size_t first = 0; first < count; first += columns * columns)
+        for (std::size_t first = 0; first < count; first += per_page)
             pages.push_back(
-                TRY(write_page(pages.size(), first, std::min(columns * columns, count - first))));
+                TRY(write_page(pages.size(), painters, first, std::min(per_page, count - first))));
         Json const all {
             { "page", options_.page },           { "cell", options_.cell },
             { "gutter", gutter(options_.cell) }, { "channels", options_.channels.engine },
@@ -96,21 +109,8 @@ public:
     }
 
 private:
-    PageMaps empty_maps() const
-    {
-        PageMaps maps;
-        for (auto const& map : options_.channels.maps) {
-            auto const side = static_cast<std::size_t>(options_.page);
-            maps.push_back({ .side = options_.page,
-                             .cell = options_.cell,
-                             .channels = static_cast<int>(map.channels.size()) });
-            maps.back().pixels.assign(side * side * map.channels.size(), 0);
-        }
-        return maps;
-    }
-
-    // Grows and paints the leaf with number `number` into the cell `cell` of a page.
-    Result<AtlasLeaf> paint_into(PageMaps& maps, std::size_t cell, std::size_t number,
+    // Grows and paints the leaf with number `number` into a cell of a row.
+    Result<AtlasLeaf> paint_into(AtlasRow& row, std::size_t column, std::size_t number,
                                  leaf::LeafPainter& painter) const
     {
         auto const each = static_cast<std::size_t>(options_.count);
@@ -125,36 +125,36 @@ private:
         if (!(frame.x0 > 0) || grown.triangles.veins.empty())
             return fail(Fault::User, fmt::format("{}: the leaf has no extent", grammar.name));
         auto const& picture = painter.paint(grown.leaf, grown.triangles, paint);
-        for (std::size_t i = 0; i < maps.size(); ++i)
-            place_in_cell(options_.channels.maps[i], picture, maps[i], cell);
+        row.place(picture, column);
         double const blade_mm = grammar.size_mm > 0 ? grammar.size_mm : 100;
+        double const pixel_mm = blade_mm / (frame.scale * blade_length(grammar));
         return AtlasLeaf { .name = short_leaf_name(grammar.name),
                            .seed = life.seed,
                            .age = life.age,
-                           .pixel_mm = blade_mm / (frame.scale * blade_length(grammar)),
-                           .cutout = leaf::cut_out(picture.alpha, paint.side) };
+                           .pixel_mm = pixel_mm,
+                           .shape = atlas_shape(options_.geometry, grown, picture, frame,
+                                                { pixel_mm, stem() }) };
     }
 
-    // Paints the leaves of a page on all threads. There is one painter more than there are threads.
-    Result<std::vector<AtlasLeaf>> paint_page(PageMaps& maps, std::size_t first,
-                                              std::size_t count) const
+    // Paints `count` leaves from number `first` on into a row of cells, on all threads.
+    Result<std::vector<AtlasLeaf>> paint_row(AtlasRow& row,
+                                             std::vector<leaf::LeafPainter>& painters,
+                                             std::size_t first, std::size_t count) const
     {
-        auto const slots = static_cast<std::size_t>(thread_count()) + 1;
-        std::vector<leaf::LeafPainter> painters(slots);
-        std::vector<std::size_t> cell(slots);
-        std::vector<std::optional<Result<AtlasLeaf>>> made(slots);
+        std::vector<std::size_t> column(painters.size());
+        std::vector<std::optional<Result<AtlasLeaf>>> made(painters.size());
         std::vector<AtlasLeaf> leaves;
         std::optional<Error> error;
         std::size_t next = 0;
-        parallel_in_order(slots,
+        parallel_in_order(painters.size(),
                           { .next =
                                 [&](std::size_t slot) {
-                                    cell[slot] = next;
+                                    column[slot] = next;
                                     return next++ < count;
                                 },
                             .make =
                                 [&](std::size_t slot) {
-                                    made[slot] = paint_into(maps, cell[slot], first + cell[slot],
+                                    made[slot] = paint_into(row, column[slot], first + column[slot],
                                                             painters[slot]);
                                 },
                             .use =
@@ -171,12 +171,11 @@ private:
         return leaves;
     }
 
-    Result<Json> write_page(std::size_t number, std::size_t first, std::size_t count) const
+    Result<Json> write_page(std::size_t number, std::vector<leaf::LeafPainter>& painters,
+                            std::size_t first, std::size_t count) const
     {
-        auto maps = empty_maps();
-        auto const leaves = TRY(paint_page(maps, first, count));
-        fill_unused(maps, count);
-        auto const files = pack(maps);
+        std::vector<AtlasLeaf> leaves;
+        auto const files = TRY(page_files(leaves, painters, first, count));
         Json names;
         for (std::size_t i = 0; i < files.size(); ++i) {
             auto const& map = options_.channels.maps[i].name;
@@ -196,70 +195,32 @@ private:
                       { "cells", cells_json(leaves) } };
     }
 
-    // Fills the unused cells of each map with the value of the map's first pixel, which is not part
-    // of a leaf.
-    void fill_unused(PageMaps& maps, std::size_t count) const
+    // Paints a page, one row of cells after another, and returns the files of its maps.
+    Result<std::vector<std::vector<std::string>>>
+    page_files(std::vector<AtlasLeaf>& leaves, std::vector<leaf::LeafPainter>& painters,
+               std::size_t first, std::size_t count) const
     {
-        auto const columns = static_cast<std::size_t>(options_.page / options_.cell);
-        for (auto& map : maps) {
-            auto const channels = static_cast<std::size_t>(map.channels);
-            auto const row = static_cast<std::size_t>(map.side) * channels;
-            auto const width = static_cast<std::size_t>(map.cell);
-            std::vector<std::uint8_t> const first(
-                map.pixels.begin(), map.pixels.begin() + static_cast<std::ptrdiff_t>(channels));
-            for (std::size_t cell = count; cell < columns * columns; ++cell)
-                for (std::size_t y = 0; y < width; ++y) {
-                    auto* to = map.pixels.data() + (cell / columns * width + y) * row
-                        + cell % columns * width * channels;
-                    for (std::size_t x = 0; x < width; ++x)
-                        to = std::ranges::copy(first, to).out;
-                }
+        auto const columns = size_.columns();
+        AtlasRow row(options_.channels, size_);
+        PageFiles files(options_.channels, size_);
+        for (std::size_t begin = 0; begin < columns * columns; begin += columns) {
+            auto const painted = std::min(columns, count - std::min(begin, count));
+            auto more = TRY(paint_row(row, painters, first + begin, painted));
+            leaves.insert(leaves.end(), std::move_iterator(more.begin()),
+                          std::move_iterator(more.end()));
+            if (begin == 0)
+                row.keep_first_pixel();
+            for (auto column = painted; column < columns; ++column)
+                row.leave_empty(column);
+            files.append(row);
         }
-    }
-
-    // Encodes the .png files of each map; the full-size file is the first.
-    std::vector<std::vector<std::string>> pack(PageMaps& maps) const
-    {
-        std::vector<std::vector<std::string>> files(maps.size());
-        parallel_for(maps.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (auto i = begin; i < end; ++i)
-                files[i] = pack_map(std::move(maps[i]), options_.channels.maps[i].kind);
-        });
-        return files;
-    }
-
-    std::vector<std::string> pack_map(leaf::CellPage page, leaf::PageKind kind) const
-    {
-        // Minimum side of a cell in pixels; at smaller mipmap levels no leaf would be visible.
-        constexpr int kMinCell = 4;
-        bool const has_alpha = kind == leaf::PageKind::Color && page.channels == 4;
-        std::vector<double> wanted;
-        if (has_alpha && options_.mips == AtlasOptions::Mips::Files)
-            wanted = leaf::alpha_coverage(page);
-        std::vector<std::string> files { png_of(page) };
-        while (options_.mips == AtlasOptions::Mips::Files && page.cell > kMinCell) {
-            page = leaf::half_page(page, kind);
-            auto shown = page;
-            if (has_alpha)
-                leaf::keep_coverage(shown, wanted);
-            files.push_back(png_of(shown));
-        }
-        return files;
-    }
-
-    static std::string png_of(leaf::CellPage const& page)
-    {
-        return exports::png_bytes({ .width = page.side,
-                                    .height = page.side,
-                                    .channels = page.channels,
-                                    .pixels = page.pixels,
-                                    .packing = exports::PngPicture::Packing::Fast });
+        return std::move(files).finish();
     }
 
     Vec2 cell_corner(std::size_t cell) const
     {
-        auto const columns = static_cast<std::size_t>(options_.page / options_.cell);
-        return double(options_.cell) * Vec2(double(cell % columns), double(cell / columns));
+        return double(options_.cell)
+            * Vec2(double(cell % size_.columns()), double(cell / size_.columns()));
     }
     // Position of the petiole's end within a cell, in pixels.
     Vec2 stem() const { return { 0.5 * options_.cell, options_.cell - gutter(options_.cell) }; }
@@ -279,45 +240,16 @@ private:
                               { "size", options_.cell },
                               { "stem", { at.x() + stem().x(), at.y() + stem().y() } },
                               { "size_m", leaf.pixel_mm * options_.cell / 1000 },
-                              { "mesh", mesh_json(leaf, at) } });
+                              { "mesh", shape_json(leaf.shape, at, options_.page) } });
         }
         return cells;
-    }
-
-    // The mesh of a leaf as JSON. Positions are in metres from the petiole's end, x to the right, y
-    // towards the tip. Texture coordinates are those of glTF, with the origin at the page's upper
-    // left corner.
-    Json mesh_json(AtlasLeaf const& leaf, Vec2 const& at) const
-    {
-        Json positions = Json::array();
-        Json coordinates = Json::array();
-        for (auto const& corner : leaf.cutout.corners) {
-            Vec2 const from_stem = leaf.pixel_mm / 1000 * (corner - stem());
-            positions.push_back({ from_stem.x(), -from_stem.y() });
-            Vec2 const uv = (at + corner) / options_.page;
-            coordinates.push_back({ uv.x(), uv.y() });
-        }
-        return { { "positions", positions },
-                 { "uv", coordinates },
-                 { "triangles", leaf.cutout.triangles } };
     }
 
     mesh::Mesh mesh_of_leaf(AtlasLeaf const& leaf, std::size_t cell, Material const& material) const
     {
         mesh::Mesh mesh;
         mesh.materials = { material };
-        mesh::TriangleMesh shape;
-        for (auto const& corner : leaf.cutout.corners) {
-            Vec2 const from_stem = leaf.pixel_mm * (corner - stem());
-            Vec2 const uv = (cell_corner(cell) + corner) / options_.page;
-            shape.positions_mm.push_back(Vec3(from_stem.x(), 0, -from_stem.y()).cast<float>());
-            shape.normals.emplace_back(0.0f, -1.0f, 0.0f);
-            shape.texture_coordinates.push_back(uv.cast<float>());
-        }
-        for (auto const& triangle : leaf.cutout.triangles)
-            for (auto const corner : triangle)
-                shape.indices.push_back(corner);
-        mesh.surfaces.push_back(std::move(shape));
+        mesh.surfaces.push_back(upright_mesh(leaf.shape, cell_corner(cell), options_.page));
         return mesh;
     }
 
@@ -340,7 +272,9 @@ private:
                               .normal = texture(1),
                               .occlusion = roughness,
                               .roughness = roughness,
-                              .alpha = MaterialTextures::Alpha::Mask };
+                              .alpha = options_.geometry == AtlasGeometry::Modelled
+                                  ? MaterialTextures::Alpha::Opaque
+                                  : MaterialTextures::Alpha::Mask };
         return material;
     }
 
@@ -351,7 +285,7 @@ private:
                                 std::size_t number, fs::path const& path) const
     {
         auto const material = page_material(files, number);
-        auto const columns = static_cast<std::size_t>(options_.page / options_.cell);
+        auto const columns = size_.columns();
         double gap_mm = 0;
         for (auto const& leaf : leaves)
             gap_mm = std::max(gap_mm, leaf.pixel_mm * options_.cell);
@@ -375,6 +309,7 @@ private:
 
     AtlasOptions const& options_;
     fs::path folder_;
+    AtlasSize size_;
     std::vector<leaf::Grammar> grammars_;
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/methods/leaves/atlas_channels.h"
+#include "app/methods/leaves/atlas_shape.h"
 #include "engine/base/result.h"
-#include "engine/methods/leaves/leaf_cutout.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -40,6 +40,7 @@ struct AtlasOptions {
     AtlasChannels channels {}; // Maps for a game engine: one of atlas_channels().
     // Whether mipmap levels of each map are written too, each half as wide as the level before.
     enum class Mips { None, Files } mips = Mips::None;
+    AtlasGeometry geometry = AtlasGeometry::Cut;
 };
 
 struct AtlasSummary {
@@ -48,7 +49,7 @@ struct AtlasSummary {
 };
 
 // Writes pages of leaves for game engines into `folder`, which is created: page-0-color.png and so
-// on, page-0.glb with a flat mesh around each leaf, and leaves.json with the position of each leaf.
+// on, page-0.glb with a mesh of each leaf, and leaves.json with the position of each leaf.
 // The petiole's end is at the bottom centre of each cell; at least max(8, cell / 32) pixels around
 // each leaf are empty. Pages are made one after another. The output does not depend on the number
 // of threads. Fails with a user error if a grammar cannot be read, a leaf has no extent, or a file

@@ -92,30 +92,41 @@ CutLeaf cut_leaf(leaf::LeafPicture const& picture, Vec2 const& stem, double blad
 
 struct PageMap {
     AtlasMap const& map;
-    leaf::CellPage pixels;
+    PixelMap pixels;
 };
 
 PageMap empty_page(AtlasMap const& map, int columns)
 {
     auto const side = static_cast<std::size_t>(columns * kCell);
-    leaf::CellPage page { .side = columns * kCell,
-                          .cell = kCell,
-                          .channels = static_cast<int>(map.channels.size()) };
+    PixelMap page { .width = columns * kCell,
+                    .height = columns * kCell,
+                    .channels = static_cast<int>(map.channels.size()) };
     page.pixels.assign(side * side * map.channels.size(), 0);
     return { map, std::move(page) };
 }
 
-std::string png_of(leaf::CellPage const& page)
+void place_in_cell(PageMap& page, leaf::LeafPicture const& picture, int cell)
 {
-    return exports::png_bytes({ .width = page.side,
-                                .height = page.side,
+    auto const columns = page.pixels.width / kCell;
+    auto const channels = page.map.channels.size();
+    auto const row = static_cast<std::size_t>(page.pixels.width) * channels;
+    place_picture(page.map, picture,
+                  page.pixels.pixels.data() + static_cast<std::size_t>(cell / columns * kCell) * row
+                      + static_cast<std::size_t>(cell % columns * kCell) * channels,
+                  row);
+}
+
+std::string png_of(PixelMap const& page)
+{
+    return exports::png_bytes({ .width = page.width,
+                                .height = page.height,
                                 .channels = page.channels,
                                 .pixels = page.pixels,
                                 .packing = exports::PngPicture::Packing::Fast });
 }
 
 // Mean colour (sRGB) of all leaves on a page, averaged in linear light.
-Vec3f color_of_leaves(leaf::CellPage const& page)
+Vec3f color_of_leaves(PixelMap const& page)
 {
     Vec3 sum = Vec3::Zero();
     std::size_t count = 0;
@@ -223,7 +234,7 @@ Result<lsystem::LeafSheet> grow_leaf_sheet(leaf::Grammar const& grammar,
         leaf::PictureFrame const frame(grown.triangles, paint.side, paint.stand);
         auto const& picture = painter.paint(grown.leaf, grown.triangles, paint);
         for (auto* page : { &color, &normal })
-            place_in_cell(page->map, picture, page->pixels, static_cast<std::size_t>(i));
+            place_in_cell(*page, picture, i);
         auto const& outline = grammar.outline.points;
         double const blade_px = frame.scale * (outline.empty() ? 1.0 : outline.back().at.y());
         Vec2 const stem(0.5 * kCell, kCell - kGutter);

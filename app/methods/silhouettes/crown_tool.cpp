@@ -124,7 +124,7 @@ Result<DrawTree> drawn_crown(CrownTool const& tool, Stroke const& stroke, scene:
     edit.form.has_whole_nodes = tool.nodes == NodesOption::Whole;
     if (tool.fills != FillsOption::AsAtFirst)
         edit.form.plane_branches = kUsualPlaneBranches;
-    edit.form.leaves_reach_outline = tool.fills == FillsOption::ToOutline;
+    edit.form.leaves_reach_outline = tool.fills >= FillsOption::ToOutline;
     // The new tree's sheet has its centre at the line and is as large as the tablet.
     paper = { paper.sheet_of_world(Vec3(paper.world_point_mm.x(), 0, 0)),
               Vec3(paper.world_point_mm.x(), paper.world_point_mm.y(), 0) };

@@ -20,10 +20,11 @@ void visit_nodes(tools::OptionVisitor& visitor, NodesOption& nodes)
 void visit_fills(tools::OptionVisitor& visitor, FillsOption& fills)
 {
     // Option words, in the order of the enumeration FillsOption.
-    static constexpr std::array<tools::OptionWord, 3> kWords { {
+    static constexpr std::array<tools::OptionWord, 4> kWords { {
         { "fills_as_at_first", "as at first" },
         { "fills_by_spacing", "by spacing" },
         { "fills_to_outline", "to the outline" },
+        { "fills_by_species", "by species" },
     } };
     visitor.choice(
         { .words = kWords, .offered = tools::WordOption::Offered::BesideGizmo, .label = "Fills" },

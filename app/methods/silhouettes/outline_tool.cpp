@@ -29,7 +29,7 @@ constexpr std::array<tools::OptionWord, 8> kWords { {
 } };
 
 // Option words, in the order of OutlineTool::Form: Usual, then the presets.
-constexpr std::array<tools::OptionWord, 8> kFormWords { {
+constexpr std::array<tools::OptionWord, 12> kFormWords { {
     { "usual", "Usual" },
     { "oak", "Oak" },
     { "pine", "Pine" },
@@ -38,6 +38,10 @@ constexpr std::array<tools::OptionWord, 8> kFormWords { {
     { "fir", "Fir" },
     { "poplar", "Poplar" },
     { "fern", "Fern" },
+    { "umbrella_pine", "Umbrella pine" },
+    { "baobab", "Baobab" },
+    { "acacia", "Acacia" },
+    { "birch", "Birch" },
 } };
 
 // Option words, in the order of OutlineTool::Branches.
@@ -157,8 +161,16 @@ TreeForm form_of(OutlineTool const& tool, TreeForm form)
         form.plane_branches = ready.plane_branches;
         form.base_angle_deg = ready.base_angle_deg;
         form.tip_angle_deg = ready.tip_angle_deg;
+        form.rise = ready.rise;
     }
-    form.leaves_reach_outline = tool.fills == FillsOption::ToOutline && fills_outline(form);
+    form.leaves_reach_outline = tool.fills >= FillsOption::ToOutline && fills_outline(form);
+    // Before BySpecies, only the poplar had angles of its own.
+    if (tool.fills != FillsOption::BySpecies) {
+        form.rise = 0;
+        if (tool.form != OutlineTool::Form::Poplar)
+            form.base_angle_deg = 0, form.tip_angle_deg = 0;
+    }
+    form.bases_by_angle = tool.fills == FillsOption::BySpecies && form.base_angle_deg > 0;
     if (tool.fills == FillsOption::AsAtFirst)
         form.plane_branches = 0, form.base_angle_deg = 0, form.tip_angle_deg = 0;
     else if (form.plane_branches == 0)

@@ -13,7 +13,22 @@ struct OutlineTool {
     // Form preset of a new tree, or of the active tree if What::Form applies it. A preset
     // (ready_form.h) gives the arrangement of branches and the kind of leaves; choosing one also
     // sets the numbers of the tool. Usual keeps a tree's arrangement and leaves.
-    enum class Form { Usual, Oak, Pine, Willow, Eucalyptus, Fir, Poplar, Fern } form = Form::Usual;
+    // Usual, then the presets (tree_presets()), in their order.
+    enum class Form {
+        Usual,
+        Oak,
+        Pine,
+        Willow,
+        Eucalyptus,
+        Fir,
+        Poplar,
+        Fern,
+        UmbrellaPine,
+        Baobab,
+        Acacia,
+        Birch
+    };
+    Form form = Form::Usual;
     double levels = 2;
     double density = 1;
     double leaves = 24;
@@ -53,7 +68,7 @@ struct OutlineTool {
         = Reads::Closely;
 
     NodesOption nodes = NodesOption::Whole;
-    FillsOption fills = FillsOption::ToOutline;
+    FillsOption fills = FillsOption::BySpecies;
 
     // How long the features recognised in an outline are shown (kSeenLayer in outline_layer.h).
     enum class SeenFor { AWhile, Always, WithTriangles } seen = SeenFor::AWhile;

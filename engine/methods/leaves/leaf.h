@@ -85,6 +85,15 @@ public:
         int order = 1;
     };
     std::vector<Vein> veins() const;
+
+    // The axis of a blade in the flat leaf, from the end of its stalk to the tip of its outline.
+    struct Midrib {
+        Vec2 from = Vec2::Zero();
+        Vec2 to = Vec2::Zero();
+    };
+    // The axes of all blades that veins grow in: one, or one for each leaflet. Empty if the grammar
+    // has no outline.
+    std::vector<Midrib> midribs() const;
     Outline const& outline() const { return outline_; }
 
 private:

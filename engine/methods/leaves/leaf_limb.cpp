@@ -158,4 +158,20 @@ void Leaf::add_limb_face(std::span<Dart const> way, Margin margin)
     limb_.sizes.push_back(static_cast<int>(labels.size()));
 }
 
+std::vector<Leaf::Midrib> Leaf::midribs() const
+{
+    if (grammar_->outline.points.empty())
+        return {};
+    std::vector<bool> has_veins(blades_.size());
+    for (std::size_t i = 1; i < faces_.size(); ++i)
+        if (!grammar_->bare.contains(faces_[i].name) && faces_[i].blade < blades_.size())
+            has_veins[faces_[i].blade] = true;
+    double const tip = grammar_->outline.points.back().at.y();
+    std::vector<Midrib> made;
+    for (std::size_t i = 0; i < blades_.size(); ++i)
+        if (has_veins[i])
+            made.push_back({ blades_[i].base, blades_[i].to_flat({ 0, tip }) });
+    return made;
+}
+
 } // namespace tractus::leaf

@@ -84,6 +84,10 @@ struct PictureFrame {
     {
         return { x0 + scale * (flat.x() - origin.x()), y0 - scale * (flat.y() - origin.y()) };
     }
+    Vec2 flat(Vec2 const& pixel) const
+    {
+        return { origin.x() + (pixel.x() - x0) / scale, origin.y() + (y0 - pixel.y()) / scale };
+    }
     // The point of the flat leaf at the horizontal middle of the picture.
     Vec2 origin = Vec2::Zero();
     double x0 = 0; // Pixel column of the point `origin`.

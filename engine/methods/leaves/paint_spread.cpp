@@ -73,9 +73,12 @@ private:
                 float const weight = picture_.coverage[i] + 1e-3f;
                 auto const& color = picture_.color[i];
                 auto const& rough = picture_.roughness[i];
-                std::array<std::uint8_t, 6> const values { color[0], color[1],
-                                                           color[2], rough[0],
-                                                           rough[1], picture_.translucency[i] };
+                auto const under
+                    = has_underside_ ? picture_.under_color[i] : std::array<std::uint8_t, 3> {};
+                std::array<std::uint8_t, 9> const values {
+                    color[0], color[1], color[2], rough[0], rough[1], picture_.translucency[i],
+                    under[0], under[1], under[2]
+                };
                 for (std::size_t c = 0; c < values.size(); ++c)
                     mean.sum[c] += weight * static_cast<float>(values[c]);
                 mean.weight += weight;

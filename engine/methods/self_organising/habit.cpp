@@ -50,6 +50,12 @@ constexpr std::array kNumbers {
     HabitNumber { "twig_mm", &Habit::twig_mm, 0.1, 100 },
     HabitNumber { "weight", &Habit::weight, 0, 20 },
     HabitNumber { "flare", &Habit::flare, 0, 3 },
+    HabitNumber { .key = "ridges",
+                  .value = &Habit::ridges,
+                  .least = 0,
+                  .most = 12,
+                  .is_whole = true,
+                  .is_sparse = true },
     HabitNumber {
         .key = "ring_mm", .value = &Habit::ring_mm, .least = 0, .most = 50, .is_sparse = true },
     HabitNumber { "leaf_years", &Habit::leaf_years, 0, 20, true },

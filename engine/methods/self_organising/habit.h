@@ -67,6 +67,7 @@ struct Habit {
     // Factor on gravity in the computation of sagging branches; 1: real weight of green wood.
     double weight = 1;
     double flare = 0.5; // Extra width of the trunk at the ground, as a share of its width.
+    double ridges = 0;  // Number of ridges that run down the trunk into the roots (RootFlare).
     // Least width of the trunk's annual rings (shown_diameters()); 0: the pipe model alone decides.
     double ring_mm = 0;
 

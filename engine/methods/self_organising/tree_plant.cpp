@@ -14,6 +14,7 @@ namespace tractus::self_organising {
 namespace {
 
 constexpr std::uint32_t kLeafStream = 0x1EAF;
+constexpr std::uint32_t kRootStream = 0x2007;
 constexpr MaterialId kBark = 0;
 constexpr MaterialId kTwig = 1;
 constexpr MaterialId kLeaf = 2;
@@ -33,6 +34,7 @@ public:
     TreePlant run()
     {
         add_materials();
+        plant().root_flare = root_flare();
         segment_.assign(tree_.size(), kNone);
         axis_.assign(tree_.size(), kNone);
         if (tree_.links[0].main != kNone)
@@ -50,6 +52,19 @@ public:
 
 private:
     Plant& plant() { return made_.plant; }
+
+    // Ridges of the trunk, which appear as it becomes thicker.
+    RootFlare root_flare() const
+    {
+        constexpr double kSmooth_mm = 60; // Diameter up to which a trunk is round.
+        constexpr double kRidged_mm = 300;
+        double const grown
+            = std::clamp((diameters_[0] - kSmooth_mm) / (kRidged_mm - kSmooth_mm), 0.0, 1.0);
+        Random random({ seed_, kRootStream });
+        return { .ridges = static_cast<int>(habit_.ridges),
+                 .depth = static_cast<float>(grown * std::min(0.35, 0.5 * habit_.flare)),
+                 .turn = static_cast<float>(random.uniform(0, 2 * kPi)) };
+    }
 
     void add_materials()
     {

@@ -147,29 +147,50 @@ BranchCurve branch_from(BranchSearch const& search, std::size_t sample, BranchEn
     return branch;
 }
 
+namespace {
+
+// Cost of a branch in the choice of its base: its length, or how far its chord is from the
+// branching angle, in degrees.
+double cost_of(BranchSearch const& search, BranchCurve const& branch)
+{
+    if (search.angles.bases() == BranchingAngles::Bases::Nearest)
+        return branch.length;
+    Vec2 const along = direction_at(search.trunk, branch.trunk_sample);
+    Vec2 const chord = branch.curve.end - branch.curve.base;
+    double const angle_deg = degrees(std::fabs(std::atan2(cross(along, chord), along.dot(chord))));
+    return std::fabs(angle_deg - search.angles.at_deg(branch.t));
+}
+
+} // namespace
+
 BranchCurve infer_branch(BranchSearch const& search, BranchEnd const& to)
 {
     double const limit
         = search.outline.empty() ? 0 : kMaxOutside * box_of(search.outline).diagonal();
     auto const bases = bases_by_distance(search, to.end);
+    bool const shortest_wins = search.angles.bases() == BranchingAngles::Bases::Nearest;
     std::optional<BranchCurve> least;
     for (double const share : kTangentShares) {
-        std::optional<BranchCurve> shortest;
+        std::optional<BranchCurve> best;
+        double best_cost = 0;
         for (auto const& [distance, sample] : bases) {
-            if (shortest && distance > shortest->length)
+            if (best && shortest_wins && distance > best->length)
                 break;
             auto branch = branch_from(search, sample, to, share);
-            if (shortest && branch.length >= shortest->length - 1e-9)
+            double const cost = cost_of(search, branch);
+            if (best && cost >= best_cost - 1e-9)
                 continue;
             if (!search.outline.empty())
                 branch.outside = excursion(search.outline, branch.curve.points(kChords + 1));
-            if (branch.outside <= limit)
-                shortest = branch;
-            else if (!least || branch.outside < least->outside - 1e-9)
+            if (branch.outside <= limit) {
+                best = branch;
+                best_cost = cost;
+            } else if (!least || branch.outside < least->outside - 1e-9) {
                 least = branch;
+            }
         }
-        if (shortest)
-            return *shortest;
+        if (best)
+            return *best;
     }
     return *least;
 }

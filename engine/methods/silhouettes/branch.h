@@ -28,6 +28,11 @@ public:
         double angle_deg = 0;
     };
 
+    // How the base of a branch is chosen, given its end. Nearest: such that the branch is as short
+    // as possible (Wither 2009), so that most branches leave their parent almost at right angles.
+    // ByAngle: such that the straight line to the end leaves the parent at the angle of its base.
+    enum class Bases { Nearest, ByAngle };
+
     BranchingAngles(); // Default: 80 degrees at the base, 35 at the tip.
     // Makes the function from samples in any order, at least one. Angles are measured to the chord
     // over the first part of a branch; `over` is this part as a share of the branch's length, 0 for
@@ -40,9 +45,20 @@ public:
     std::vector<Sample> const& samples() const { return samples_; }
     double over() const { return over_; }
 
+    void set_bases(Bases bases) { bases_ = bases; }
+    Bases bases() const { return bases_; }
+
+    // Weight of the parent's direction in the direction of a branch's end, if the outline does not
+    // give that direction: above 0 branches rise towards their ends, below 0 they hang.
+    void set_rise(double rise) { rise_ = rise; }
+    double rise() const { return rise_; }
+    static constexpr double kUsualRise = 0.25;
+
 private:
     std::vector<Sample> samples_;
     double over_ = 0;
+    Bases bases_ = Bases::Nearest;
+    double rise_ = kUsualRise;
 };
 
 // The curve of a branch, which starts at one of the trunk's samples.
@@ -80,9 +96,10 @@ Vec2 chord_to_share(Cubic const& curve, double share);
 BranchCurve branch_from(BranchSearch const& search, std::size_t sample, BranchEnd const& to,
                         double share = 0.5);
 
-// The shortest branch over all candidate bases (Wither 2009) that leaves the outline by at most 1 %
-// of its diagonal. If there is none, longer tangents are tried; if there is still none, the result
-// is the branch that leaves the outline least.
+// The branch to an end, from that base which BranchingAngles::bases() prefers among those whose
+// branch leaves the outline by at most 1 % of its diagonal: the base of the shortest branch, or the
+// one at which the branch's chord fits the branching angle best. If there is none, longer tangents
+// are tried; if there is still none, the result is the branch that leaves the outline least.
 BranchCurve infer_branch(BranchSearch const& search, BranchEnd const& to);
 
 // The branch drawn by a stroke that begins near the trunk: it starts at the candidate base nearest

@@ -8,7 +8,6 @@
 #include <complex>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <utility>
 
 namespace tractus::silhouette {
@@ -270,16 +269,8 @@ bool is_leaf(Plant const& plant, OrganShape const& shape)
     return plant.materials[shape.material].kind == Material::Kind::Leaf;
 }
 
-// Width of a spray's leaves, which are lozenges, as a share of their length.
-double width_in_spray(OrganShape const& spray)
-{
-    auto const& corners = spray.patches.front().control;
-    return (corners[3] - corners[12]).norm() / (corners[15] - corners[0]).norm();
-}
-
 void measure_leaves(Plant const& plant, MeasuredStyle& style)
 {
-    constexpr std::string_view kSpray = "spray ";
     std::size_t leaves = 0;
     std::size_t sprays = 0;
     Spread width;
@@ -288,10 +279,10 @@ void measure_leaves(Plant const& plant, MeasuredStyle& style)
         auto const& shape = plant.organ_shapes[organ.shape];
         if (!is_leaf(plant, shape) || !(shape.length_mm > 0 && organ.scale.y() > 0))
             continue;
-        if (shape.name.starts_with(kSpray) && !shape.patches.empty()) {
+        if (!shape.spray.empty()) {
             ++sprays;
-            leaves += shape.patches.size();
-            width.add(width_in_spray(shape));
+            leaves += shape.spray.size();
+            width.add(shape.spray.front().width_mm / shape.spray.front().length_mm);
             continue;
         }
         ++leaves;

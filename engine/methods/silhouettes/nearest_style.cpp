@@ -82,6 +82,7 @@ Result<TreeForm> with_style_of(TreeForm form, Plant const& plant)
     taken.has_whole_nodes = form.has_whole_nodes;
     taken.plane_branches = form.plane_branches;
     taken.leaves_reach_outline = form.leaves_reach_outline;
+    taken.bases_by_angle = form.bases_by_angle;
     return taken;
 }
 

@@ -31,7 +31,7 @@ scene::ItemId nearest_with_style(scene::DocumentState const& state, Vec3 const& 
                                  scene::ItemId except);
 
 // `form` with the style measured on a plant (measured_style.h); its seed, has_whole_nodes and
-// plane_branches and leaves_reach_outline stay. Fails like measure_style().
+// plane_branches, leaves_reach_outline and bases_by_angle stay. Fails like measure_style().
 Result<TreeForm> with_style_of(TreeForm form, Plant const& plant);
 
 // Additional edits that become necessary with the edits of `step`: a tree that takes the style of

@@ -268,13 +268,11 @@ private:
     {
         Vec2 const to = crown_.outline[part.middle];
         Vec2 const base = trunk_[part.base];
-        // Weight of the trunk's direction in the end tangent, so that a branch rises a little
-        // towards its end.
-        constexpr double kRise = 0.25;
+        double const rise = crown_.search.angles.rise();
         Vec2 const way = to - base;
         BranchEnd const end { .end = base + kEndsAt * way,
                               .tangent = direction_of(
-                                  direction_of(way) + kRise * trunk_direction(trunk_, part.base)) };
+                                  direction_of(way) + rise * trunk_direction(trunk_, part.base)) };
         auto path = branch_from(crown_.search, part.base, end);
         path.outside = excursion(crown_.outline, path.curve.points(17));
         if (path.outside > limit_ || !is_inside(crown_.outline, end.end))

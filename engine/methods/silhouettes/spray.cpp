@@ -52,6 +52,12 @@ OrganShape leaf_spray(LeafForm const& form, MaterialId material, std::uint32_t v
         Vec3 const half = 0.5 * form.width * length_mm * across;
         spray.patches.push_back(
             lozenge(base, middle + half, base + length_mm * way, middle - half));
+        Eigen::Matrix3d axes;
+        axes << across, way, across.cross(way);
+        spray.spray.push_back({ .base_mm = base,
+                                .orientation = Quat(axes).normalized(),
+                                .length_mm = length_mm,
+                                .width_mm = form.width * length_mm });
     }
     return spray;
 }

@@ -1,7 +1,7 @@
 #include "engine/methods/silhouettes/tree_form.h"
 
+#include <cmath>
 #include <fmt/format.h>
-
 #include <utility>
 
 namespace tractus::silhouette {
@@ -64,6 +64,7 @@ bool is_usual(TreeForm form)
     usual.seed = form.seed;
     usual.has_whole_nodes = form.has_whole_nodes;
     usual.leaves_reach_outline = form.leaves_reach_outline;
+    usual.bases_by_angle = form.bases_by_angle;
     if (form.plane_branches == kUsualPlaneBranches)
         usual.plane_branches = kUsualPlaneBranches;
     return form == usual;
@@ -99,6 +100,8 @@ Result<void> check_form(TreeForm const& form)
     for (double const angle_deg : { form.base_angle_deg, form.tip_angle_deg })
         if (angle_deg != 0 && !(angle_deg >= kMinAngle_deg && angle_deg <= kMaxAngle_deg))
             return refuse("the angle of a branch", angle_deg, kMinAngle_deg, kMaxAngle_deg);
+    if (!(std::fabs(form.rise) <= 2))
+        return refuse("the rise of branches", form.rise, -2, 2);
     return check_styles(form);
 }
 
@@ -111,7 +114,12 @@ static BranchingAngles angles_of(TreeForm const& form)
         samples.front().angle_deg = form.base_angle_deg;
     if (form.tip_angle_deg > 0)
         samples.back().angle_deg = form.tip_angle_deg;
-    return BranchingAngles(std::move(samples));
+    BranchingAngles angles(std::move(samples));
+    if (form.bases_by_angle)
+        angles.set_bases(BranchingAngles::Bases::ByAngle);
+    if (form.rise != 0)
+        angles.set_rise(form.rise);
+    return angles;
 }
 
 SkeletonOptions skeleton_options(TreeForm const& form)

@@ -35,6 +35,12 @@ struct TreeForm {
     // Branching angles at the trunk's base and tip, degrees; 0: the default (BranchingAngles).
     double base_angle_deg = 0;
     double tip_angle_deg = 0;
+    // True: the trunk's branches begin where they leave it at these angles
+    // (BranchingAngles::Bases). False for trees from before this option existed.
+    bool bases_by_angle = false;
+    // How the trunk's branches rise towards their ends (BranchingAngles::rise()), -2 to 2; 0: the
+    // default.
+    double rise = 0;
 
     bool operator==(TreeForm const&) const = default;
 };
@@ -42,8 +48,8 @@ struct TreeForm {
 constexpr int kUsualPlaneBranches = 26;
 constexpr int kMaxPlaneBranches = 60;
 
-// True if nothing was set by hand; the seed, has_whole_nodes and
-// leaves_reach_outline do not count.
+// True if nothing was set by hand; the seed, has_whole_nodes, leaves_reach_outline and
+// bases_by_angle do not count.
 bool is_usual(TreeForm form);
 
 // Approximate number of branches on the last level according to the form's styles; 1 for a form

@@ -84,6 +84,8 @@ void list(scene::Fields& fields, TreeForm& form)
     fields.sparse_field("leaves_reach_outline", &form.leaves_reach_outline);
     fields.sparse_field("base_angle_deg", &form.base_angle_deg);
     fields.sparse_field("tip_angle_deg", &form.tip_angle_deg);
+    fields.sparse_field("bases_by_angle", &form.bases_by_angle);
+    fields.sparse_field("rise", &form.rise);
 }
 
 } // namespace tractus::silhouette

@@ -13,7 +13,8 @@ struct TreePreset {
     TreeForm form {};
 };
 
-// The presets: oak, pine, willow, eucalyptus, fir, poplar, fern.
+// The presets: oak, pine, willow, eucalyptus, fir, poplar, fern, umbrella_pine, baobab, acacia and
+// birch.
 std::span<TreePreset const> tree_presets();
 
 // Whether the leaves of new trees with this form fill their outline

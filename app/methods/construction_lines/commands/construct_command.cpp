@@ -7,6 +7,7 @@
 #include "app/methods/construction_lines/line_drawing.h"
 #include "app/methods/construction_lines/line_sketch_file.h"
 #include "app/options/checks.h"
+#include "app/options/examples.h"
 #include "app/options/picture_options.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
@@ -17,7 +18,6 @@
 #include "engine/scene/scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
@@ -52,13 +52,6 @@ std::string model_name(fs::path const& sketch)
         if (std::isalnum(static_cast<unsigned char>(character)) == 0 && character != '-')
             character = '_';
     return name;
-}
-
-// True if the output is a single file of the plant rather than a folder.
-bool is_plant_file(fs::path const& output)
-{
-    constexpr std::array kEndings { ".glb", ".obj", ".mtg", ".png" };
-    return std::find(kEndings.begin(), kEndings.end(), output.extension()) != kEndings.end();
 }
 
 using Stems = std::vector<lines::MeasuredStem>;
@@ -140,15 +133,17 @@ Result<lines::LineModel> write_model(ConstructArguments const& arguments,
 Result<void> make_plant(ConstructArguments const& arguments, lines::LineSketchFile const& file,
                         lines::LineDrawing const& drawing, Stems const& stems)
 {
-    bool const to_file = is_plant_file(arguments.output);
+    bool const to_file = batch::is_plant_file(arguments.output);
     auto const name = model_name(arguments.sketch);
     auto const model = TRY(write_model(arguments, file, stems));
     scene::LoadModel const load { .source = model.source, .includes = model.functions };
     auto const scene = TRY(scene::apply_edit({}, load, document::make_load_options()));
     auto written = arguments.output.string();
+    std::string note;
     if (to_file)
-        TRY(batch::write_plant_file(*scene.base, name, arguments.output,
-                                    { .picture = arguments.picture }));
+        note = TRY(batch::write_plant_file(*scene.base, name, arguments.output,
+                                           { .picture = arguments.picture }))
+                   .sentence();
     else
         written = TRY(write_folder(arguments, load, model, *scene.base));
     if (arguments.report)
@@ -156,18 +151,18 @@ Result<void> make_plant(ConstructArguments const& arguments, lines::LineSketchFi
     std::size_t nodes = 0;
     for (auto const& stem : stems)
         nodes += stem.construction.nodes.size();
-    return terminal::print_out(
-        fmt::format("{}: {} nodes, {} organs\n", written, nodes, scene.base->organs.size()));
+    return terminal::print_out(fmt::format("{}: {} nodes, {} organs{}\n", written, nodes,
+                                           scene.base->organs.size(), note));
 }
 
 Result<void> construct_plant(ConstructArguments const& arguments)
 {
-    if (arguments.session && is_plant_file(arguments.output))
+    if (arguments.session && batch::is_plant_file(arguments.output))
         return fail(Fault::User,
                     fmt::format("{}: a session needs a folder to be in: give one as the output",
                                 arguments.output.string()));
-    TRY(check_writable(is_plant_file(arguments.output) ? arguments.output
-                                                       : arguments.output / "model.l"));
+    TRY(check_writable(batch::is_plant_file(arguments.output) ? arguments.output
+                                                              : arguments.output / "model.l"));
     auto const file = TRY(lines::load_line_sketch(arguments.sketch, arguments.given));
     for (auto const& key : file.unknown_keys)
         terminal::print_warning(fmt::format("{}: \"{}\" is left out: nothing is called so",
@@ -192,7 +187,8 @@ void add_options(CLI::App& command, ConstructArguments& arguments)
         .add_option(
             "-o,--output", arguments.output,
             "The folder for the plant's files, made if it is not there; or the plant alone, "
-            "as the file's ending says: .glb, .obj, .mtg or .png")
+            "as the file's ending says: "
+                + batch::listed(batch::plant_endings()))
         ->type_name("OUTPUT")
         ->required();
     options::add_picture_size_option(command, arguments.picture);
@@ -205,7 +201,7 @@ void add_options(CLI::App& command, ConstructArguments& arguments)
         .add_option("--sizes", arguments.given.sizes,
                     "How sizes change around the stem from left to right: linear or half-ellipses")
         ->type_name("SIZES")
-        ->check(CLI::IsMember({ "linear", "half-ellipses" }));
+        ->check(options::one_of({ "linear", "half-ellipses" }));
     command
         .add_option("--divergence", arguments.given.divergence_deg,
                     "Degrees from organ to organ, of spiral and alternate")
@@ -265,6 +261,9 @@ void add_construct_command(CLI::App& root, options::Action& action, tools::Metho
         "first\n"
         "one does not grow on it, too, lines of its own. A stem that begins on another one stands\n"
         "there, on its top as a fork.");
+    options::add_examples(
+        *command,
+        { "construct sketch.json -o plant.glb", "construct sketch.json --report -o plant.obj" });
     command->callback(
         [arguments, &action] { action = [arguments] { return construct_plant(*arguments); }; });
 }

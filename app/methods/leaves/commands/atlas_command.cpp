@@ -1,15 +1,19 @@
 #include "app/methods/leaves/commands/atlas_command.h"
 
 #include "app/methods/leaves/leaf_atlas.h"
+#include "app/methods/leaves/leaf_library.h"
 #include "app/options/checks.h"
+#include "app/options/examples.h"
 #include "app/terminal/console.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -25,6 +29,7 @@ struct AtlasArguments {
     AtlasOptions options;
     std::string age = "0.5";
     std::string engine = "gltf";
+    std::string geometry = "cut";
     bool has_mips = false;
     fs::path output;
 };
@@ -83,6 +88,8 @@ std::vector<std::string> engines()
     return names;
 }
 
+constexpr std::array<std::string_view, 3> kGeometries { "card", "cut", "modelled" };
+
 Result<void> make_atlas(AtlasArguments arguments)
 {
     auto& options = arguments.options;
@@ -101,6 +108,8 @@ Result<void> make_atlas(AtlasArguments arguments)
     options.age_from = ages->first;
     options.age_to = ages->second;
     options.mips = arguments.has_mips ? AtlasOptions::Mips::Files : AtlasOptions::Mips::None;
+    options.geometry = static_cast<AtlasGeometry>(std::ranges::find(kGeometries, arguments.geometry)
+                                                  - kGeometries.begin());
     options.channels
         = *std::ranges::find(atlas_channels(), arguments.engine, &AtlasChannels::engine);
     auto const made = TRY(write_atlas(options, arguments.output));
@@ -112,7 +121,8 @@ void add_page_options(CLI::App& leaves, AtlasArguments& arguments)
 {
     auto& options = arguments.options;
     leaves.add_option("LEAF", options.leaves, "Leaf grammars (.leaf), or ours by name: maple")
-        ->type_name("LEAF");
+        ->type_name("LEAF|FILE")
+        ->check(options::suggest(leaf_names()));
     leaves.add_option("-o,--output", arguments.output, "A folder for the pages")->type_name("DIR");
     leaves.add_option("--count", options.count, "How many of each, all different")
         ->type_name("N")
@@ -127,6 +137,12 @@ void add_page_options(CLI::App& leaves, AtlasArguments& arguments)
     leaves.add_option("--channels", arguments.engine, "Which maps, for which engine")
         ->type_name("ENGINE")
         ->check(options::one_of(engines()))
+        ->capture_default_str();
+    leaves
+        .add_option("--geometry", arguments.geometry,
+                    "A rectangle, a shape cut out along the edge, or bent leaves")
+        ->type_name("WEIGHT")
+        ->check(options::one_of({ kGeometries.begin(), kGeometries.end() }))
         ->capture_default_str();
     leaves.add_flag("--mips", arguments.has_mips,
                     "Write smaller pictures, too, in which as much of each leaf is left");
@@ -171,17 +187,30 @@ void add_leaf_options(CLI::App& leaves, AtlasArguments& arguments)
 
 void add_atlas_options(CLI::App& leaves, options::Action& action)
 {
-    auto arguments = std::make_shared<AtlasArguments>();
-    add_page_options(leaves, *arguments);
-    add_leaf_options(leaves, *arguments);
-    leaves.footer("Without a command: pages of leaves for game engines. Each leaf has a square;\n"
-                  "colours go on round it. The folder gets page-0-color.png and so on, shapes\n"
-                  "cut out round the leaves in page-0.glb, and leaves.json, which says what lies\n"
-                  "where.");
-    leaves.callback([&leaves, arguments, &action] {
-        if (leaves.get_subcommands().empty())
-            action = [arguments] { return make_atlas(*arguments); };
-    });
+    auto* const atlas = leaves.add_subcommand("atlas", "Make pages of leaves for game engines");
+    for (auto* const command : { &leaves, atlas }) {
+        auto arguments = std::make_shared<AtlasArguments>();
+        add_page_options(*command, *arguments);
+        add_leaf_options(*command, *arguments);
+        command->callback([command, arguments, &action] {
+            if (command->get_subcommands().empty())
+                action = [arguments] { return make_atlas(*arguments); };
+        });
+    }
+    std::string const pages
+        = "Each leaf has a square; colours go on round it. The folder gets page-0-color.png and\n"
+          "so on, the leaves' shapes in page-0.glb, and leaves.json, which says what lies where.";
+    leaves.footer("Without a command: pages of leaves for game engines, as by \"leaves atlas\".\n"
+                  + pages);
+    atlas->footer(pages);
+}
+
+void add_atlas_examples(CLI::App& leaves)
+{
+    options::add_examples(*leaves.get_subcommand("atlas"),
+                          { "leaves atlas maple --count 4 -o maple-leaves",
+                            "leaves atlas oak ivy --geometry modelled -o modelled" });
+    options::add_examples(leaves, { "leaves maple oak --count 4 -o leaves" });
 }
 
 } // namespace tractus::leaf

@@ -7,6 +7,7 @@
 #include "app/methods/leaves/leaf_library.h"
 #include "app/methods/leaves/leaf_mesh.h"
 #include "app/options/checks.h"
+#include "app/options/examples.h"
 #include "app/options/picture_options.h"
 #include "app/terminal/console.h"
 #include "engine/base/file.h"
@@ -180,19 +181,21 @@ Result<void> draw_leaf(LeavesArguments const& arguments)
     auto const grown = TRY(leaf_to_draw(grammar, arguments));
     auto const& triangles = grown.triangles;
     auto const mesh = TRY(mesh_to_draw(grammar, grown, arguments));
-    TRY(batch::write_mesh_file(mesh, arguments.grammar.stem().string(), arguments.output,
-                               { .picture = arguments.picture }));
+    auto const written
+        = TRY(batch::write_mesh_file(mesh, arguments.grammar.stem().string(), arguments.output,
+                                     { .picture = arguments.picture }));
     if (triangles.overlapping_faces > 0)
         terminal::print_error(fmt::format("{}: parts of the limb overlap themselves: {}\n",
                                           grammar.name, triangles.overlapping_faces));
-    return terminal::print_out(
-        fmt::format("wrote {}: {} triangles\n", arguments.output.string(), mesh.triangle_count()));
+    return terminal::print_out(fmt::format("wrote {}: {} triangles{}\n", arguments.output.string(),
+                                           written.triangles, written.sentence()));
 }
 
 void add_grammar_argument(CLI::App& command, LeavesArguments& arguments)
 {
     command.add_option("FILE", arguments.grammar, "A leaf grammar (.leaf)")
         ->type_name("FILE.leaf")
+        ->check(options::suggest(leaf_names()))
         ->required();
 }
 
@@ -229,6 +232,7 @@ void add_leaves_command(CLI::App& root, options::Action& action, tools::Methods 
     auto* const check = command->add_subcommand(
         "check", "Say whether a grammar is understood, and if not, what is wrong where");
     add_grammar_argument(*check, *checked);
+    options::add_examples(*check, { "leaves check ivy", "leaves check mine.leaf" });
     check->callback([checked, &action] { action = [checked] { return check_grammar(*checked); }; });
 
     auto counted = std::make_shared<LeavesArguments>();
@@ -241,6 +245,8 @@ void add_leaves_command(CLI::App& root, options::Action& action, tools::Methods 
         "A grammar (Peyrat, Terraz, Mérillou, Galin 2008) grows a leaf's veins as faces,\n"
         "splits and glues them, and fills the limb between them. Counted are the veins\n"
         "by themselves, the limb, and both together.");
+    options::add_examples(*count,
+                          { "leaves count ivy --steps 9", "leaves count mine.leaf --steps 3" });
     count->callback([counted, &action] { action = [counted] { return count_cells(*counted); }; });
 
     auto drawn = std::make_shared<LeavesArguments>();
@@ -248,9 +254,10 @@ void add_leaves_command(CLI::App& root, options::Action& action, tools::Methods 
         = command->add_subcommand("draw", "Write a leaf as a picture, or as triangles");
     add_grammar_argument(*draw, *drawn);
     add_growth_options(*draw, *drawn);
-    draw->add_option("-o,--output", drawn->output, "A picture (.png), or triangles (.glb, .obj)")
+    draw->add_option("-o,--output", drawn->output,
+                     "A picture (.png), or triangles: " + batch::listed(batch::mesh_endings()))
         ->type_name("FILE")
-        ->check(options::name_ending_in({ ".png", ".glb", ".obj" }))
+        ->check(options::name_ending_in(batch::mesh_endings()))
         ->required();
     options::add_picture_size_option(*draw, drawn->picture);
     draw->add_option("--length", drawn->size_mm, "The longer side of the flat leaf, in mm")
@@ -261,9 +268,13 @@ void add_leaves_command(CLI::App& root, options::Action& action, tools::Methods 
                      "Paint it with its grammar's colours, in pictures so wide and high")
         ->type_name("PIXELS")
         ->check(options::whole_number(16, 4096));
+    options::add_examples(
+        *draw,
+        { "leaves draw ivy --steps 9 -o ivy.png", "leaves draw oak --length 90 -o oak-leaf.glb" });
     draw->callback([drawn, &action] { action = [drawn] { return draw_leaf(*drawn); }; });
     add_sketch_leaf_command(*command, action, methods);
     add_paint_commands(*command, action);
+    add_atlas_examples(*command);
 }
 
 } // namespace tractus::leaf

@@ -3,6 +3,7 @@
 #include "app/methods/leaves/leaf_library.h"
 #include "app/methods/leaves/leaf_picture.h"
 #include "app/options/checks.h"
+#include "app/options/examples.h"
 #include "app/render/contact_sheet.h"
 #include "app/render/image.h"
 #include "app/terminal/console.h"
@@ -249,7 +250,8 @@ Result<void> list_leaves()
 void add_paint_options(CLI::App& paint, PaintArguments& arguments)
 {
     paint.add_option("LEAF", arguments.leaves, "Leaf grammars (.leaf), or ours by name: oak")
-        ->type_name("LEAF")
+        ->type_name("LEAF|FILE")
+        ->check(options::suggest(leaf_names()))
         ->required();
     paint
         .add_option("-o,--output", arguments.output,
@@ -312,10 +314,15 @@ void add_paint_commands(CLI::App& leaves, options::Action& action)
     paint->footer("A folder gets color.png (with alpha), normal.png, occlusion-roughness.png,\n"
                   "translucency.png, each a page with a cell for each leaf, and leaves.json,\n"
                   "which says what lies where and how large it is.");
+    options::add_examples(
+        *paint,
+        { "leaves paint oak ivy rose -o painted.png", "leaves paint oak --count 4 -o oak-leaves" });
     paint->callback([painted, &action] { action = [painted] { return paint_leaves(*painted); }; });
 
-    leaves.add_subcommand("list", "Name the leaf grammars that come with the program")
-        ->callback([&action] { action = [] { return list_leaves(); }; });
+    auto* const list
+        = leaves.add_subcommand("list", "Name the leaf grammars that come with the program");
+    options::add_examples(*list, { "leaves list" });
+    list->callback([&action] { action = [] { return list_leaves(); }; });
 }
 
 } // namespace tractus::leaf

@@ -3,6 +3,7 @@
 #include "app/batch/drawing.h"
 #include "app/methods/leaves/leaf_sketch_file.h"
 #include "app/options/checks.h"
+#include "app/options/examples.h"
 #include "app/options/shared_options.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
@@ -161,6 +162,9 @@ void add_sketch_leaf_command(CLI::App& leaves, options::Action& action,
         "JSON is {\"strokes\": [[[x, y, z], ...], ...]}, in millimetres. The strokes are the\n"
         "outline, as one closed line, two halves or one half, the midrib, and veins on it or\n"
         "round its begin, in any order and direction.");
+    options::add_examples(
+        *sketch,
+        { "leaves fit leaf.json -o mine.leaf", "leaves fit leaf.json --report -o mine.leaf" });
     sketch->callback(
         [arguments, &action] { action = [arguments] { return write_sketched_leaf(*arguments); }; });
 }

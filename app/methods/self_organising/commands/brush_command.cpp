@@ -8,6 +8,7 @@
 #include "app/methods/self_organising/case_file.h"
 #include "app/methods/self_organising/habit_file.h"
 #include "app/options/checks.h"
+#include "app/options/examples.h"
 #include "app/options/glb_options.h"
 #include "app/options/picture_options.h"
 #include "app/options/shared_options.h"
@@ -194,13 +195,15 @@ Result<void> brush(BrushArguments const& arguments)
     auto const scene = TRY(scene::apply_edits({}, edits, document::make_load_options()));
     auto const input = arguments.strokes.empty() ? fs::path(arguments.from) : arguments.strokes;
     auto const name = input.stem().string();
+    std::string note;
     if (batch::is_session_file(arguments.output))
         TRY(batch::begin_session(arguments.output, edits, arguments.methods.edits));
     else
-        TRY(batch::write_plant_file(*scene.base, name, arguments.output, arguments.file));
-    return terminal::print_out(fmt::format("{}: {} strokes, {} internodes, {} leaves\n",
-                                           arguments.output.string(), brushed_count(edits),
-                                           scene.base->segment_count(), scene.base->organs.size()));
+        note = TRY(batch::write_plant_file(*scene.base, name, arguments.output, arguments.file))
+                   .sentence();
+    return terminal::print_out(fmt::format(
+        "{}: {} strokes, {} internodes, {} leaves{}\n", arguments.output.string(),
+        brushed_count(edits), scene.base->segment_count(), scene.base->organs.size(), note));
 }
 
 void add_brush_options(CLI::App& command, BrushArguments& arguments)
@@ -213,7 +216,8 @@ void add_brush_options(CLI::App& command, BrushArguments& arguments)
     command
         .add_option("--habit", arguments.habit,
                     "The species: one of ours by its English or Latin name, or a .habit file")
-        ->type_name("HABIT")
+        ->type_name("HABIT|FILE")
+        ->check(options::suggest(self_organising::habit_names()))
         ->capture_default_str();
     command
         .add_option("--years", arguments.years, "How many years the tree grows along all strokes")
@@ -255,11 +259,14 @@ void add_brush_command(CLI::App& root, options::Action& action, tools::Methods c
             "A file of strokes (.txt with x y z in mm on each line, .tilt), or a recording")
         ->type_name("STROKES");
     add_brush_options(*command, *arguments);
+    auto endings = batch::plant_endings();
+    endings.emplace_back(".tractus");
     command
         ->add_option("-o,--output", arguments->output,
-                     "What to write: .glb, .obj, .mtg, a picture (.png), or a session (.tractus)")
+                     "What to write, as its ending says: " + batch::listed(endings)
+                         + " (a session)")
         ->type_name("FILE")
-        ->check(options::name_ending_in({ ".glb", ".obj", ".mtg", ".png", ".tractus" }));
+        ->check(options::name_ending_in(endings));
     options::add_picture_size_option(*command, arguments->file.picture);
     options::add_glb_options(*command, arguments->file.glb);
     auto* const example
@@ -277,6 +284,9 @@ void add_brush_command(CLI::App& root, options::Action& action, tools::Methods c
         "it\n"
         "sows markers of free space, for which the tree's buds compete (Runions and others 2007,\n"
         "Longay and others 2012). The first stroke plants a tree, the others lead it on.");
+    options::add_examples(*command,
+                          { "brush hand.tractus-log --habit willow --years 6 -o willow.png",
+                            "brush --from daisy --years 3 -o overgrown.glb" });
     command->callback([arguments, command, &action] {
         arguments->is_scaled = command->count("--scale") > 0;
         action = [arguments] { return brush(*arguments); };

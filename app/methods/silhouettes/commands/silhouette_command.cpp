@@ -8,6 +8,7 @@
 #include "app/methods/silhouettes/silhouette_lines.h"
 #include "app/methods/silhouettes/silhouette_report.h"
 #include "app/options/checks.h"
+#include "app/options/examples.h"
 #include "app/options/glb_options.h"
 #include "app/options/picture_options.h"
 #include "app/terminal/console.h"
@@ -19,9 +20,9 @@
 #include "engine/scene/scene.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
 #include <optional>
 #include <string>
@@ -73,6 +74,9 @@ silhouette::TreeForm form_of(SilhouetteArguments const& arguments)
         form.plane_branches = silhouette::kUsualPlaneBranches;
     // Without branches in the plane the tree is filled as the paper says, and not further.
     form.leaves_reach_outline = form.plane_branches > 0 && silhouette::fills_outline(form);
+    if (form.plane_branches == 0)
+        form.base_angle_deg = 0, form.tip_angle_deg = 0, form.rise = 0;
+    form.bases_by_angle = form.base_angle_deg > 0 || form.tip_angle_deg > 0 || form.rise != 0;
     std::vector<silhouette::Pattern> given;
     for (auto const& word : arguments.patterns)
         // The check one_of() of the option has made sure that the pattern exists.
@@ -96,6 +100,20 @@ Result<void> check_whorl(SilhouetteArguments const& arguments)
         return fail(Fault::User,
                     "--whorl says how many branches a whorl has, and there are none: give "
                     "--arrangement whorls, too");
+    return {};
+}
+
+constexpr std::array kAngleOptions { "--base-angle", "--tip-angle", "--rise" };
+
+// Fails with a user error if --branches 0, which makes trees as the paper describes them, is given
+// together with an option for the angles of branches.
+Result<void> check_angles(SilhouetteArguments const& arguments)
+{
+    for (auto const* const option : kAngleOptions)
+        if (arguments.branches == 0 && arguments.command->count(option) > 0)
+            return fail(
+                Fault::User,
+                fmt::format("{} is of no use with --branches 0: leave one of them away", option));
     return {};
 }
 
@@ -137,13 +155,10 @@ silhouette::TreeForm styled_form(SilhouetteArguments const& arguments,
         form.leaf_width = given.leaf_width;
     form.density = given.density;
     form.seed = given.seed;
+    form.base_angle_deg = given.base_angle_deg;
+    form.tip_angle_deg = given.tip_angle_deg;
+    form.rise = given.rise;
     return form;
-}
-
-bool is_tree_file(fs::path const& output)
-{
-    constexpr std::array kEndings { ".glb", ".obj", ".mtg", ".png" };
-    return std::find(kEndings.begin(), kEndings.end(), output.extension()) != kEndings.end();
 }
 
 tl::unexpected<Error> about_drawing(fs::path const& file, Error const& error)
@@ -156,7 +171,7 @@ Result<std::string> write_tree(SilhouetteArguments const& arguments, fs::path co
                                Plant const& plant)
 {
     auto const name = drawing.stem().string();
-    if (is_tree_file(arguments.output)) {
+    if (batch::is_plant_file(arguments.output)) {
         TRY(batch::write_plant_file(plant, name, arguments.output, arguments.file));
         return arguments.output.string();
     }
@@ -232,14 +247,14 @@ Result<void> make_trees(SilhouetteArguments arguments)
         return arrange_alone(arguments);
     if (arguments.output.empty() && !arguments.report)
         return fail(Fault::User, "nothing is asked for: give --output, --report, or both");
-    if (arguments.drawings.size() > 1 && is_tree_file(arguments.output))
+    if (arguments.drawings.size() > 1 && batch::is_plant_file(arguments.output))
         return fail(
             Fault::User,
             fmt::format("{}: several trees need a folder to be in", arguments.output.string()));
     if (!arguments.output.empty())
-        TRY(check_writable(is_tree_file(arguments.output) ? arguments.output
-                                                          : arguments.output / "tree.glb"));
-    if (arguments.session && (arguments.output.empty() || is_tree_file(arguments.output)))
+        TRY(check_writable(batch::is_plant_file(arguments.output) ? arguments.output
+                                                                  : arguments.output / "tree.glb"));
+    if (arguments.session && (arguments.output.empty() || batch::is_plant_file(arguments.output)))
         return fail(Fault::User, "a session needs a folder to be in: give one as --output");
     std::optional<silhouette::MeasuredStyle> style;
     if (!arguments.style.empty()) {
@@ -248,6 +263,7 @@ Result<void> make_trees(SilhouetteArguments arguments)
         TRY(silhouette::check_form(arguments.form));
     }
     TRY(check_whorl(arguments));
+    TRY(check_angles(arguments));
     for (auto const& drawing : arguments.drawings)
         TRY(make_tree_of(arguments, drawing, style));
     return {};
@@ -270,6 +286,9 @@ void add_leaf_options(CLI::App& command, SilhouetteArguments& arguments)
 
 void add_style_options(CLI::App& command, SilhouetteArguments& arguments)
 {
+    std::vector<std::string> forms;
+    for (auto const& ready : silhouette::tree_presets())
+        forms.emplace_back(ready.name);
     command
         .add_option_function<std::string>(
             "--form",
@@ -278,11 +297,12 @@ void add_style_options(CLI::App& command, SilhouetteArguments& arguments)
                     if (ready.name == name)
                         form = ready.form;
             },
-            "How the tree's branches stand, how many there are, and its leaves, but for what other "
-            "options say: oak, pine, willow, eucalyptus, fir, poplar or fern")
+            fmt::format(
+                "How the tree's branches stand, at which angles, how many there are, and its "
+                "leaves, but for what other options say: {}",
+                fmt::join(forms, ", ")))
         ->type_name("NAME")
-        ->check(
-            options::one_of({ "oak", "pine", "willow", "eucalyptus", "fir", "poplar", "fern" }));
+        ->check(options::one_of(forms));
     command
         .add_option("--style", arguments.style,
                     "Branches as they are measured on a plant, but for what other options say: one "
@@ -342,6 +362,26 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
         ->check(options::number(0, 10));
 }
 
+void add_angle_options(CLI::App& command, SilhouetteArguments& arguments)
+{
+    command
+        .add_option("--base-angle", arguments.form.base_angle_deg,
+                    "Between the trunk and its lowest branches, where they leave it")
+        ->type_name("DEGREES")
+        ->check(options::number(kMinAngle_deg, kMaxAngle_deg));
+    command
+        .add_option("--tip-angle", arguments.form.tip_angle_deg,
+                    "Between the trunk and its highest branches, where they leave it")
+        ->type_name("DEGREES")
+        ->check(options::number(kMinAngle_deg, kMaxAngle_deg));
+    command
+        .add_option("--rise", arguments.form.rise,
+                    "How the trunk's branches turn on their way out: upwards, or below 0 down, "
+                    "-2 to 2")
+        ->type_name("NUMBER")
+        ->check(options::number(-2, 2));
+}
+
 void add_options(CLI::App& command, SilhouetteArguments& arguments)
 {
     command
@@ -351,12 +391,14 @@ void add_options(CLI::App& command, SilhouetteArguments& arguments)
     command
         .add_option("-o,--output", arguments.output,
                     "The folder for pictures and glTF, made if it is not there; or the tree alone, "
-                    "as the file's ending says: .glb, .obj, .mtg or .png")
+                    "as the file's ending says: "
+                        + batch::listed(batch::plant_endings()))
         ->type_name("OUTPUT");
     options::add_picture_size_option(command, arguments.file.picture);
     // These options are added before the form's options, which override a style.
     add_style_options(command, arguments);
     add_form_options(command, arguments);
+    add_angle_options(command, arguments);
     add_leaf_options(command, arguments);
     command.add_option("--height", arguments.height_m, "Of the whole tree, metres")
         ->type_name("METRES")
@@ -403,6 +445,9 @@ void add_silhouette_command(CLI::App& root, options::Action& action, tools::Meth
         "\"styles\" are strokes from a branch over others, which branch as that one does. "
         "\"rings\",\n"
         "\"climbs\" and \"sides\" are lines in space on the crown's surface.");
+    options::add_examples(*command,
+                          { "silhouette crown.json -o tree.glb",
+                            "silhouette --arrangement spiral --count 8 -o spirals" });
     command->callback(
         [arguments, &action] { action = [arguments] { return make_trees(*arguments); }; });
 }

@@ -4,6 +4,7 @@
 #include "app/batch/plant_file.h"
 #include "app/batch/session_plant.h"
 #include "app/document/model_cost.h"
+#include "app/files/resources.h"
 #include "app/io/model_file.h"
 #include "app/io/stroke_file.h"
 #include "app/methods/sketch_lsystem/commands/model_rule_file.h"
@@ -13,6 +14,7 @@
 #include "app/methods/sketch_lsystem/sketch_report.h"
 #include "app/methods/sketch_lsystem/sketch_tool.h"
 #include "app/options/checks.h"
+#include "app/options/examples.h"
 #include "app/options/picture_options.h"
 #include "app/options/shared_options.h"
 #include "app/terminal/console.h"
@@ -369,7 +371,8 @@ void add_options(CLI::App& command, SketchArguments& arguments)
         .add_option("--rule", arguments.rule,
                     "The rule, a small TOML file or a card (.card) from the window, or a model, an "
                     "L-system file (.l) or one of ours; without it the usual rule")
-        ->type_name("RULE");
+        ->type_name("RULE|FILE")
+        ->check(options::suggest(files::model_names()));
     auto* const output
         = command
               .add_option("-o,--output", arguments.folder,
@@ -431,6 +434,9 @@ void add_sketch_command(CLI::App& root, options::Action& action, tools::Methods 
         "conifer,\n"
         "frond, palm, poplar and vine have them, and \"tractus lsystem check\" says what another "
         "lacks.");
+    options::add_examples(*command,
+                          { "sketch hand.tractus-log -o twig",
+                            "sketch hand.tractus-log --rule frond --surface paper -o frond" });
     command->callback(
         [arguments, &action] { action = [arguments] { return sketch_plant(*arguments); }; });
 }
