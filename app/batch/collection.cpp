@@ -5,6 +5,7 @@
 #include "app/batch/collection_sheet.h"
 #include "app/batch/picture_thread.h"
 #include "app/batch/plant_billboard.h"
+#include "app/batch/plant_page.h"
 #include "engine/base/file.h"
 #include "engine/base/random.h"
 #include "engine/mesh/level_of_detail.h"
@@ -81,7 +82,9 @@ private:
     void add_details(exports::PlacedMesh& mesh, std::function<Plant()> const& plant);
     exports::Billboard billboard(Plant const& plant);
     Result<exports::GlbSummary> write_plants(std::ostream& out,
-                                             std::span<exports::PlacedMesh const> plants);
+                                             std::span<exports::PlacedMesh const> plants,
+                                             exports::GlbOptions const& glb);
+    exports::GlbOptions options_of_folder(std::size_t plants) const;
 
     // Returns the plant at its age, valid until the next call. `place` must belong to this
     // collection.
@@ -107,6 +110,7 @@ private:
     // Thread that renders pictures; no value if no pictures are requested.
     std::optional<PictureThread> pictures_;
     std::optional<Error> picture_error_;
+    mesh::MeshOptions mesh_; // options_.mesh with the error of organs.
 };
 
 Result<CollectionReport> Collection::run()
@@ -125,11 +129,13 @@ Result<CollectionReport> Collection::run()
     grower.reseed(options_.individuality.seeds);
     grower.make_individuals(options_.individuality);
     TRY(compare(grower));
+    mesh_ = options_.mesh;
+    mesh_.organ_error_mm = options_.organ_error * report_.height_mm;
     auto how = options_.individuality;
     how.turn = 0; // Individuals are not turned, as plants are turned when placed.
     grower.make_individuals(how);
     auto const places = place_plants(options_, spacing_mm(grower));
-    bool const one_file = options_.output.extension() == ".glb";
+    bool const one_file = is_one_file(options_);
     auto const plants
         = TRY(one_file ? write_one_file(grower, places) : write_folder(grower, places));
     report_.plants = plants.size();
@@ -233,9 +239,9 @@ void Collection::add_details(exports::PlacedMesh& mesh, std::function<Plant()> c
         share /= 2;
         mesh.details.push_back(
             { exports::PlantToMesh {
-                  .plant = [this, plant,
-                            share] { return mesh::coarser_plant(plant(), options_.mesh, share); },
-                  .options = mesh::coarser_options(options_.mesh, share),
+                  .plant
+                  = [this, plant, share] { return mesh::coarser_plant(plant(), mesh_, share); },
+                  .options = mesh::coarser_options(mesh_, share),
                   .wind = std::get<exports::PlantToMesh>(mesh.mesh).wind },
               kFullCoverage * share });
     }
@@ -248,8 +254,8 @@ exports::Billboard Collection::billboard(Plant const& plant)
 {
     // Share of the triangles to keep for a billboard; its few pixels could not show more.
     constexpr double kShare = 0.25;
-    auto const coarse = mesh::coarser_plant(plant, options_.mesh, kShare);
-    auto const mesh = mesh::make_mesh(coarse, mesh::coarser_options(options_.mesh, kShare));
+    auto const coarse = mesh::coarser_plant(plant, mesh_, kShare);
+    auto const mesh = mesh::make_mesh(coarse, mesh::coarser_options(mesh_, kShare));
     Result<exports::Billboard> drawn;
     pictures_->draw([&](PictureMaker& pictures) { drawn = draw_billboard(pictures, mesh); });
     if (drawn)
@@ -259,10 +265,27 @@ exports::Billboard Collection::billboard(Plant const& plant)
     return {};
 }
 
-Result<exports::GlbSummary> Collection::write_plants(std::ostream& out,
-                                                     std::span<exports::PlacedMesh const> plants)
+// Options for the files of a folder: before a file is written, the expected size of all of them is
+// announced, which is that of the file times the number of plants.
+exports::GlbOptions Collection::options_of_folder(std::size_t plants) const
 {
-    auto const summary = TRY(exports::write_glb(out, plants, options_.glb));
+    auto options = options_.glb;
+    if (options.before_writing)
+        options.before_writing
+            = [announce = options.before_writing, plants](exports::GlbSummary const& one) {
+                  announce({ .bytes = one.bytes * plants,
+                             .triangles = one.triangles * plants,
+                             .compressed_bytes = one.compressed_bytes * plants,
+                             .files = plants });
+              };
+    return options;
+}
+
+Result<exports::GlbSummary> Collection::write_plants(std::ostream& out,
+                                                     std::span<exports::PlacedMesh const> plants,
+                                                     exports::GlbOptions const& glb)
+{
+    auto const summary = TRY(exports::write_glb(out, plants, glb));
     if (picture_error_)
         return fail(picture_error_->fault, picture_error_->message);
     return summary;
@@ -275,6 +298,7 @@ Result<std::vector<ManifestPlant>> Collection::write_one_file(CollectionGrower& 
     std::vector<ManifestPlant> plants;
     std::vector<exports::PlacedMesh> meshes;
     std::size_t begun = 0;
+    bool const is_page = options_.output.extension() == ".html";
     for (auto const& place : places) {
         plants.push_back({ place, options_.output.filename().string() });
         meshes.push_back(placed(place));
@@ -288,13 +312,16 @@ Result<std::vector<ManifestPlant>> Collection::write_one_file(CollectionGrower& 
             }
             return grow(grower, place);
         };
-        meshes.back().mesh = exports::PlantToMesh { make, options_.mesh, wind(place) };
-        add_details(meshes.back(), make);
+        meshes.back().mesh = exports::PlantToMesh { make, mesh_, wind(place) };
+        if (!is_page)
+            add_details(meshes.back(), make);
     }
     auto const write = [&](std::ostream& out) -> Result<void> {
-        auto const summary = TRY(write_plants(out, meshes));
+        auto const title = options_.model.stem().string();
+        auto const summary = TRY(is_page ? write_page(out, title, meshes, options_.glb)
+                                         : write_plants(out, meshes, options_.glb));
         report_.triangles = summary.triangles;
-        report_.bytes = summary.bytes;
+        report_.bytes = static_cast<std::uint64_t>(out.tellp());
         return {};
     };
     TRY(write_file(options_.output, write));
@@ -306,16 +333,17 @@ Result<std::vector<ManifestPlant>> Collection::write_folder(CollectionGrower& gr
 {
     progress_.begin("writing the plants", places.size());
     auto const digits = std::to_string(options_.count).size();
+    auto const glb = options_of_folder(places.size());
     std::vector<ManifestPlant> plants;
     for (auto const& place : places) {
         auto const file
             = fmt::format("{}-{:0{}}.glb", options_.model.stem().string(), place.index + 1, digits);
         auto mesh = placed(place);
         auto const& plant = grow(grower, place);
-        mesh.mesh = exports::PlantToMesh { &plant, options_.mesh, wind(place) };
+        mesh.mesh = exports::PlantToMesh { &plant, mesh_, wind(place) };
         add_details(mesh, [&] { return plant; });
         auto const write = [&](std::ostream& out) -> Result<void> {
-            auto const summary = TRY(write_plants(out, { &mesh, 1 }));
+            auto const summary = TRY(write_plants(out, { &mesh, 1 }, glb));
             report_.triangles += summary.triangles;
             report_.bytes += summary.bytes;
             return {};

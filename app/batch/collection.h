@@ -63,13 +63,16 @@ struct CollectionOptions {
     Shard shard {};
     Stand stand = Stand::Grid;
 
-    // Either a .glb file for all plants, each in its place, or a folder for one .glb file per
-    // plant, each plant at its own origin.
+    // Either a .glb or .html file for all plants, each in its place, or a folder for one .glb file
+    // per plant, each plant at its own origin.
     std::filesystem::path output {};
     // Image file of a contact sheet (collection_sheet.h); empty: none.
     std::filesystem::path sheet {};
-    PictureSize sheet_tile = kSheetTile; // Size of each small picture on the contact sheet.
-    mesh::MeshOptions mesh {};
+    PictureSize sheet_tile = kSheetTile;        // Size of each small picture on the contact sheet.
+    mesh::MeshOptions mesh { .max_sides = 10 }; // Few, as collections are large files.
+    // MeshOptions::organ_error_mm as a share of the drawn plant's height: by default less than a
+    // pixel in a picture of the whole plant that is 1500 pixels high.
+    double organ_error = 0.0005;
     exports::GlbOptions glb {};
     // True: files contain data for animation by wind, stored as glb.wind says.
     bool has_wind = false;
@@ -78,6 +81,9 @@ struct CollectionOptions {
     // triangles of the one before (engine/mesh/level_of_detail.h); the last is a billboard.
     std::size_t details = 0;
 };
+
+// True if all plants go into one file: a .glb file, or a page (plant_page.h).
+bool is_one_file(CollectionOptions const& options);
 
 // Place and age of one plant of a collection. They depend only on the plant's index, the spacing
 // and the collection's options.

@@ -13,11 +13,17 @@ static std::string line(nlohmann::ordered_json const& value)
     return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+bool is_one_file(CollectionOptions const& options)
+{
+    auto const ending = options.output.extension();
+    return ending == ".glb" || ending == ".html";
+}
+
 std::filesystem::path manifest_path(CollectionOptions const& options)
 {
     auto const [number, parts] = options.shard;
     auto const shard = parts > 1 ? fmt::format("-{}-of-{}", number, parts) : "";
-    if (options.output.extension() != ".glb")
+    if (!is_one_file(options))
         return options.output / fmt::format("manifest{}.json", shard);
     return options.output.parent_path()
         / fmt::format("{}{}.json", options.output.stem().string(), shard);

@@ -2,6 +2,7 @@
 
 #include "app/batch/pictures.h"
 #include "app/batch/plant_group.h"
+#include "app/batch/plant_page.h"
 #include "app/batch/plant_season.h"
 #include "app/batch/session_plant.h"
 #include "app/render/contact_sheet.h"
@@ -20,6 +21,7 @@
 #include <fstream>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace tractus::batch {
@@ -151,6 +153,7 @@ private:
     Result<void> write_picture(std::string const& name, render::Image const& picture);
     mesh::Mesh mesh_for_file(Plant const& plant) const;
     Result<void> write_collection(Bounds const& frame, Sequence& sequence);
+    Result<void> write_index(std::span<exports::PlacedMesh const> plants);
 
     JobOptions const& options_;
     terminal::Progress& progress_;
@@ -314,6 +317,18 @@ Result<void> Job::write_collection(Bounds const& frame, Sequence& sequence)
     };
     TRY(write_file(path, write));
     report_.files.push_back(path);
+    return options_.has_page ? write_index(plants) : Result<void> {};
+}
+
+Result<void> Job::write_index(std::span<exports::PlacedMesh const> plants)
+{
+    auto const path = options_.folder / "index.html";
+    auto const write = [&](std::ostream& out) -> Result<void> {
+        TRY(write_page(out, options_.model.stem().string(), plants, {}));
+        return {};
+    };
+    TRY(write_file(path, write));
+    report_.files.push_back(path);
     return {};
 }
 
@@ -327,7 +342,7 @@ Result<void> check_job_folder(std::filesystem::path const& folder)
         return {};
     std::error_code error;
     for (char const* const name : { "report.txt", "base.png", "strokes.png", "varied.png",
-                                    "collection.png", "collection.glb" })
+                                    "collection.png", "collection.glb", "index.html" })
         if (std::filesystem::exists(folder / name, error))
             return fail(Fault::User,
                         fmt::format("{} is there, and no earlier run of tractus wrote it: choose "

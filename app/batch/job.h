@@ -30,6 +30,7 @@ struct JobOptions {
     double age = 1; // Age of the oldest plants, 1 for fully grown; see Grower::grow().
     // True: the collection also contains the unvaried drawing in each of four seasons.
     bool all_seasons = false;
+    bool has_page = false; // True: index.html shows the collection in a browser (plant_page.h).
     exports::GlbOptions glb {}; // Options of collection.glb; those of its meshes are in `mesh`.
     mesh::MeshOptions mesh {};
     // Share of the triangles that plants keep in collection.glb, above 0 and at most 1. Organs of

@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <exception>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <memory>
 #include <new>
@@ -81,6 +82,22 @@ static std::vector<std::string> command_names(CLI::App const& parent)
     return names;
 }
 
+// Returns "; replay and vary have it", to append to the name of an option that the command lacks,
+// or an empty string if no other command has the option.
+static std::string others_with_option(CLI::App const& root, std::string const& option)
+{
+    std::vector<std::string> others;
+    for (auto const* const command : root.get_subcommands({})) {
+        auto const options = option_names(*command);
+        if (!command->get_group().empty() && std::ranges::find(options, option) != options.end())
+            others.push_back(command->get_name());
+    }
+    if (others.empty())
+        return {};
+    return fmt::format("; {} {} it", fmt::join(others, " and "),
+                       others.size() == 1 ? "has" : "have");
+}
+
 // Returns the message about wrong arguments. Unknown words are reported first, as a misspelt word
 // may be the cause of a missing argument.
 static std::string usage_error(CLI::App const& root, CLI::ParseError const& error)
@@ -91,8 +108,9 @@ static std::string usage_error(CLI::App const& root, CLI::ParseError const& erro
     if (auto const option = std::find_if(extras.begin(), extras.end(), is_option);
         option != extras.end()) {
         auto const name = option->substr(0, option->find('='));
+        auto const meant = did_you_mean(name, option_names(command));
         return fmt::format("there is no option {}{}", name,
-                           did_you_mean(name, option_names(command)));
+                           meant.empty() ? others_with_option(root, name) : meant);
     }
     if (extras.empty())
         return error.what();

@@ -52,6 +52,7 @@ void add_demo_command(CLI::App& root, options::Action& action, tools::Methods co
             bool const is_station = arguments->plant == "station";
             job.model = TRY(files::find_model(is_station ? "birch" : arguments->plant));
             job.all_seasons = is_station;
+            job.has_page = true;
             // The first file that a new user opens contains 16 variations of three plants, so
             // meshes are coarse and leaves are cards: every program opens it quickly.
             if (is_station) {
@@ -62,7 +63,7 @@ void add_demo_command(CLI::App& root, options::Action& action, tools::Methods co
                              .ends = mesh::MeshOptions::Ends::Open,
                              .sections = mesh::MeshOptions::Sections::SameArea,
                              .organs = mesh::MeshOptions::Organs::Cards };
-                job.detail = 0.5;
+                job.detail = 0.26;
                 job.glb.vertices
                     = std::max(job.glb.vertices, exports::GlbOptions::Vertices::Quantized);
             }

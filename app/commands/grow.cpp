@@ -17,6 +17,7 @@
 #include "app/options/growth_options.h"
 #include "app/options/model_options.h"
 #include "app/options/picture_options.h"
+#include "app/options/solid_options.h"
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "app/terminal/progress.h"
@@ -29,7 +30,7 @@
 #include "engine/variation/growth_preset.h"
 
 #include <filesystem>
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <memory>
 
 namespace tractus::commands {
@@ -56,6 +57,7 @@ struct GrowArguments {
     int stand = 1;        // Number of self-organising trees that grow beside each other.
     double spacing_m = 4; // Distance between neighbouring trees.
     bool fills = false;   // True: the tree fills the outlined crown of the model's plant.
+    double age = 1;       // Age of the plant that is written; 1 is fully grown.
     bool report = false;
 
     bool is_varied() const
@@ -90,12 +92,13 @@ ageing_plant(GrowArguments const& arguments, scene::Scene const& scene, std::str
 }
 
 // Describes what was written. An .mtg graph has no triangles to count.
-std::string describe_result(Plant const& plant, std::uint64_t triangles,
+std::string describe_result(Plant const& plant, batch::WrittenFile const& written,
                             std::filesystem::path const& output)
 {
-    auto const text
-        = fmt::format("{} segments, {} organs", plant.segment_count(), plant.organs.size());
-    return output.extension() == ".mtg" ? text : fmt::format("{}, {} triangles", text, triangles);
+    auto text = fmt::format("{} segments, {} organs", plant.segment_count(), plant.organs.size());
+    if (output.extension() != ".mtg")
+        text += fmt::format(", {} triangles", written.triangles);
+    return text + written.sentence();
 }
 
 // Returns the age of the plant in a frame, counted from 1. Ages are evenly spaced; in the last
@@ -103,6 +106,26 @@ std::string describe_result(Plant const& plant, std::uint64_t triangles,
 double age_of(std::size_t frame, std::size_t frames)
 {
     return static_cast<double>(frame) / static_cast<double>(frames);
+}
+
+Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::string const& name)
+{
+    if (arguments.report && !arguments.output.empty())
+        TRY(batch::write_plant_file(plant, name, arguments.output, arguments.file));
+    if (arguments.report)
+        return terminal::print_out(batch::print_plant_report(plant));
+    auto const written
+        = TRY(batch::write_plant_file(plant, name, arguments.output, arguments.file));
+    return terminal::print_out(fmt::format("{}: {}\n", arguments.output.string(),
+                                           describe_result(plant, written, arguments.output)));
+}
+
+// Writes the plant at the age that the user chose.
+Result<void> write_young(GrowArguments const& arguments, scene::Scene const& scene,
+                         std::string const& name)
+{
+    auto const ageing = TRY(ageing_plant(arguments, scene, name));
+    return write_one(arguments, ageing->parts(arguments.age), name);
 }
 
 // Writes a file for each age, with those parts of the plant that have grown by then.
@@ -121,9 +144,9 @@ Result<void> write_sequence(GrowArguments const& arguments, scene::Scene const& 
         double const age = age_of(i, arguments.frames);
         auto const plant = ageing->parts(age);
         auto const path = frame_path(arguments.output, i, arguments.frames);
-        auto const triangles = TRY(batch::write_plant_file(plant, name, path, file));
+        auto const written = TRY(batch::write_plant_file(plant, name, path, file));
         TRY(terminal::print_out(fmt::format("{}: age {:.3f}, {}\n", path.string(), age,
-                                            describe_result(plant, triangles, path))));
+                                            describe_result(plant, written, path))));
     }
     return {};
 }
@@ -155,18 +178,6 @@ Result<void> write_animation(GrowArguments const& arguments, scene::Scene const&
         "{:.1f} MB\n",
         arguments.output.string(), arguments.ages, arguments.seconds, whole.segment_count(),
         whole.organs.size(), summary.triangles, static_cast<double>(summary.bytes) / 1e6));
-}
-
-Result<void> write_one(GrowArguments const& arguments, Plant const& plant, std::string const& name)
-{
-    if (arguments.report && !arguments.output.empty())
-        TRY(batch::write_plant_file(plant, name, arguments.output, arguments.file));
-    if (arguments.report)
-        return terminal::print_out(batch::print_plant_report(plant));
-    auto const triangles
-        = TRY(batch::write_plant_file(plant, name, arguments.output, arguments.file));
-    return terminal::print_out(fmt::format("{}: {}\n", arguments.output.string(),
-                                           describe_result(plant, triangles, arguments.output)));
 }
 
 Result<void> write_varied(GrowArguments const& arguments, scene::Scene const& scene,
@@ -351,6 +362,7 @@ Result<NamedPlant> load_plant(GrowArguments const& arguments, tools::Methods con
 
 Result<void> grow_plant(GrowArguments const& arguments, tools::Methods const& methods)
 {
+    TRY(options::check_solid_options(arguments.file.solid, arguments.output));
     if (!arguments.output.empty())
         TRY(check_writable(arguments.output));
     auto [scene, name, is_session] = TRY(load_plant(arguments, methods));
@@ -366,11 +378,29 @@ Result<void> grow_plant(GrowArguments const& arguments, tools::Methods const& me
         return write_animation(arguments, scene, name);
     if (arguments.frames > 0)
         return write_sequence(arguments, scene, name);
+    if (arguments.age < 1)
+        return write_young(arguments, scene, name);
     if (arguments.report && scene.plants.size() > 1)
         return report_all(arguments, scene, name);
     if (!is_session && !arguments.is_varied() && scene.plants.size() == 1)
         return write_one(arguments, *scene.in_season, name);
     return write_varied(arguments, scene, name);
+}
+
+// Lists the formats: ".glb (glTF), .obj (Wavefront OBJ) ...".
+std::string describe_formats()
+{
+    std::vector<std::string> list;
+    for (auto const& format : batch::plant_formats())
+        list.push_back(fmt::format("{} ({})", format.ending, format.label));
+    return fmt::format("{}", fmt::join(list, ", "));
+}
+
+// How a .usda holds organs if --organs says how a .glb does.
+exports::UsdOptions::Organs usd_organs(exports::GlbOptions::Organs organs)
+{
+    using Organs = exports::UsdOptions::Organs;
+    return organs == exports::GlbOptions::Organs::Instanced ? Organs::Instanced : Organs::Merged;
 }
 
 void add_habit_options(CLI::App& command, GrowArguments& arguments)
@@ -381,7 +411,8 @@ void add_habit_options(CLI::App& command, GrowArguments& arguments)
                           "A tree that grows by itself, from a seed or, with a model, from that "
                           "plant as it stands: a species by its English or Latin name, or a .habit "
                           "file")
-              ->type_name("HABIT");
+              ->type_name("HABIT|FILE")
+              ->check(options::suggest(methods::habit_names()));
     command.add_option("--years", arguments.years, "How many years it grows")
         ->type_name("N")
         ->check(options::whole_number(1, 200))
@@ -437,13 +468,26 @@ void add_animation_options(CLI::App& command, GrowArguments& arguments)
         ->excludes(animation);
 }
 
+// Throws CLI::ValidationError if there is neither a file to write nor a report to print. A model
+// that does not exist is left to grow_plant() to report, as its name may be the actual mistake.
+void check_output(GrowArguments const& arguments)
+{
+    bool const writes = !arguments.report || arguments.ages > 0 || arguments.frames > 0;
+    auto const& model = arguments.model.model;
+    if (!writes || !arguments.output.empty() || (!model.empty() && !files::find_model(model)))
+        return;
+    auto const name = model.empty() ? "tree" : std::filesystem::path(model).stem().string();
+    throw CLI::ValidationError(
+        fmt::format("say what to write, such as -o {0}.glb or -o {0}.png", name));
+}
+
 } // namespace
 
 void add_grow_command(CLI::App& root, options::Action& action, tools::Methods const& methods)
 {
     auto arguments = std::make_shared<GrowArguments>();
     auto* const command = root.add_subcommand(
-        "grow", "Grow a model and write it as glTF, OBJ, a graph or a picture");
+        "grow", "Grow a model and write it for other programs, or as a picture");
     options::add_model_options(*command, arguments->model);
     // MODEL is optional here, as a habit may be given instead.
     command->get_option("MODEL")->required(false);
@@ -451,27 +495,30 @@ void add_grow_command(CLI::App& root, options::Action& action, tools::Methods co
     options::add_cost_options(*command, arguments->cost);
     options::add_companion_options(*command, arguments->companions);
     command
-        ->add_option("-o,--output", arguments->output,
-                     "What to write: its ending, .glb, .obj, .mtg (a multiscale tree graph) or "
-                     ".png, says in which format")
+        ->add_option(
+            "-o,--output", arguments->output,
+            fmt::format("What to write: its ending says in which format: {}", describe_formats()))
         ->type_name("FILE")
-        ->check(options::name_ending_in({ ".glb", ".obj", ".mtg", ".png" }));
+        ->check(options::name_ending_in(batch::plant_endings()));
     options::add_picture_size_option(*command, arguments->file.picture);
-    options::add_glb_options(*command, arguments->file.glb);
+    auto* const organs = options::add_glb_options(*command, arguments->file.glb);
+    options::add_solid_options(*command, arguments->file.solid);
     options::add_growth_options(*command, arguments->growth, "as drawn, or as in a session");
     options::add_drawing_options(*command, arguments->drawing,
                                  "the plant is as its model gives it");
     add_animation_options(*command, *arguments);
+    options::add_age_option(*command, arguments->age);
+    command->get_option("--age")->excludes("--animation")->excludes("--sequence");
     command->footer(
         "MODEL may also be a skeleton that another program has drawn as lines (.obj, .glb), a\n"
         "measured tree (cylinders, .csv or .txt; a skeleton, .ply; a graph, .mtg), or a\n"
         "session (.tractus): then it is the plant as drawn, as the station's window shows it,\n"
         "or with --seed another variation. With --growth the seed also says how a model\n"
         "grows. The same model, drawing and seed always give the same file.");
-    command->callback([arguments, methods, &action] {
-        bool const writes = !arguments->report || arguments->ages > 0 || arguments->frames > 0;
-        if (writes && arguments->output.empty())
-            throw CLI::RequiredError("--output");
+    command->callback([arguments, methods, organs, &action] {
+        if (organs->count() > 0)
+            arguments->file.usd.organs = usd_organs(arguments->file.glb.organs);
+        check_output(*arguments);
         action = [arguments, methods] { return grow_plant(*arguments, methods); };
     });
 }

@@ -33,8 +33,8 @@ struct VaryArguments {
 Result<void> vary(VaryArguments const& arguments, tools::Methods const& methods)
 {
     auto options = arguments.collection;
-    bool const is_one_file = options.output.extension() == ".glb";
-    TRY(check_writable(is_one_file ? options.output : options.output / "plant.glb"));
+    TRY(check_writable(batch::is_one_file(options) ? options.output
+                                                   : options.output / "plant.glb"));
     options.model = TRY(files::find_model(arguments.model));
     options.kinds = methods.edits;
     options.drawing = options::drawing_options(arguments.drawing, methods);
@@ -59,12 +59,38 @@ Result<void> vary(VaryArguments const& arguments, tools::Methods const& methods)
     return terminal::print_out(batch::print_report(TRY(batch::make_collection(options, progress))));
 }
 
+// Adds the options that say how many triangles the plants have.
+void add_triangle_options(CLI::App& command, batch::CollectionOptions& collection)
+{
+    command
+        .add_option("--sides", collection.mesh.max_sides, "Sides of the thickest branches, 3 to 64")
+        ->type_name("N")
+        ->check(options::whole_number(3, 64))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--organ-error", collection.organ_error,
+            "By how much leaves, petals and fruits may differ from their exact shapes, as a "
+            "share of the plant's height, to save triangles; 0 for all triangles")
+        ->type_name("SHARE")
+        ->check(options::number(0, 0.1))
+        ->capture_default_str();
+    command
+        .add_option("--lods", collection.details,
+                    "Coarser levels of each plant, for being seen from afar (MSFT_lod): each has "
+                    "half the triangles of the one before, and the last is a billboard")
+        ->type_name("N")
+        ->check(options::whole_number(0, batch::kMaxDetails))
+        ->capture_default_str();
+}
+
 void add_output_options(CLI::App& command, VaryArguments& arguments)
 {
     command
         .add_option("-o,--output", arguments.collection.output,
-                    "A .glb for all plants, or a folder for one .glb each; made if it is not there")
-        ->type_name("FOLDER|FILE.glb")
+                    "A .glb for all plants, a .html that shows and turns them in a browser, or a "
+                    "folder for one .glb each; made if it is not there")
+        ->type_name("FOLDER|FILE.glb|FILE.html")
         ->required();
     command
         .add_option("--sheet", arguments.collection.sheet,
@@ -89,19 +115,7 @@ void add_output_options(CLI::App& command, VaryArguments& arguments)
         ->type_name("I/N")
         ->check(options::part_of(1'000'000))
         ->capture_default_str();
-    command
-        .add_option("--sides", arguments.collection.mesh.max_sides,
-                    "Sides of the thickest branches, 3 to 64")
-        ->type_name("N")
-        ->check(options::whole_number(3, 64))
-        ->capture_default_str();
-    command
-        .add_option("--lods", arguments.collection.details,
-                    "Coarser levels of each plant, for being seen from afar (MSFT_lod): each has "
-                    "half the triangles of the one before, and the last is a billboard")
-        ->type_name("N")
-        ->check(options::whole_number(0, batch::kMaxDetails))
-        ->capture_default_str();
+    add_triangle_options(command, arguments.collection);
     command
         .add_option("--wind", arguments.wind,
                     "Where vertices keep what game engines need for the wind (pivot, axis, level, "

@@ -129,6 +129,7 @@ window::WindowOptions window_options(WindowArguments const& arguments, std::stri
         };
     options.scale = arguments.scale;
     options.frames = arguments.frames;
+    options.when_at_rest = batch::return_freed_memory;
     options.should_close = drivers::ClosingSignals::has_signal_arrived;
     options.screenshot = arguments.screenshot;
     options.film = arguments.film;
@@ -363,7 +364,7 @@ Result<void> prepare_film(WindowArguments const& arguments)
 // the mouse draws.
 Result<void> open_window(WindowArguments const& arguments)
 {
-    batch::return_large_blocks();
+    batch::keep_freed_memory();
     // Checked before the window opens, so that an error appears in the terminal.
     if (!arguments.picture.empty())
         TRY(controllers::load_back_picture(arguments.picture, Vec2(1, 1)));

@@ -44,8 +44,12 @@ Result<window::WindowLook> load_look(fs::path const& path)
     std::error_code ignored;
     if (path.empty() || !fs::exists(path, ignored))
         return window::WindowLook();
-    auto const text = TRY(read_file(path));
-    auto table = TRY(calib::TomlTable::parse(text, path.string()));
+    return parse_look(TRY(read_file(path)), path.string());
+}
+
+Result<window::WindowLook> parse_look(std::string_view text, std::string const& name)
+{
+    auto table = TRY(calib::TomlTable::parse(text, name));
     window::WindowLook look;
     look.is_light = TRY(is_second(table, "colors", kColors));
     look.is_left_handed = TRY(is_second(table, "hand", kHands));
@@ -60,8 +64,12 @@ Result<tools::MinExtents> load_min_extents(fs::path const& path)
     std::error_code ignored;
     if (path.empty() || !fs::exists(path, ignored))
         return tools::MinExtents();
-    auto const text = TRY(read_file(path));
-    auto table = TRY(calib::TomlTable::parse(text, path.string()));
+    return parse_look_extents(TRY(read_file(path)), path.string());
+}
+
+Result<tools::MinExtents> parse_look_extents(std::string_view text, std::string const& name)
+{
+    auto table = TRY(calib::TomlTable::parse(text, name));
     auto const words = TRY(least_words(table));
     auto extents = tools::parse_min_extents(words);
     if (!extents)
@@ -69,18 +77,21 @@ Result<tools::MinExtents> load_min_extents(fs::path const& path)
     return extents;
 }
 
+std::string print_look(window::WindowLook const& look, tools::MinExtents const& least)
+{
+    auto const kept = least.empty()
+        ? std::string()
+        : fmt::format("least = \"{}\"\n", tools::print_min_extents(least));
+    return fmt::format("# How tractus' window looks, as chosen there last.\n"
+                       "colors = \"{}\"\nhand = \"{}\"\n{}",
+                       kColors[look.is_light ? 1 : 0], kHands[look.is_left_handed ? 1 : 0], kept);
+}
+
 Result<void> save_look(fs::path const& path, window::WindowLook const& look)
 {
     TRY(make_folder(path.parent_path()));
-    auto const least = load_min_extents(path);
-    auto const kept = least && !least->empty()
-        ? fmt::format("least = \"{}\"\n", tools::print_min_extents(*least))
-        : std::string();
-    return write_file(path,
-                      fmt::format("# How tractus' window looks, as chosen there last.\n"
-                                  "colors = \"{}\"\nhand = \"{}\"\n{}",
-                                  kColors[look.is_light ? 1 : 0],
-                                  kHands[look.is_left_handed ? 1 : 0], kept));
+    auto const least = load_min_extents(path).value_or(tools::MinExtents());
+    return write_file(path, print_look(look, least));
 }
 
 } // namespace tractus::commands

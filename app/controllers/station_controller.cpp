@@ -16,7 +16,6 @@
 #include "engine/base/file.h"
 #include "engine/scene/derive_anew.h"
 
-#include <array>
 #include <chrono>
 #include <fmt/core.h>
 #include <utility>
@@ -41,6 +40,8 @@ StationController::StationController(station::Station const& station,
     , folder_(std::move(folder))
 {
     view_.state().has_session = document_->session().is_in_file();
+    view_.state().export_endings = batch::plant_endings();
+    std::erase(view_.state().export_endings, ".png"); // The window saves its own view as a picture.
     show_name();
     view_.state().status = document_->session().unknown().sentence();
 }
@@ -466,8 +467,7 @@ void StationController::perform(view::SavePicture const& command, station::Stati
 
 void StationController::perform(view::ExportPlant const& command, station::Station&)
 {
-    constexpr std::array kEndings { ".glb", ".obj", ".mtg" };
-    save(kEndings.at(static_cast<std::size_t>(command.format)),
+    save(command.ending,
          [scene = view_.grown_scene(), organs = command.organs,
           along_ground
           = view_.state().along_ground](std::filesystem::path const& path) -> Result<std::string> {
@@ -479,9 +479,9 @@ void StationController::perform(view::ExportPlant const& command, station::Stati
                      note += "; with its leaves instanced it is smaller";
              };
              auto const plant = TRY(batch::shown_plants(*scene, along_ground));
-             TRY(batch::write_plant_file(plant, std::filesystem::path(scene->model_name).stem(),
-                                         path, options));
-             return note;
+             auto const written = TRY(batch::write_plant_file(
+                 plant, std::filesystem::path(scene->model_name).stem(), path, options));
+             return note.empty() ? written.note : note;
          });
 }
 

@@ -102,18 +102,19 @@ public:
     // Offers the possible values of an option or argument, each with `prefix` before it.
     void values_of(CLI::Option& option, std::string const& prefix = {})
     {
-        for (auto const& text : options::completion_words(option))
+        auto const words = options::completion_words(option);
+        for (auto const& text : words)
             word(prefix + text);
-        if (!options::completion_words(option).empty())
-            return;
-        auto const kind = option.get_positional() ? option.get_name(true) : option.get_type_name();
+        auto const kind
+            = (option.get_positional() ? option.get_name(true) : "") + option.get_type_name();
         auto const has = [&](char const* part) { return kind.find(part) != std::string::npos; };
-        if (has("MODEL"))
+        bool const is_plant = has("MODEL") || has("PLANT");
+        if (is_plant && words.empty())
             for (auto const& model : models_)
                 word(prefix + model);
         if (has("DEVICE"))
             word(prefix + "simulated", "The simulated rig");
-        if (has("FILE") || has("LOG") || has("SCRIPT") || has("MODEL") || has("DEVICE"))
+        if (has("FILE") || has("LOG") || has("SCRIPT") || has("DEVICE") || is_plant)
             completion.names = Completion::Names::Files;
         else if (has("FOLDER"))
             completion.names = Completion::Names::Folders;

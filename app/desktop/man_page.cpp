@@ -175,15 +175,15 @@ std::string command_man_page(CLI::App const& command)
     for (auto const* each : below)
         text += (each == below.front() ? "" : ".br\n") + synopsis(*each);
     text += ".SH DESCRIPTION\n" + escaped(command.get_description()) + ".\n";
-    if (!command.get_footer().empty())
-        text += ".PP\n" + paragraphs(command.get_footer());
+    if (!options::footer_of(command).empty())
+        text += ".PP\n" + paragraphs(options::footer_of(command));
     if (below.empty())
         text += entries(command, ".SH");
     for (auto const* each : below) {
         text += fmt::format(".SH {}\n{}.\n", upper_case(escaped(full_name(*each))),
                             escaped(each->get_description()));
-        if (!each->get_footer().empty())
-            text += ".PP\n" + paragraphs(each->get_footer());
+        if (!options::footer_of(*each).empty())
+            text += ".PP\n" + paragraphs(options::footer_of(*each));
         text += entries(*each, ".SS");
     }
     return text + example_section(command) + ".SH SEE ALSO\n.BR tractus (1)\n";

@@ -1,4 +1,4 @@
-# Settings for "cpack", which, run in the build's folder, makes a Debian package of what "cmake --install" installs.
+# Settings for cpack. Run in the build folder, it makes a Debian package of the files that "cmake --install" installs.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME tractus)
 set(CPACK_PACKAGE_CONTACT "tractus developers <developers@tractus.invalid>")

@@ -1,33 +1,27 @@
 #include "app/render/gpu_mesh.h"
 
 #include "app/render/image.h"
+#include "app/render/leaf_parts.h"
 #include "engine/base/check.h"
-#include "engine/base/random.h"
+#include "engine/mesh/coarse_mesh.h"
 #include "engine/mesh/mesh_measures.h"
-#include "engine/mesh/organ_card.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace tractus::render {
 
 namespace {
 
-// Organs shorter than this on the screen are drawn as rhombi.
-constexpr float kRhombusBelow_px = 11;
-// Where rhombi would have a smaller area than this on the screen, fewer and larger ones are drawn.
-constexpr float kSmallestArea_px = 2.5f;
-constexpr float kSmallestShare = 0.02f; // Minimum share of an organ's rhombi that is drawn.
 // First of the five texture units for pictures; the sun's shadow uses the lower ones.
 constexpr int kPictureUnit = 2;
-constexpr std::uint32_t kShuffleStream = 0x72656e64;
 
 struct InstanceVertex {
     Vec3f translation_mm = Vec3f::Zero();
     std::array<float, 4> rotation {}; // Rotation as a quaternion x, y, z, w.
     Vec3f scale = Vec3f::Ones();
     float sky = 1;
+    Vec2f individual = Vec2f::Constant(0.5f); // individual_at()
 };
 
 void float_attribute(GLuint index, GLint size, GLsizei stride, std::size_t offset_bytes)
@@ -80,8 +74,7 @@ GLsizei tube_index_count(Material const& material, mesh::TriangleMesh const& sur
     return static_cast<GLsizei>(count);
 }
 
-// Binds a buffer of instances to the instance attributes of a vertex array. Several vertex arrays
-// may share the buffer.
+// Binds a buffer of instances to the instance attributes of a vertex array.
 void use_instances(gl::VertexArray const& vertex_array, GLuint instances)
 {
     glBindVertexArray(vertex_array.name());
@@ -91,36 +84,53 @@ void use_instances(gl::VertexArray const& vertex_array, GLuint instances)
     float_attribute(5, 4, kStride, offsetof(InstanceVertex, rotation));
     float_attribute(6, 3, kStride, offsetof(InstanceVertex, scale));
     float_attribute(7, 1, kStride, offsetof(InstanceVertex, sky));
-    for (GLuint index = 4; index < 8; ++index)
+    float_attribute(8, 2, kStride, offsetof(InstanceVertex, individual));
+    for (GLuint index = 4; index < 9; ++index)
         glVertexAttribDivisor(index, 1);
     glBindVertexArray(0);
 }
 
-// Returns the instances in random order, so that the first of them represent all of them.
-std::vector<InstanceVertex> shuffled_instances(mesh::InstancedMesh const& organ,
-                                               SkyVisibility const& sky)
+std::vector<InstanceVertex> instances_of(mesh::InstancedMesh const& organ, SkyVisibility const& sky)
 {
     std::vector<InstanceVertex> instances;
     instances.reserve(organ.instances.size());
+    Vec3f const middle = middle_of_largest_part(organ.prototype);
     for (auto const& instance : organ.instances) {
         auto const& rotation = instance.rotation;
+        Vec3f const place = mesh::placed(instance, middle);
         instances.push_back({ instance.translation_mm,
                               { rotation.x(), rotation.y(), rotation.z(), rotation.w() },
                               instance.scale,
-                              sky.at(instance.translation_mm) });
+                              sky.at(place),
+                              individual_at(place) });
     }
-    Random random({ .seed = 0, .stream = kShuffleStream });
-    for (std::size_t left = instances.size(); left > 1; --left)
-        std::swap(instances[left - 1], instances[random.next_u64() % left]);
     return instances;
 }
 
-Vec3f mean_scale(std::vector<InstanceVertex> const& instances)
+float max_scale(mesh::InstancedMesh const& organ)
 {
-    Vec3f sum = Vec3f::Zero();
-    for (auto const& instance : instances)
-        sum += instance.scale;
-    return sum / static_cast<float>(instances.size());
+    float scale = 0;
+    for (auto const& instance : organ.instances)
+        scale = std::max(scale, instance.scale.cwiseAbs().maxCoeff());
+    return scale;
+}
+
+void draw_instances(GpuMesh::Part const& part, float pixel_mm)
+{
+    // Less than half a pixel, as some instances are nearer to the camera than its target.
+    constexpr float kMaxError_px = 0.3f;
+    GLsizei index_count = part.index_count;
+    std::size_t first_index = 0;
+    for (auto const& coarse : part.coarse)
+        if (coarse.error_mm <= kMaxError_px * pixel_mm) {
+            index_count = coarse.index_count;
+            first_index = coarse.first_index;
+            break;
+        }
+    glBindVertexArray(part.vertex_array.name());
+    glVertexAttrib1f(3, 1);
+    glDrawElementsInstanced(GL_TRIANGLES, index_count, GL_UNSIGNED_INT,
+                            gl::offset(first_index * sizeof(std::uint32_t)), part.instance_count);
 }
 
 void draw_surface(GpuMesh::Part const& part)
@@ -130,6 +140,7 @@ void draw_surface(GpuMesh::Part const& part)
     glVertexAttrib4f(5, 0, 0, 0, 1);
     glVertexAttrib3f(6, 1, 1, 1);
     glVertexAttrib1f(7, 1);
+    glVertexAttrib2f(8, 0.5f, 0.5f);
     glEnable(GL_CULL_FACE);
     glDrawElements(GL_TRIANGLES, part.tube_index_count, GL_UNSIGNED_INT, nullptr);
     glDisable(GL_CULL_FACE);
@@ -137,26 +148,6 @@ void draw_surface(GpuMesh::Part const& part)
     glDrawElements(GL_TRIANGLES, part.index_count - part.tube_index_count, GL_UNSIGNED_INT,
                    gl::offset(tubes * sizeof(std::uint32_t)));
 }
-
-void draw_from_afar(GpuMesh::Part const& part, Shader const& shader, float pixel_mm)
-{
-    auto const& rhombus = *part.rhombus;
-    float const area_px = rhombus.length_mm * rhombus.width_mm / (2 * pixel_mm * pixel_mm);
-    float const share = std::clamp(area_px / kSmallestArea_px, kSmallestShare, 1.0f);
-    // Narrow organs grow only in width; if they grew in length, they would stick out of the plant.
-    bool const narrow = rhombus.width_mm < 0.25f * rhombus.length_mm;
-    float const across = narrow ? 1 / share : 1 / std::sqrt(share);
-    shader.set("instance_growth", Vec3f(across, narrow ? 1 : across, narrow ? across : 1));
-    glBindVertexArray(rhombus.vertex_array.name());
-    glVertexAttrib1f(3, 1);
-    auto const count
-        = static_cast<GLsizei>(std::ceil(static_cast<float>(part.instance_count) * share));
-    glDrawElementsInstanced(GL_TRIANGLES, rhombus.index_count, GL_UNSIGNED_INT, nullptr,
-                            std::min(count, part.instance_count));
-}
-
-// Whether organs are drawn with their colour picture or in the mean colour of that picture.
-enum class Picture { Drawn, Mean };
 
 // Sets the uniforms of a picture: its sampler, and its strength, which is 0 if there is no picture.
 void set_picture(Shader const& shader, int index, SurfacePicture const* picture, char const* name,
@@ -171,27 +162,21 @@ void set_picture(Shader const& shader, int index, SurfacePicture const* picture,
     glActiveTexture(GL_TEXTURE0);
 }
 
-// Sets the uniforms base_color and linear, and the uniforms of the material's pictures.
-void set_pictures(GpuMesh::Part const& part, Shader const& shader, Picture how)
+// Sets the uniform base_color and those of the material's pictures.
+void set_pictures(GpuMesh::Part const& part, Shader const& shader)
 {
     auto const& textures = part.material.textures;
     bool const replaces = textures.color == MaterialTextures::Color::Replaced;
-    Vec3f color
-        = part.picture && replaces ? Vec3f::Ones().eval() : linear_light(part.material.base_color);
-    if (part.picture && how == Picture::Mean)
-        color = color.cwiseProduct(part.picture->mean_color);
-    bool const is_drawn = part.picture && how == Picture::Drawn;
-    shader.set("base_color", color);
-    bool const is_masked = is_drawn && textures.alpha == MaterialTextures::Alpha::Mask;
+    shader.set("base_color",
+               part.picture && replaces ? Vec3f::Ones().eval()
+                                        : linear_light(part.material.base_color));
+    bool const is_masked = part.picture && textures.alpha == MaterialTextures::Alpha::Mask;
     shader.set("masked", is_masked ? 1.0f : 0.0f);
-    auto const seen
-        = [&](SurfacePicture const* picture) { return how == Picture::Drawn ? picture : nullptr; };
-    set_picture(shader, 0, seen(part.picture), "picture", "pictured", 1);
-    set_picture(shader, 1, seen(part.normal), "normals", "bumped", textures.normal_strength);
-    set_picture(shader, 2, seen(part.occlusion), "occlusions", "occluded",
-                textures.occlusion_strength);
-    set_picture(shader, 3, seen(part.roughness), "roughnesses", "roughened", 1);
-    set_picture(shader, 4, seen(part.translucency), "passings", "passing", 1);
+    set_picture(shader, 0, part.picture, "picture", "pictured", 1);
+    set_picture(shader, 1, part.normal, "normals", "bumped", textures.normal_strength);
+    set_picture(shader, 2, part.occlusion, "occlusions", "occluded", textures.occlusion_strength);
+    set_picture(shader, 3, part.roughness, "roughnesses", "roughened", 1);
+    set_picture(shader, 4, part.translucency, "passings", "passing", 1);
 }
 
 // If this check fails, the mesh was made wrongly; readers of files check the indices themselves.
@@ -240,8 +225,20 @@ void GpuMesh::add_surface(Material const& material, mesh::TriangleMesh const& su
     glBindVertexArray(part.vertex_array.name());
     std::vector<float> visible;
     visible.reserve(surface.positions_mm.size());
-    for (auto const& position : surface.positions_mm)
-        visible.push_back(sky.at(position));
+    auto const leaves = is_thin(material) ? connected_parts(surface) : ConnectedParts();
+    if (leaves.counts.size() > 1) {
+        // Merged leaves look as instances of them would: each has one value for the whole of it.
+        std::vector<Vec2f> individuals;
+        individuals.reserve(surface.positions_mm.size());
+        for (auto const leaf : leaves.part) {
+            visible.push_back(sky.at(leaves.middles_mm[leaf]));
+            individuals.push_back(individual_at(leaves.middles_mm[leaf]));
+        }
+        add_vertex_values(part, 8, individuals);
+    } else {
+        for (auto const& position : surface.positions_mm)
+            visible.push_back(sky.at(position));
+    }
     add_vertex_values(part, 3, visible);
     glBindVertexArray(0);
     parts_.push_back(std::move(part));
@@ -250,44 +247,34 @@ void GpuMesh::add_surface(Material const& material, mesh::TriangleMesh const& su
 void GpuMesh::add_organ(Material const& material, mesh::InstancedMesh const& organ,
                         SkyVisibility const& sky)
 {
-    auto part = make_part(material, organ.prototype);
-    auto const instances = shuffled_instances(organ, sky);
+    auto all = organ.prototype;
+    auto versions = mesh::coarse_versions(organ.prototype);
+    std::vector<Part::Coarse> coarse;
+    for (auto const& version : versions) {
+        coarse.insert(coarse.begin(),
+                      { .error_mm = version.error_mm * max_scale(organ),
+                        .index_count = static_cast<GLsizei>(version.indices.size()),
+                        .first_index = all.indices.size() });
+        all.indices.insert(all.indices.end(), version.indices.begin(), version.indices.end());
+    }
+    auto part = make_part(material, all);
+    part.index_count = static_cast<GLsizei>(organ.prototype.indices.size());
+    part.coarse = std::move(coarse);
+    auto const instances = instances_of(organ, sky);
     part.instance_count = static_cast<GLsizei>(instances.size());
     gl::upload(part.buffers.emplace_back(), GL_ARRAY_BUFFER,
                std::span<InstanceVertex const>(instances));
-    GLuint const instance_buffer = part.buffers.back().name();
-    use_instances(part.vertex_array, instance_buffer);
-    bool const thin
-        = material.kind == Material::Kind::Leaf || material.kind == Material::Kind::Petal;
-    if (auto const triangles = thin ? mesh::organ_card(organ.prototype) : std::nullopt) {
-        auto const& corners = triangles->positions_mm;
-        Vec3f const scale = mean_scale(instances).cwiseAbs();
-        auto& rhombus = part.rhombus.emplace(Part::Rhombus {});
-        rhombus.index_count = static_cast<GLsizei>(triangles->indices.size());
-        rhombus.length_mm = (corners[2] - corners[0]).norm() * scale.y();
-        rhombus.width_mm = (corners[1] - corners[3]).norm() * scale.x();
-        add_triangles(part, rhombus.vertex_array, *triangles);
-        use_instances(rhombus.vertex_array, instance_buffer);
-    }
+    use_instances(part.vertex_array, part.buffers.back().name());
     parts_.push_back(std::move(part));
 }
 
 void GpuMesh::draw(Part const& part, Shader const& shader, float pixel_mm) const
 {
-    bool const is_far = part.rhombus && part.rhombus->length_mm < kRhombusBelow_px * pixel_mm;
-    set_pictures(part, shader, is_far ? Picture::Mean : Picture::Drawn);
-    shader.set("instance_growth", Vec3f(1, 1, 1));
-    shader.set("is_instanced", part.instance_count > 0 ? 1.0f : 0.0f);
-    if (part.instance_count == 0) {
+    set_pictures(part, shader);
+    if (part.instance_count == 0)
         draw_surface(part);
-    } else if (is_far) {
-        draw_from_afar(part, shader, pixel_mm);
-    } else {
-        glBindVertexArray(part.vertex_array.name());
-        glVertexAttrib1f(3, 1);
-        glDrawElementsInstanced(GL_TRIANGLES, part.index_count, GL_UNSIGNED_INT, nullptr,
-                                part.instance_count);
-    }
+    else
+        draw_instances(part, pixel_mm);
     glBindVertexArray(0);
 }
 

@@ -7,7 +7,6 @@
 #include "engine/mesh/mesh.h"
 #include "engine/plant/plant.h"
 
-#include <optional>
 #include <vector>
 
 namespace tractus::render {
@@ -37,29 +36,24 @@ public:
         // Number of first indices that belong to tubes. Only the outer sides of tubes are drawn.
         GLsizei tube_index_count = 0;
         GLsizei instance_count = 0; // Number of instances; 0: drawn once, without instancing.
+        // Fewer triangles of instances, the coarsest first, after the others in the index buffer.
+        struct Coarse {
+            float error_mm = 0; // Distance from the exact surface, of the largest instance.
+            GLsizei index_count = 0;
+            std::size_t first_index = 0;
+        };
+        std::vector<Coarse> coarse;
         gl::VertexArray vertex_array;
         std::vector<gl::Buffer> buffers;
-
-        // Simplified shape of thin organs seen from afar: a rhombus with the same length and area
-        // as the organ, or two such rhombi that cross.
-        struct Rhombus {
-            gl::VertexArray vertex_array;
-            GLsizei index_count = 0;
-            // Mean length of the organ's instances; width_mm is the mean width.
-            float length_mm = 0;
-            float width_mm = 0;
-        };
-        std::optional<Rhombus> rhombus;
     };
     std::vector<Part> const& parts() const { return parts_; }
 
     // Draws one part with `shader`, which must be in use. Vertex attributes: 0 position, 1 normal,
-    // 2 texture coordinate, 3 sky visibility. Instance attributes: 4 translation, 5 rotation (a
-    // quaternion, scalar last), 6 scale, 7 sky visibility. Uniforms: instance_growth, is_instanced,
-    // and those of the material's colour and pictures. `pixel_mm` is the size of a pixel at the
-    // plant. Organs of a few pixels are drawn as rhombi. Where rhombi would be smaller than pixels,
-    // a random subset is drawn, enlarged so that the total area stays the same (Cook, Halstead,
-    // Planck, Ryu 2007, "Stochastic simplification of aggregate detail").
+    // 2 texture coordinate, 3 sky visibility, 8 individual_at() of merged leaves. Instance
+    // attributes: 4 translation, 5 rotation (a quaternion, scalar last), 6 scale, 7 sky visibility,
+    // 8 individual_at(). Uniforms: those of the material's colour and pictures. Where the picture's
+    // pixels are `pixel_mm` wide, instances are drawn with as few triangles as make no visible
+    // difference.
     void draw(Part const& part, Shader const& shader, float pixel_mm) const;
 
     // Visibility of the sky from the ground below the plant: ground_texture() has a single channel

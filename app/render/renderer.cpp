@@ -248,11 +248,11 @@ void Renderer::Parts::draw_meshes(View const& view) const
         shader->set("sun_strength", view.stage.sun.strength);
         shader->set("is_lit", view.stage.lighting == Stage::Lighting::Lit ? 1.0f : 0.0f);
     }
-    // Size of a pixel at the camera's target. Organs at other distances use the same level of
-    // detail.
-    bool const perspective = view.camera.projection == Camera::Projection::Perspective;
-    float const pixel_mm
-        = (perspective ? static_cast<float>(view.camera.distance_mm()) : 1.0f) / view.pixels_per_mm;
+    // Width of a pixel at the camera's target. Organs at other distances are drawn with the same
+    // triangles.
+    bool const is_perspective = view.camera.projection == Camera::Projection::Perspective;
+    float const pixel_mm = (is_perspective ? static_cast<float>(view.camera.distance_mm()) : 1.0f)
+        / view.pixels_per_mm;
     // Smooths the edges of pictures that are masked by alpha.
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     for (auto const& placed : view.stage.meshes) {

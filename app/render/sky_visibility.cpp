@@ -1,5 +1,6 @@
 #include "app/render/sky_visibility.h"
 
+#include "app/render/leaf_parts.h"
 #include "engine/base/parallel.h"
 #include "engine/mesh/mesh_measures.h"
 
@@ -107,16 +108,19 @@ void SkyVisibility::add_area(Vec3f const& position_mm, float area_mm2)
 
 void SkyVisibility::deposit(mesh::Mesh const& mesh)
 {
-    for (auto const& surface : mesh.surfaces)
+    for (auto const& surface : mesh.surfaces) {
+        // Only half of a tube's area counts, as the other half lies behind it on the same branch.
+        float const share
+            = surface.material < mesh.materials.size() && is_thin(mesh.materials[surface.material])
+            ? 1.0f
+            : 0.5f;
         for (std::size_t i = 0; i + 2 < surface.indices.size(); i += 3) {
             auto const& a = surface.positions_mm[surface.indices[i]];
             auto const& b = surface.positions_mm[surface.indices[i + 1]];
             auto const& c = surface.positions_mm[surface.indices[i + 2]];
-            add_area((a + b + c) / 3,
-                     // Only half of a tube's area counts, as the other half lies behind it on the
-                     // same branch.
-                     mesh::triangle_area(a, b, c) / 2);
+            add_area((a + b + c) / 3, share * mesh::triangle_area(a, b, c));
         }
+    }
     for (auto const& organ : mesh.organs) {
         auto const patches = surface_patches(organ.prototype, cell_mm_);
         for (auto const& instance : organ.instances)

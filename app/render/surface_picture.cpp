@@ -1,38 +1,49 @@
 #include "app/render/surface_picture.h"
 
 #include "app/render/read_picture.h"
-#include "engine/export/gltf_material.h"
+#include "engine/base/mips.h"
 
-#include <array>
-#include <cstddef>
+#include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace tractus::render {
 
 namespace {
 
-Vec3f mean_color(Image const& image)
+// Uploads the smaller levels of a picture with a mask to the texture that is bound.
+void upload_masked_levels(Image const& image)
 {
-    std::array<double, 256> linear {};
-    for (std::size_t i = 0; i < linear.size(); ++i)
-        linear[i] = exports::linear_from_srgb(static_cast<double>(i) / 255);
-    Vec3 sum = Vec3::Zero();
-    std::size_t count = 0;
+    PixelMap picture { .width = image.width(), .height = image.height() };
+    std::vector<std::uint8_t> alpha;
+    alpha.reserve(image.pixels().size());
+    picture.pixels.reserve(4 * image.pixels().size());
     for (auto const& pixel : image.pixels()) {
-        if (pixel.alpha < 128)
-            continue;
-        ++count;
-        sum += Vec3(linear[pixel.red], linear[pixel.green], linear[pixel.blue]);
+        picture.pixels.insert(picture.pixels.end(),
+                              { pixel.red, pixel.green, pixel.blue, pixel.alpha });
+        alpha.push_back(pixel.alpha);
     }
-    return count > 0 ? (sum / static_cast<double>(count)).cast<float>().eval() : Vec3f::Ones();
+    GLint level = 0;
+    AlphaMips const mask(alpha, image.width(), image.height(), 1);
+    for (auto const& made : mip_levels(picture, MapKind::Color, mask))
+        glTexImage2D(GL_TEXTURE_2D, ++level, GL_SRGB8_ALPHA8, made.width, made.height, 0, GL_RGBA,
+                     GL_UNSIGNED_BYTE, made.pixels.data());
 }
 
-void upload(SurfacePicture const& picture, Image const& image, GLint format,
+void upload(SurfacePicture const& picture, Image const& image, SurfacePictures::Meaning meaning,
             TexturePicture::Edges edges)
 {
+    bool const is_color = meaning == SurfacePictures::Meaning::Color;
     glBindTexture(GL_TEXTURE_2D, picture.texture.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, format, image.width(), image.height(), 0, GL_RGBA,
-                 GL_UNSIGNED_BYTE, image.pixels().data());
-    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexImage2D(GL_TEXTURE_2D, 0, is_color ? GL_SRGB8_ALPHA8 : GL_RGBA8, image.width(),
+                 image.height(), 0, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels().data());
+    bool const has_mask = is_color && std::ranges::any_of(image.pixels(), [](Color const& pixel) {
+                              return pixel.alpha < 255;
+                          });
+    if (has_mask)
+        upload_masked_levels(image);
+    else
+        glGenerateMipmap(GL_TEXTURE_2D);
     GLint const wrap = edges == TexturePicture::Edges::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -53,10 +64,7 @@ SurfacePicture const* SurfacePictures::find_or_add(TextureSlot const& slot, Mean
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
         if (image && image->width() <= most && image->height() <= most) {
             place->second = std::make_unique<SurfacePicture>();
-            bool const is_color = meaning == Meaning::Color;
-            if (is_color)
-                place->second->mean_color = mean_color(*image);
-            upload(*place->second, *image, is_color ? GL_SRGB8_ALPHA8 : GL_RGBA8, slot->edges);
+            upload(*place->second, *image, meaning, slot->edges);
         }
     }
     return place->second.get();

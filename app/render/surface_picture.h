@@ -9,11 +9,10 @@
 
 namespace tractus::render {
 
-// A picture uploaded to the GPU, with mipmaps and rows in texture coordinate order.
+// A picture uploaded to the GPU, with mipmaps and rows in texture coordinate order. The mipmaps of
+// a colour picture with a mask keep the mask's coverage and the mean colour in it (AlphaMips).
 struct SurfacePicture {
     gl::Texture texture;
-    // Mean of the pixels with an alpha of at least half, in linear light; only for colour pictures.
-    Vec3f mean_color = Vec3f::Ones();
 };
 
 // The pictures of a mesh's materials; each is uploaded once. Must not outlive the OpenGL context.

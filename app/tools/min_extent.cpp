@@ -16,6 +16,15 @@ static std::optional<double> read_extent(std::string_view text)
     return is_good ? std::optional(mm) : std::nullopt;
 }
 
+// True for what can be a tool's word, which is written into settings without quoting.
+static bool is_tool_word(std::string_view text)
+{
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char letter) {
+        return (letter >= 'a' && letter <= 'z') || (letter >= '0' && letter <= '9')
+            || letter == '_';
+    });
+}
+
 MinExtents usual_min_extents(ToolKinds kinds)
 {
     MinExtents extents;
@@ -42,7 +51,7 @@ Result<MinExtents> parse_min_extents(std::string_view words)
         if (word.empty())
             continue;
         auto const equals = word.find('=');
-        auto const mm = equals == std::string_view::npos || equals == 0
+        auto const mm = equals == std::string_view::npos || !is_tool_word(word.substr(0, equals))
             ? std::nullopt
             : read_extent(word.substr(equals + 1));
         if (!mm)

@@ -137,6 +137,10 @@ struct DevicesView {
 struct WindowState {
     std::string title; // Title of the window; empty: the title does not change.
 
+    // Endings of the files as which a plant can be exported (batch::plant_formats()), most usual
+    // first.
+    std::vector<std::string> export_endings { ".glb" };
+
     // Volume that the pen can reach, in the world frame. Its z ranges from the lowest to the
     // highest position of the surface.
     Bounds volume_mm;
@@ -314,13 +318,7 @@ struct SavePicture {
 };
 // Exports the plant with its current growth and age. Growth that is only previewed is ignored.
 struct ExportPlant {
-    enum class Format {
-        Glb,
-        Obj,
-        // Multiscale tree graph: branches and organs without triangles, for botanical software.
-        Mtg,
-    } format
-        = Format::Glb;
+    std::string ending = ".glb"; // The format's, one of WindowState::export_endings.
     exports::GlbOptions::Organs organs = exports::GlbOptions::Organs::Merged;
 };
 // Begins or ends a log of all reports of the devices and of tool changes. The file's name contains

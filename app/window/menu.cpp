@@ -82,22 +82,13 @@ void Menu::show_pages(Workspace& workspace, Controls const& controls) const
 void Menu::show_keeping(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                         std::function<render::Image()> const& picture)
 {
-    using Format = view::ExportPlant::Format;
-    constexpr std::array<std::pair<char const*, Format>, 3> kFormats {
-        { { "Export .glb", Format::Glb }, { ".obj", Format::Obj }, { ".mtg", Format::Mtg } }
-    };
     bool const records = model.state().recording.is_on;
     if (model.state().is_live
         && controls.button(records ? "End recording" : "Record", item_px(), records))
         model.perform(view::SetRecording { !records });
     if (controls.button("Save picture", item_px()))
         model.perform(view::SavePicture { picture() });
-    for (auto const& [text, format] : kFormats) {
-        if (format != Format::Glb)
-            ImGui::SameLine();
-        if (controls.button(text, item_px(format == Format::Glb ? 2 : 4)))
-            model.perform(view::ExportPlant { format, organs_ });
-    }
+    show_formats(model, controls);
     show_organs(controls);
     show_leaving(model, controls);
     if (model.state().may_write_rules && controls.button("Write its rules", item_px()))
@@ -109,6 +100,21 @@ void Menu::show_keeping(view::WindowModel& model, Workspace& workspace, Controls
         ImGui::SameLine();
         if (controls.button("Save a copy ...", item_px(2)))
             workspace.ask_name({ Of::Copy, *name + ", a copy" });
+    }
+}
+
+// Shows a button for each format: three in the first row, with a wide one for the first format, and
+// three in each further row.
+void Menu::show_formats(view::WindowModel& model, Controls const& controls) const
+{
+    constexpr std::size_t kInRow = 3;
+    auto const& endings = model.state().export_endings;
+    for (std::size_t i = 0; i < endings.size(); ++i) {
+        if (i % kInRow != 0)
+            ImGui::SameLine();
+        auto const text = i == 0 ? "Export " + endings[i] : endings[i];
+        if (controls.button(text.c_str(), item_px(i == 0 ? 2 : i < kInRow ? 4 : 3)))
+            model.perform(view::ExportPlant { endings[i], organs_ });
     }
 }
 

@@ -36,6 +36,7 @@ private:
     void show_keeping(view::WindowModel& model, Workspace& workspace, Controls const& controls,
                       std::function<render::Image()> const& picture);
     void show_leaving(view::WindowModel& model, Controls const& controls) const;
+    void show_formats(view::WindowModel& model, Controls const& controls) const;
     void show_organs(Controls const& controls);
     void show_devices(view::WindowModel& model, Controls const& controls);
     void show_window(view::WindowState const& state, Workspace& workspace,

@@ -81,11 +81,13 @@ bool mouse_is_used()
 // window, so the program sleeps until the next event.
 class Events {
 public:
+    bool is_still() const { return still_frames_ >= kSettlingFrames; }
+
     // Returns true if the window may look different now, even if its model has not changed.
     bool take(Host& host, view::WindowModel const& model, WindowOptions const& options)
     {
         bool const stirs = counts_frames(options) || model.state().playing || mouse_is_used();
-        if (stirs || still_frames_ < kSettlingFrames) {
+        if (stirs || !is_still()) {
             still_frames_ = host.take_events() || stirs ? 0 : still_frames_ + 1;
             return true;
         }
@@ -128,6 +130,34 @@ private:
     std::string trouble_;
     std::uint64_t recorded_ = 0;
     std::size_t unkept_ = 0;
+};
+
+// Calls WindowOptions::when_at_rest.
+class Rest {
+public:
+    explicit Rest(WindowOptions const& options)
+        : begins_(counts_frames(options) ? nullptr : options.when_at_rest)
+    {
+    }
+
+    // Call this once per turn of the window's loop. `is_still`: nothing has changed since the last
+    // call.
+    void follow(bool is_still, double now_s)
+    {
+        constexpr double kRest_s = 10;
+        if (!is_still) {
+            since_s_ = now_s;
+            has_begun_ = false;
+        } else if (begins_ && !has_begun_ && now_s - since_s_ >= kRest_s) {
+            has_begun_ = true;
+            begins_();
+        }
+    }
+
+private:
+    std::function<void()> begins_;
+    double since_s_ = 0;
+    bool has_begun_ = false;
 };
 
 // Returns the index of the display that `which` names. If it is empty, that is the tablet's own
@@ -194,6 +224,7 @@ static Result<void> show_window(Host& host, view::WindowModel& model, WindowOpti
     };
     Events events;
     Changes changes;
+    Rest rest(options);
     auto kept_look = options.look;
     double last_s = glfwGetTime();
     auto const closes = [&] {
@@ -206,7 +237,9 @@ static Result<void> show_window(Host& host, view::WindowModel& model, WindowOpti
         model.advance(step_since(last_s, options));
         if (counts_frames(options))
             model.settle();
-        if (!changes.any(model) && !may_differ && !pen.has_more())
+        bool const has_changed = changes.any(model) || pen.has_more();
+        rest.follow(!has_changed && events.is_still(), glfwGetTime());
+        if (!has_changed && !may_differ)
             continue;
         draw_frame();
         if (auto const look = look_of(layout); options.keep_look && look != kept_look)

@@ -47,6 +47,10 @@ struct WindowOptions {
     // Called before each frame. If it returns true, the window closes. May be empty.
     std::function<bool()> should_close {};
 
+    // Called once whenever the window has been at rest for ten seconds: what it shows has not
+    // changed, and there was no input. May be empty.
+    std::function<void()> when_at_rest {};
+
     // Called when the display was lost and the model has been closed, just before the program ends.
     // May be empty.
     std::function<void()> when_display_has_gone {};

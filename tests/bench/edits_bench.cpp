@@ -36,7 +36,7 @@ class RandomSteps {
 public:
     RandomSteps()
     {
-        batch::return_large_blocks(); // The program's window calls this, too.
+        batch::keep_freed_memory(); // The program's window calls this, too.
         while (seconds_.size() < kSteps) {
             auto const segments = segment_count(document_.newest()->scene);
             if (segments < kSegments)

@@ -115,7 +115,7 @@ private:
 
 void draw_for_eight_hours(benchmark::State& state)
 {
-    batch::return_large_blocks();
+    batch::keep_freed_memory();
     auto const path
         = fs::temp_directory_path() / fmt::format("tractus-bench-{}.tractus", ::getpid());
     constexpr std::int64_t kCycles = 3'600'000 / kCycle_ms;
@@ -126,6 +126,7 @@ void draw_for_eight_hours(benchmark::State& state)
             for (std::int64_t i = 0; i < kCycles; ++i)
                 day.cycle();
             day.settle();
+            batch::return_freed_memory(); // The program's window calls this in pauses, too.
             auto const heap = ::mallinfo2();
             fmt::print(stderr, "# hour {}: {} strokes, {:.1f} MB resident, {:.1f} MB in use\n",
                        hour, day.kept(), resident_mb(),

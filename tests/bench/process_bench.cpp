@@ -1,14 +1,20 @@
 #include "tests/bench/monopodial_tree.h"
 #include "tests/bench/report.h"
 
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/core.h>
 #include <fstream>
+#include <iterator>
 #include <spawn.h>
+#include <sstream>
 #include <string>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -157,12 +163,86 @@ void whole_grow_compressed(benchmark::State& state)
     grow_into_file(state, { "--compressed" });
 }
 
+// Starts the program and returns its process id; 0 if that failed.
+pid_t start_program(std::vector<std::string> arguments)
+{
+    arguments.insert(arguments.begin(), TRACTUS_PROGRAM);
+    std::vector<char*> pointers;
+    for (auto& argument : arguments)
+        pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    pid_t child = 0;
+    bool const has_started
+        = ::posix_spawn(&child, TRACTUS_PROGRAM, nullptr, nullptr, pointers.data(), environ) == 0;
+    return has_started ? child : 0;
+}
+
+// Returns a running process's minor page faults so far; negative if it has ended.
+double faults_of(pid_t process)
+{
+    std::ifstream file(fmt::format("/proc/{}/stat", process));
+    std::string text(std::istreambuf_iterator<char>(file), {});
+    auto const name_end = text.rfind(')');
+    if (name_end == std::string::npos)
+        return -1;
+    std::istringstream fields(
+        text.substr(name_end + 1)); // From the third field on; minflt is the 10th.
+    std::string field;
+    for (int i = 3; i <= 10; ++i)
+        fields >> field;
+    return std::stod(field);
+}
+
+// Returns a recording in which the demo's hand draws all the time that whole_window() measures. The
+// parts of a recording may begin again at time 0.
+std::string long_recording()
+{
+    constexpr int kParts = 4; // The demo takes 13 s.
+    auto const path = folder() / "hand.tractus-log";
+    std::ofstream out(path);
+    for (int i = 0; i < kParts; ++i)
+        out << std::ifstream(TRACTUS_DEMO).rdbuf();
+    return path.string();
+}
+
+// Measures the pages that the window touches for the first time while a recorded hand draws in it,
+// after a few seconds in which the program has taken what it needs. The window needs a display:
+// tests/bench/run gives it one that is not seen.
+void whole_window(benchmark::State& state)
+{
+    constexpr auto kWarmUp = std::chrono::seconds(8); // Three of them until the window is open.
+    constexpr auto kMeasured = std::chrono::seconds(20);
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): no other thread runs.
+    if (std::getenv("DISPLAY") == nullptr)
+        return state.SkipWithError("there is no display");
+    double faults = -1;
+    for (auto _ : state) {
+        auto const window
+            = start_program({ "window", "--log", long_recording(), "--plant", "broadleaf",
+                              "--session", (folder() / "a.tractus").string() });
+        if (window == 0)
+            return state.SkipWithError("the program failed");
+        std::this_thread::sleep_for(kWarmUp);
+        auto const before = faults_of(window);
+        std::this_thread::sleep_for(kMeasured);
+        auto const after = faults_of(window);
+        faults = before < 0 || after < 0 ? -1 : after - before;
+        ::kill(window, SIGTERM);
+        ::waitpid(window, nullptr, 0);
+        state.SetIterationTime(std::chrono::duration<double>(kMeasured).count());
+    }
+    if (faults < 0)
+        return state.SkipWithError("the window has not stayed open");
+    report(state, { .items = faults, .item = "faults", .faults = faults });
+}
+
 void once(benchmark::internal::Benchmark* bench, std::int64_t steps)
 {
     bench->Arg(steps)->UseRealTime()->Unit(benchmark::kMillisecond);
 }
 
 BENCHMARK(whole_start)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(whole_window)->Iterations(1)->UseManualTime();
 BENCHMARK(whole_bush)->Apply([](auto* bench) { once(bench, 10); });
 BENCHMARK(whole_tree)->Apply([](auto* bench) { once(bench, 20); });
 BENCHMARK(whole_signals)->Apply([](auto* bench) { once(bench, 60); });

@@ -48,7 +48,7 @@ public:
     BigSession()
         : path_(fs::temp_directory_path() / fmt::format("tractus-bench-{}.tractus", ::getpid()))
     {
-        batch::return_large_blocks(); // The program's window calls this, too.
+        batch::keep_freed_memory(); // The program's window calls this, too.
         fs::remove(path_);
         scene::Edit const model
             = scene::LoadModel { .source = { .name = "tree.l", .text = kMonopodialTree },

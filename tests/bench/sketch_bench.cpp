@@ -63,7 +63,7 @@ double length_mm(sketch::SketchTool const& tool)
 // drawn at 200 samples a second; samples of its first half second are ignored.
 void sketch_sample_p99(benchmark::State& state)
 {
-    batch::return_large_blocks(); // The program's window calls this, too.
+    batch::keep_freed_memory(); // The program's window calls this, too.
     constexpr int kSamples = 600;
     constexpr int kFirst = 100;
     auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
@@ -132,7 +132,7 @@ scene::Scene drawn(sketch::SketchTool const& tool)
 // Measures the time from pen-up to the plant and its skeleton.
 void sketch_plant_and_skeleton(benchmark::State& state)
 {
-    batch::return_large_blocks();
+    batch::keep_freed_memory();
     auto const tool = rule_for(static_cast<std::size_t>(state.range(0)));
     std::size_t segments = 0;
     for (auto _ : state) {
@@ -153,7 +153,7 @@ BENCHMARK(sketch_plant_and_skeleton)
 // Measures the time from the plant to the triangles with leaves.
 void sketch_mesh(benchmark::State& state)
 {
-    batch::return_large_blocks();
+    batch::keep_freed_memory();
     auto const scene = std::make_shared<scene::Scene const>(
         drawn(rule_for(static_cast<std::size_t>(state.range(0)))));
     view::PlantGrower grower;

@@ -18,6 +18,7 @@
 #include <chrono>
 #include <ctime>
 #include <memory>
+#include <sys/resource.h>
 #include <thread>
 #include <vector>
 
@@ -70,14 +71,18 @@ scene::Scene scene_of(std::size_t segments)
     return scene;
 }
 
+// When the plant grows: always, as while a slider moves, or when a stroke has changed it.
+enum class Growing { Always, AfterStrokes };
+
 // A hand that draws circles, one stroke a second. Each stroke is for the next branch.
 class Drawing {
 public:
-    explicit Drawing(scene::Scene scene)
-        : document_(std::move(scene), document::Document::Working::OnItsThread)
+    explicit Drawing(scene::Scene scene, Growing growing = Growing::Always)
+        : growing_(growing)
+        , document_(std::move(scene), document::Document::Working::OnItsThread)
         , view_(station_, document_)
     {
-        batch::return_large_blocks(); // The program's window calls this, too.
+        batch::keep_freed_memory(); // The program's window calls this, too.
     }
 
     struct Took {
@@ -87,7 +92,7 @@ public:
 
     Took frame()
     {
-        if (!view_.state().is_growing)
+        if (growing_ == Growing::Always && !view_.state().is_growing)
             view_.preview({ {}, ++seed_ });
         auto const begin = Clock::now();
         double const begin_s = cpu_s();
@@ -138,6 +143,7 @@ private:
         }
     }
 
+    Growing growing_;
     station::Station station_ = station::Station::create(simple_rig(), {}).value();
     document::Document document_;
     view::StationView view_;
@@ -179,6 +185,38 @@ void frame_cpu_p99(benchmark::State& state)
 {
     frames_while_drawing(state, &Drawing::Took::cpu_s, 0.99);
 }
+
+// Measures the pages of memory that are touched for the first time while somebody draws, after a
+// few seconds in which the program has taken what it needs.
+void faults_while_drawing(benchmark::State& state)
+{
+    constexpr int kFramesPerSecond = 60;
+    constexpr int kWarmUp_s = 5;
+    constexpr int kMeasured_s = 20;
+    Drawing drawing(scene_of(static_cast<std::size_t>(state.range(0))), Growing::AfterStrokes);
+    auto next = Clock::now();
+    auto const draw_for = [&](int seconds) {
+        for (int i = 0; i < seconds * kFramesPerSecond; ++i) {
+            std::this_thread::sleep_until(next += std::chrono::microseconds(16'667));
+            drawing.frame();
+        }
+    };
+    auto const faults = [] {
+        rusage usage {};
+        ::getrusage(RUSAGE_SELF, &usage);
+        return static_cast<double>(usage.ru_minflt);
+    };
+    draw_for(kWarmUp_s);
+    double counted = 0;
+    for (auto _ : state) {
+        auto const before = faults();
+        draw_for(kMeasured_s);
+        counted = faults() - before;
+        state.SetIterationTime(kMeasured_s);
+    }
+    report(state, { .items = counted, .item = "faults", .faults = counted });
+}
+BENCHMARK(faults_while_drawing)->Arg(2'000)->Arg(50'000)->Iterations(1)->UseManualTime();
 
 struct Minute {
     std::vector<double> ink_s {}; // Time from waking up until the ink's vertices are ready.

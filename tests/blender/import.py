@@ -13,6 +13,12 @@ def read(path):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     if path.endswith(".obj"):
         bpy.ops.wm.obj_import(filepath=path)
+    elif path.endswith(".usda"):
+        bpy.ops.wm.usd_import(filepath=path)
+    elif path.endswith(".ply"):
+        bpy.ops.import_mesh.ply(filepath=path)
+    elif path.endswith(".stl"):
+        bpy.ops.import_mesh.stl(filepath=path)
     else:
         bpy.ops.import_scene.gltf(filepath=path)
 
@@ -38,6 +44,9 @@ arguments = sys.argv[sys.argv.index("--") + 1 :]
 failed = not arguments
 for i in range(0, len(arguments), 4):
     path = arguments[i]
+    if path.endswith(".usda") and not bpy.app.usd.supported:
+        print(f"{path}: this Blender is built without USD: not imported", flush=True)
+        continue
     expected = tuple(int(number) for number in arguments[i + 1 : i + 4])
     read(path)
     found = count()

@@ -11,12 +11,11 @@ layout(location = 4) in vec3 instance_translation;
 layout(location = 5) in vec4 instance_rotation;
 layout(location = 6) in vec3 instance_scale;
 layout(location = 7) in float instance_sky;
-
-uniform vec3 instance_growth; // Scale of organs that are drawn in place of several.
+layout(location = 8) in vec2 individual_values;
 
 vec3 rotated(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
-vec3 plant_position() { return instance_translation + rotated(instance_rotation, instance_scale * instance_growth * position); }
+vec3 plant_position() { return instance_translation + rotated(instance_rotation, instance_scale * position); }
 
 vec3 plant_normal() { return rotated(instance_rotation, normal / instance_scale); }
 )";
@@ -29,8 +28,7 @@ out vec3 world;
 out vec3 world_normal;
 out vec2 coordinate;
 out float sky;
-flat out vec2 individual; // Random values of the instance, 0 to 1; 0.5 for parts that are not instanced.
-uniform float is_instanced;
+flat out vec2 individual; // Random values of the organ, 0 to 1; 0.5 for surfaces of a single part.
 
 void main()
 {
@@ -39,10 +37,7 @@ void main()
     world_normal = mat3(T_world_plant) * plant_normal();
     coordinate = texture_coordinate;
     sky = vertex_sky * instance_sky;
-    uint h = uint(gl_InstanceID) * 0x9e3779b9u;
-    h = (h ^ (h >> 16)) * 0x7feb352du;
-    h = (h ^ (h >> 15)) * 0x846ca68bu;
-    individual = mix(vec2(0.5), vec2(float(h & 0xffffu), float(h >> 16)) / 65535.0, is_instanced);
+    individual = individual_values;
     gl_Position = T_clip_world * place;
 }
 )";
@@ -80,18 +75,15 @@ out vec4 pixel;
 
 float coverage = 1.0; // Share of the pixel that the picture's mask covers.
 
-// Samples the surface's colour and sets its coverage. In smaller mipmap levels a leaf's mask shrinks, as
-// its teeth and tip fade; a quarter more alpha per level keeps its area about the same.
+// Samples the surface's colour and sets its coverage. The picture's mipmap levels keep the coverage of
+// its mask; between its two sides the edge is one pixel wide.
 vec3 surface_color()
 {
     if (pictured == 0.0)
         return base_color;
     vec4 seen = texture(picture, coordinate);
-    vec2 texel = coordinate * vec2(textureSize(picture, 0));
-    float widest = max(dot(dFdx(texel), dFdx(texel)), dot(dFdy(texel), dFdy(texel)));
-    float alpha = seen.a * (1.0 + 0.25 * max(0.0, 0.5 * log2(max(widest, 1e-8))));
     if (masked > 0.0)
-        coverage = clamp((alpha - 0.5) / max(fwidth(alpha), 1e-3) + 0.5, 0.0, 1.0);
+        coverage = clamp((seen.a - 0.5) / max(fwidth(seen.a), 1e-3) + 0.5, 0.0, 1.0);
     return base_color * seen.rgb;
 }
 

@@ -48,6 +48,16 @@ TEST_F(Animation, ShowsThePlantAsItGrowsToItsFullSize)
     EXPECT_NEAR(before, height_m(read("small.glb")), 1e-5);
 }
 
+TEST_F(Animation, OneAgeOfItIsWrittenAlone)
+{
+    run("mkdir film");
+    ASSERT_EQ(run("tractus grow small.l --sequence 2 -o film/small.glb").exit_code, 0);
+    ASSERT_EQ(run("tractus grow small.l --age 0.5 -o film/young.glb").exit_code, 0);
+    EXPECT_FLOAT_EQ(height_m(read("film/young.glb")), height_m(read("film/small-1.glb")));
+    EXPECT_LT(height_m(read("film/young.glb")), height_m(read("film/small-2.glb")));
+    EXPECT_EQ(run("tractus grow small.l --age 0.5 --sequence 2 -o film/small.glb").exit_code, 2);
+}
+
 TEST_F(Animation, IsTheSameAgainOnOneThread)
 {
     for (std::string const ending : { "glb", "png", "obj" }) {

@@ -1,5 +1,7 @@
 #include "tests/app/command_line/workshop.h"
 
+#include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -7,14 +9,70 @@
 namespace tractus {
 namespace {
 
-using Usage = Workshop;
+// Names of the commands that every list of them must contain; an empty name stands for the program
+// itself.
+std::vector<std::string> const kCommands { "",
+                                           "convert",
+                                           "decode",
+                                           "demo",
+                                           "derive",
+                                           "devices",
+                                           "doctor",
+                                           "grow",
+                                           "lsystem check",
+                                           "record",
+                                           "render",
+                                           "replay",
+                                           "session",
+                                           "session info",
+                                           "session log",
+                                           "session export",
+                                           "sim",
+                                           "tools",
+                                           "stream",
+                                           "vary",
+                                           "watch",
+                                           "window",
+                                           "tour",
+                                           "brush",
+                                           "construct",
+                                           "silhouette",
+                                           "sketch",
+                                           "leaves",
+                                           "leaves atlas",
+                                           "leaves draw",
+                                           "leaves paint" };
 
-// Names of the commands; an empty name stands for the program itself.
-std::vector<std::string> const kCommands {
-    "",        "convert",      "decode",        "demo",           "derive", "devices",
-    "doctor",  "grow",         "lsystem check", "record",         "render", "replay",
-    "session", "session info", "session log",   "session export", "sim",    "tools",
-    "stream",  "vary",         "watch",         "window",         "tour"
+// Returns the names of the commands in the lists of a help page: words that are indented by two
+// spaces and explained.
+std::vector<std::string> listed_commands(std::string const& help)
+{
+    std::vector<std::string> names;
+    std::istringstream lines(help);
+    bool is_list = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.empty() && line.front() != ' ')
+            is_list = line.back() == ':' && line != "Arguments:" && line != "Options:"
+                && line != "Examples:";
+        else if (is_list && line.size() > 2 && std::islower(line[2]))
+            names.push_back(line.substr(2, line.find(' ', 2) - 2));
+    }
+    return names;
+}
+
+class Usage : public Workshop {
+protected:
+    // Returns the help pages of the program, its commands and their commands.
+    std::vector<std::string> help_pages()
+    {
+        std::vector<std::string> pages { run("tractus --help").out };
+        for (auto const& command : listed_commands(pages.front())) {
+            pages.push_back(run("tractus " + command + " --help").out);
+            for (auto const& below : listed_commands(std::string(pages.back())))
+                pages.push_back(run("tractus " + command + " " + below + " --help").out);
+        }
+        return pages;
+    }
 };
 
 TEST_F(Usage, HelpGoesToStandardOutputAndIsNoFailure)
@@ -40,10 +98,24 @@ TEST_F(Usage, HelpNamesEveryCommandAndTheExitCodes)
 
 TEST_F(Usage, HelpFitsInto85Columns)
 {
-    for (auto const& command : kCommands) {
-        std::istringstream help(run("tractus " + command + " --help").out);
+    for (auto const& page : help_pages()) {
+        std::istringstream help(page);
         for (std::string line; std::getline(help, line);)
             EXPECT_LE(line.size(), 85u) << line;
+    }
+}
+
+TEST_F(Usage, HelpHasExamplesOfEveryCommand)
+{
+    for (auto const& command : kCommands) {
+        auto const help = run("tractus " + command + " --help").out;
+        bool const is_list_of_commands = help.find(" COMMAND\n") != std::string::npos
+            || help.find("Usage: tractus [OPTIONS...] [COMMAND]") != std::string::npos;
+        if (is_list_of_commands)
+            continue;
+        auto const examples = help.find("\nExamples:\n");
+        ASSERT_NE(examples, std::string::npos) << help;
+        EXPECT_GE(std::ranges::count(help.substr(examples), '\n'), 3) << help;
     }
 }
 
@@ -71,7 +143,12 @@ TEST_F(Usage, WrongUsageSaysWhereToReadOn)
                  "'8' is not a whole number from 0 to 7; see \"tractus sim cp2112 --help\"");
     expect_error(run("tractus window --scale 9"), 2, "'9' is not a number from 0 to 8");
     expect_error(run("tractus demo here"), 2, "here; see \"tractus demo --help\"");
-    expect_error(run("tractus grow small.l"), 2, "--output is required");
+    expect_error(run("tractus grow small.l"), 2,
+                 "say what to write, such as -o small.glb or -o small.png; see \"tractus grow");
+    expect_error(run("tractus grow smal"), 1, "there is no model smal");
+    expect_error(run("tractus grow small.l --age 2"), 2,
+                 "--age: '2' is not a number from 0.01 to 1");
+    expect_error(run("tractus render x.glb --stand 3"), 2, "no option --stand; grow has it");
     expect_error(run("tractus derive small.l"), 2, "--count or --string");
     expect_error(run("tractus derive small.l --count --string"), 2, "excludes");
     expect_error(run("tractus decode x --raw"), 2, "requires --csv");
@@ -104,11 +181,33 @@ TEST_F(Usage, AMistypedWordIsNamedBeforeWhatIsMissing)
 
 TEST_F(Usage, HelpShowsNoNamesOfItsParser)
 {
-    for (auto const& command : kCommands) {
-        auto const help = run("tractus " + command + " --help").out;
-        for (char const* const name : { "INT:", "TEXT:", "FLOAT:", "FILE:FILE", "ubcommand" })
+    auto const pages = help_pages();
+    EXPECT_GE(pages.size(), 48u);
+    for (auto const& help : pages)
+        for (char const* const name :
+             { "INT:", "TEXT:", "FLOAT:", "FILE:FILE", "ubcommand", ":{", "INT ", "TEXT " })
             EXPECT_EQ(help.find(name), std::string::npos) << name << '\n' << help;
+}
+
+TEST_F(Usage, TheShellCompletesLeavesSeasonsRulesAndHabits)
+{
+    auto const offers = [&](std::string const& typed, std::string const& word) {
+        auto const words = "\n" + run("tractus complete -- " + typed).out;
+        EXPECT_NE(words.find("\n" + word + "\n"), std::string::npos) << typed << words;
+    };
+    for (auto const* const word : { "summer", "October" })
+        offers("vary shrub --season ''", word);
+    for (auto const* const typed :
+         { "grow shrub --leaves ''", "leaves count ''", "leaves paint ''" }) {
+        offers(typed, "oak");
+        offers(typed, ":files");
     }
+    offers("grow --habit ''", "larch");
+    offers("brush hand.txt --habit l", "larch");
+    offers("sketch hand.txt --rule ''", "birch");
+    offers("sketch hand.txt --rule ''", ":files");
+    offers("silhouette outline.json --style ''", "birch");
+    offers("construct lines.json --sizes ''", "half-ellipses");
 }
 
 TEST_F(Usage, ALeafIsFoundBesideAFolderOfItsName)
@@ -151,7 +250,7 @@ TEST_F(Usage, AValueThatAnOptionCannotHaveIsWrongUsage)
     expect_error(run("tractus grow small.l -o x.glb -n -1"), 2, "--steps");
     expect_error(run("tractus grow small.l -o x.glb -n many"), 2, "'many' is not a whole number");
     expect_error(run("tractus grow small.l -o x.gif"), 2,
-                 "must end in .glb or .obj or .mtg or .png");
+                 "must end in .glb or .obj or .usda or .ply or .stl or .mtg or .html or .png");
     expect_error(run("tractus render x.glb -o x.jpg"), 2, "must end in .png");
     expect_error(run("tractus render x.glb -o x.png --size 0x0"), 2, "WIDTHxHEIGHT");
     expect_error(run("tractus render x.glb -o x.png --size banana"), 2, "'banana' is no size");

@@ -123,9 +123,9 @@ TEST_F(LiveWindowWithFolder, ExportsThePlantInTheBackground)
 {
     auto window = this->window();
     advance_to_end(window);
-    window.perform(view::ExportPlant { view::ExportPlant::Format::Glb });
-    window.perform(view::ExportPlant { view::ExportPlant::Format::Obj });
-    window.perform(view::ExportPlant { view::ExportPlant::Format::Mtg });
+    window.perform(view::ExportPlant { ".glb" });
+    window.perform(view::ExportPlant { ".obj" });
+    window.perform(view::ExportPlant { ".mtg" });
     window.perform(view::SavePicture { render::Image(2, 2) });
     EXPECT_TRUE(window.state().is_saving);
     EXPECT_EQ(window.state().status.substr(0, 8), "Writing ");
@@ -148,7 +148,7 @@ TEST_F(LiveWindowWithFolder, ExportsLeavesInTheMeshOrAsItIsAsked)
     for (auto const organs : { Organs::Merged, Organs::Instanced }) {
         auto window = this->window(false, scene);
         advance_to_end(window);
-        window.perform(view::ExportPlant { view::ExportPlant::Format::Glb, organs });
+        window.perform(view::ExportPlant { ".glb", organs });
         window.settle();
         auto const written = files("-seed-1.glb");
         ASSERT_EQ(written.size(), 1u);
@@ -163,8 +163,8 @@ TEST_F(LiveWindowWithFolder, WritesAllFilesThoughTheWindowCloses)
 {
     {
         auto window = this->window();
-        window.perform(view::ExportPlant { view::ExportPlant::Format::Glb });
-        window.perform(view::ExportPlant { view::ExportPlant::Format::Obj });
+        window.perform(view::ExportPlant { ".glb" });
+        window.perform(view::ExportPlant { ".obj" });
     }
     EXPECT_EQ(files(".glb").size(), 1u);
     EXPECT_EQ(files(".obj").size(), 1u);

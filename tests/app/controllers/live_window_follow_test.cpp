@@ -25,6 +25,8 @@ protected:
         options.scene = sketched(drawn_);
         window_.emplace(LiveWindow::create(drawing_devices(false), std::move(options)).value());
         window_->perform(view::ChooseTool { drawn_ });
+        // A stroke of the devices' script that came later would be what Undo takes back.
+        advance_to_end(*window_);
         settle();
     }
 

@@ -38,7 +38,7 @@ TEST(MinExtent, IsReadAndWrittenAsWords)
     EXPECT_EQ(parse_min_extents(" draw=2.5  indicate=0").value(),
               (MinExtents { { "draw", 2.5 }, { "indicate", 0 } }));
     for (auto const* const odd : { "draw", "=3", "draw=", "draw=x", "draw=-1", "draw=101",
-                                   "draw=nan", "draw=inf", "draw=3mm" })
+                                   "draw=nan", "draw=inf", "draw=3mm", "dr\"aw=3", "dr\\aw=3" })
         EXPECT_FALSE(parse_min_extents(odd)) << odd;
 }
 

@@ -34,6 +34,7 @@ inline view::WindowState small_state()
             state.skeleton_box_mm.add(point.cast<double>());
     state.layers = { { &indicators::kIndicatorLayer, { { { -60, 0, 24 }, { -24, 0, 48 } } } } };
     state.T_world_plant.linear() *= 0.4f;
+    state.export_endings = { ".glb", ".obj", ".usda", ".ply", ".stl", ".mtg" };
     state.tool = "Draw";
     state.status = "Drawing stroke 1 of 3";
     state.progress = 0.4;

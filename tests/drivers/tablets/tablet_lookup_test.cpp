@@ -176,6 +176,19 @@ TEST(TabletLookup, ReadsStringsWithZeros)
     EXPECT_EQ(found_name(device(0x256c, 0x006e, { { 6, "10594\0\0et\0"s } })), "Monoprice 10594");
 }
 
+// A log may give a tablet a text of any length. A search in it must not exhaust the stack.
+TEST(TabletLookup, TakesATextThatIsTooLongForUsbForNoneThatItKnows)
+{
+    auto const with_text = [](std::string const& text) {
+        return found_name(device(0x256c, 0x006e, { { 6, text } }));
+    };
+    std::string const name = "420";
+    EXPECT_EQ(with_text(std::string(100, '\0') + name), with_text(name));
+    auto const with_zeros = with_text(std::string(250'000, '\0') + name);
+    EXPECT_EQ(with_zeros, with_text("unknown"));
+    EXPECT_NE(with_zeros, with_text(name));
+}
+
 TEST(TabletLookup, SaysHowManyOthersWouldFit)
 {
     auto info = device(0x256c, 0x006d);

@@ -69,6 +69,40 @@ TEST(ObjWriter, WritesMetresAndYUp)
     EXPECT_NEAR(count(out.str()).highest_y, 0.210, 1e-6);
 }
 
+// The first texture coordinates and the first face of a text.
+struct ObjFirsts {
+    std::string texture;
+    std::string face;
+};
+
+ObjFirsts firsts(mesh::Mesh const& mesh)
+{
+    PlacedMesh const placed { .mesh = &mesh };
+    std::ostringstream out;
+    EXPECT_TRUE(write_obj(out, std::span(&placed, 1)));
+    auto const line = [text = out.str()](char const* begin) {
+        auto const at = text.find(begin) + 1;
+        return text.substr(at, text.find('\n', at) - at);
+    };
+    return { line("\nvt "), line("\nf ") };
+}
+
+TEST(ObjWriter, PicturesStandUprightAndMirroredLeavesAreTurnedRound)
+{
+    mesh::Mesh mesh;
+    mesh.materials = { Material {} };
+    auto& organ = mesh.organs.emplace_back();
+    organ.prototype.positions_mm = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+    organ.prototype.normals.assign(3, Vec3f::UnitZ());
+    organ.prototype.texture_coordinates = { { 0.5f, 0.25f }, { 1, 0 }, { 0, 1 } };
+    organ.prototype.indices = { 0, 1, 2 };
+    organ.instances = { {} };
+    EXPECT_EQ(firsts(mesh).texture, "vt 0.50000 0.75000") << "OBJ counts from the lowest row";
+    EXPECT_EQ(firsts(mesh).face, "f 1/1/1 2/2/2 3/3/3");
+    organ.instances[0].scale = { -1, 1, 1 };
+    EXPECT_EQ(firsts(mesh).face, "f 1/1/1 3/3/3 2/2/2");
+}
+
 TEST(ObjWriter, TellsMaterialsOfOneNameApart)
 {
     mesh::Mesh const brown = mesh::make_mesh(mesh::single_axis(1, 1, 1));

@@ -6,8 +6,12 @@
 #include "tests/engine/mesh/sample_plants.h"
 #include "tests/engine/plant/small_plant.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
+#include <map>
+#include <vector>
 
 namespace tractus::mesh {
 namespace {
@@ -198,6 +202,140 @@ TEST(MakeMesh, CollarsNeverPassTheParentsRadius)
     for (auto const& position : mesh.surfaces[0].positions_mm)
         if (position.x() > 10.01f) {
             EXPECT_LE(Vec2f(position.y(), position.z() - 50).norm(), 10.001f);
+        }
+}
+
+// Returns a thick upright trunk with a branch that leaves it at an angle.
+Plant forked_trunk(double angle_deg)
+{
+    auto plant = single_axis(4, 30, 30);
+    Random random({});
+    double const angle = radians(angle_deg);
+    append_axis(plant,
+                { .base_mm = { 0, 0, 100 },
+                  .direction = { std::sin(angle), 0, std::cos(angle) },
+                  .segment_count = 4,
+                  .radius_mm = 10,
+                  .tip_radius_mm = 8,
+                  .parent_segment = 1,
+                  .parent_axis = 0,
+                  .order = 1 },
+                random);
+    return plant;
+}
+
+TEST(MakeMesh, BranchesMeetTheirParentInASaddle)
+{
+    for (double const angle_deg : { 40.0, 60.0, 90.0, 120.0 }) {
+        auto const plant = forked_trunk(angle_deg);
+        SpineBuffers room;
+        auto const spine = trace_spine(plant, plant.axes[1], {}, 30, room);
+        ASSERT_GT(spine.saddle.parent_radius_mm, 0);
+        auto const mesh = make_mesh(plant, { .min_sides = 16, .max_sides = 16 });
+        auto surface = mesh.surfaces[0];
+        // Triangles inside the trunk are not seen.
+        std::vector<std::uint32_t> seen;
+        for (std::size_t i = 0; i < surface.indices.size(); i += 3) {
+            auto const* const corners = &surface.indices[i];
+            if (std::all_of(corners, corners + 3, [&](std::uint32_t corner) {
+                    return surface.positions_mm[corner].head<2>().norm() > 29.9f;
+                }))
+                seen.insert(seen.end(), corners, corners + 3);
+        }
+        surface.indices.assign(seen.begin(), seen.end());
+        EXPECT_GT(surface.triangle_count(), 100u);
+        EXPECT_EQ(inside_out_count(surface), 0u);
+        // The branch's corners on the trunk's surface have the trunk's normals.
+        std::size_t on_trunk = 0;
+        Vec3f const along
+            = Vec3(std::sin(radians(angle_deg)), 0, std::cos(radians(angle_deg))).cast<float>();
+        for (std::size_t i = 0; i < surface.positions_mm.size(); ++i) {
+            auto const& position = surface.positions_mm[i];
+            Vec3f const from_base = position - Vec3f(0, 0, 100);
+            float const beside = (from_base - along * along.dot(from_base)).norm();
+            bool const is_of_branch = std::abs(beside - 14.2f) < 0.5f && from_base.dot(along) > 5;
+            if (!is_of_branch || std::abs(position.head<2>().norm() - 30) > 0.05f)
+                continue;
+            ++on_trunk;
+            // Normals in the sharp corner above a steep branch lean less.
+            float const least = angle_deg == 90 ? 0.99f : 0.75f;
+            EXPECT_GT(surface.normals[i].head<2>().dot(position.head<2>().normalized()), least);
+        }
+        EXPECT_GE(on_trunk, 16u) << angle_deg;
+    }
+}
+
+TEST(MakeMesh, ASaddleIsTheSameWhicheverWayTheBranchPoints)
+{
+    auto const reference = make_mesh(forked_trunk(60));
+    auto turned = forked_trunk(60);
+    Quat const turn(Eigen::AngleAxisd(radians(77), Vec3::UnitZ()));
+    for (auto& node : turned.node_position_mm)
+        node = turn * node;
+    auto const mesh = make_mesh(turned);
+    auto const box_of = [](Mesh const& made, Quat const& back) {
+        Bounds box;
+        for (auto const& position : made.surfaces[0].positions_mm)
+            box.add(back * position.cast<double>());
+        return box;
+    };
+    auto const before = box_of(reference, Quat::Identity());
+    auto const after = box_of(mesh, turn.conjugate());
+    // The corners of a tube turn against the tube, so they reach a little more or less far.
+    EXPECT_NEAR(before.max_mm.x(), after.max_mm.x(), 0.2);
+    EXPECT_NEAR(before.max_mm.z(), after.max_mm.z(), 0.2);
+}
+
+TEST(MakeMesh, ATrunkHasRidgesAtTheGroundOnly)
+{
+    auto plant = single_axis(4, 100, 80);
+    plant.root_flare = { .ridges = 5, .depth = 0.3f, .turn = 1 };
+    auto const mesh = make_mesh(plant);
+    auto const& surface = mesh.surfaces[0];
+    EXPECT_EQ(open_edge_count(surface), 0u);
+    EXPECT_EQ(inside_out_count(surface), 0u);
+    // Radii at the ground, in the order of their directions.
+    std::map<double, double> ground;
+    double above_least = 1e9;
+    double above_most = 0;
+    for (auto const& position : surface.positions_mm) {
+        double const radius = position.head<2>().norm();
+        if (position.z() == 0 && radius > 1)
+            ground[std::atan2(position.y(), position.x())] = radius;
+        if (std::abs(position.z() - 180) < 20) {
+            above_least = std::min(above_least, radius);
+            above_most = std::max(above_most, radius);
+        }
+    }
+    std::vector<double> radii;
+    double sum = 0;
+    for (auto const& [angle, radius] : ground) {
+        radii.push_back(radius);
+        sum += radius;
+    }
+    int peaks = 0;
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        auto const count = radii.size();
+        if (radii[i] > radii[(i + 1) % count] && radii[i] >= radii[(i + count - 1) % count])
+            ++peaks;
+    }
+    EXPECT_EQ(peaks, 5);
+    EXPECT_NEAR(sum / static_cast<double>(radii.size()), 100, 3);
+    EXPECT_GT(std::ranges::max(radii), 120);
+    EXPECT_LT(std::ranges::min(radii), 85);
+    EXPECT_LT(above_most / above_least, 1.2);
+}
+
+TEST(MakeMesh, ThinStemsHaveNoRidges)
+{
+    auto plant = single_axis(4, 100, 80);
+    Random random({});
+    append_axis(plant, { .base_mm = { 500, 0, 0 }, .segment_count = 2, .radius_mm = 20 }, random);
+    plant.root_flare = { .ridges = 5, .depth = 0.3f };
+    auto const mesh = make_mesh(plant);
+    for (auto const& position : mesh.surfaces[0].positions_mm)
+        if (position.x() > 300) {
+            EXPECT_LE((position.head<2>() - Vec2f(500, 0)).norm(), 20.01f);
         }
 }
 

@@ -1,5 +1,7 @@
 #include "engine/mesh/organ_mesh.h"
 
+#include "engine/mesh/mesh_measures.h"
+#include "engine/mesh/organ_card.h"
 #include "tests/engine/mesh/mesh_checks.h"
 
 #include <gtest/gtest.h>
@@ -166,6 +168,51 @@ TEST(OrganMesh, BendsAndFoldsACutLeaf)
     auto const bent = organ_mesh(shape);
     EXPECT_NEAR(bent.positions_mm[2].y(), 80 / (kPi / 2), 1e-4);
     EXPECT_NEAR(bent.positions_mm[2].z(), -80 / (kPi / 2), 1e-4);
+}
+
+// Returns a spray of equal flat leaves along +y, alternately to the right and to the left.
+OrganShape spray_of(int count)
+{
+    OrganShape spray { .kind = OrganShape::Kind::Surface, .length_mm = 100, .width_mm = 100 };
+    for (int i = 0; i < count; ++i) {
+        double const side = i % 2 == 0 ? 1 : -1;
+        LeafOfSpray const leaf { .base_mm = { side, 100.0 * i / count, 0 },
+                                 .orientation
+                                 = Quat(Eigen::AngleAxisd(-side * kPi / 3, Vec3::UnitZ())),
+                                 .length_mm = 20,
+                                 .width_mm = 4 };
+        BezierPatch patch;
+        for (std::size_t row = 0; row < 4; ++row)
+            for (std::size_t column = 0; column < 4; ++column)
+                patch.control[4 * row + column] = leaf.base_mm
+                    + leaf.orientation
+                        * Vec3(2 * static_cast<double>(column) - 3,
+                               20 * static_cast<double>(row) / 3, 0);
+        spray.spray.push_back(leaf);
+        spray.patches.push_back(patch);
+    }
+    return spray;
+}
+
+TEST(OrganMesh, ACoarserSprayHasFewerLeavesOfTheSameArea)
+{
+    auto const area = [](OrganShape const& shape) { return surface_area(organ_mesh(shape, 0)); };
+    for (int const count : { 1, 8, 24, 120 }) {
+        auto const spray = spray_of(count);
+        auto const coarse = coarser_spray(spray);
+        EXPECT_NEAR(area(coarse), area(spray), 0.01f * area(spray)) << count;
+        EXPECT_EQ(coarse.spray.size(), coarse.patches.size());
+        EXPECT_LE(coarse.spray.size(), static_cast<std::size_t>(std::max(8, count / 6)));
+        for (auto const& leaf : coarse.spray)
+            EXPECT_LE(leaf.length_mm, 30.01);
+    }
+}
+
+// A card for a whole twig would be one large opaque shape.
+TEST(OrganMesh, ASprayHasNoCard)
+{
+    EXPECT_FALSE(organ_card(organ_mesh(spray_of(24), 0)));
+    EXPECT_TRUE(organ_card(organ_mesh(spray_of(1), 0)));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "engine/scene/scene.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -74,6 +75,41 @@ TEST(Foliated, CanBeDressedAgain)
     auto const& shape = twice.organ_shapes[twice.organs[0].shape];
     EXPECT_DOUBLE_EQ(shape.length_mm, 40);
     EXPECT_EQ(foliated(small_plant(), {}).organ_shapes.size(), 3u) << "by no leaves";
+}
+
+// Each leaf of a spray must be replaced where it is, at its own length.
+TEST(Foliated, ReplacesEachLeafOfASpray)
+{
+    auto plant = small_plant();
+    OrganShape spray { .kind = OrganShape::Kind::Surface, .material = 1, .length_mm = 100 };
+    Quat const sideways(Eigen::AngleAxisd(-kPi / 2, Vec3::UnitZ())); // +y becomes +x.
+    spray.spray
+        = { { .base_mm = { 0, 20, 0 }, .length_mm = 10, .width_mm = 4 },
+            { .base_mm = { 0, 60, 0 }, .orientation = sideways, .length_mm = 30, .width_mm = 12 } };
+    plant.organ_shapes = { spray };
+    Quat const upright(Eigen::AngleAxisd(kPi / 2, Vec3::UnitX())); // +y becomes +z.
+    plant.organs = { { .shape = 0,
+                       .segment = 0,
+                       .position_mm = { 1, 2, 3 },
+                       .orientation = upright,
+                       .scale = Vec3f::Constant(2) } };
+    auto const other = foliated(plant, small_sheet());
+    ASSERT_EQ(other.organs.size(), 2u);
+    auto const tip = [&](std::size_t i) -> Vec3 {
+        auto const& organ = other.organs[i];
+        double const length_mm
+            = other.organ_shapes[organ.shape].length_mm * static_cast<double>(organ.scale.y());
+        return organ.position_mm + organ.orientation * Vec3(0, length_mm, 0);
+    };
+    EXPECT_LT((other.organs[0].position_mm - Vec3(1, 2, 43)).norm(), 1e-9);
+    EXPECT_LT((tip(0) - Vec3(1, 2, 63)).norm(), 1e-5);
+    EXPECT_LT((other.organs[1].position_mm - Vec3(1, 2, 123)).norm(), 1e-9);
+    EXPECT_LT((tip(1) - Vec3(61, 2, 123)).norm(), 1e-5);
+    for (auto const& organ : other.organs) {
+        EXPECT_EQ(other.organ_shapes[organ.shape].kind, OrganShape::Kind::Leaf);
+        EXPECT_EQ(organ.segment, 0u);
+    }
+    EXPECT_EQ(foliated(other, small_sheet()).organs.size(), 2u);
 }
 
 TEST(SetFoliage, IsAnEditOfOnePlantThatAnotherModelEnds)

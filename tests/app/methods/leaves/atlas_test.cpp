@@ -1,13 +1,20 @@
 #include "app/methods/leaves/leaf_atlas.h"
+#include "app/methods/leaves/leaf_library.h"
+#include "engine/export/gltf_material.h"
 #include "tests/app/commands/outcome.h"
 #include "tests/file_bytes.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <png.h>
 #include <string>
+#include <string_view>
+#include <tbb/global_control.h>
 #include <unistd.h>
 #include <vector>
 
@@ -42,6 +49,86 @@ protected:
         made.rgba.resize(PNG_IMAGE_SIZE(image));
         EXPECT_NE(png_image_finish_read(&image, nullptr, made.rgba.data(), 0, nullptr), 0) << path;
         return made;
+    }
+    // Measures of a leaf in a map, taken over the pixels that pass the alpha test of the mask.
+    struct Seen {
+        double coverage = 0;       // Share of the cell.
+        Vec3 light = Vec3::Zero(); // Their mean colour in linear light.
+    };
+    static Seen seen_in(Picture const& map, Picture const& mask, unsigned cell)
+    {
+        constexpr unsigned kColumns = 4;
+        auto const side = mask.side / kColumns;
+        Seen seen;
+        double count = 0;
+        for (unsigned y = 0; y < side; ++y)
+            for (unsigned x = 0; x < side; ++x) {
+                auto const i = 4
+                    * std::size_t((cell / kColumns * side + y) * mask.side + cell % kColumns * side
+                                  + x);
+                if (mask.rgba[i + 3] < 128)
+                    continue;
+                ++count;
+                for (int c = 0; c < 3; ++c)
+                    seen.light[c] += exports::linear_from_srgb(
+                        map.rgba[i + static_cast<std::size_t>(c)] / 255.0);
+            }
+        seen.coverage = count / (double(side) * side);
+        seen.light /= count;
+        return seen;
+    }
+
+    // How well a leaf's mesh fits the pixels of the leaf.
+    struct Fit {
+        double held = 0;  // Share of the leaf's pixels that lie in its triangles.
+        double empty = 0; // Share of the triangles' pixels that are none of the leaf's.
+        std::size_t triangles = 0;
+    };
+    static Fit fit_of(nlohmann::json const& cell, Picture const& picture)
+    {
+        auto const& mesh = cell["mesh"];
+        auto const corner = [&](std::size_t i) {
+            return Vec2(picture.side * mesh["uv"][i][0].get<double>(),
+                        picture.side * mesh["uv"][i][1].get<double>());
+        };
+        std::vector<bool> is_held(std::size_t(picture.side) * picture.side);
+        for (auto const& triangle : mesh["triangles"])
+            mark_triangle({ corner(triangle[0]), corner(triangle[1]), corner(triangle[2]) },
+                          picture.side, is_held);
+        double leaf = 0;
+        double inside = 0;
+        double both = 0;
+        auto const x0 = cell["x"].get<unsigned>();
+        auto const y0 = cell["y"].get<unsigned>();
+        auto const size = cell["size"].get<unsigned>();
+        for (unsigned y = y0; y < y0 + size; ++y)
+            for (unsigned x = x0; x < x0 + size; ++x) {
+                auto const i = std::size_t(y * picture.side + x);
+                bool const is_leaf = picture.rgba[4 * i + 3] >= 128;
+                leaf += is_leaf;
+                inside += is_held[i];
+                both += is_leaf && is_held[i];
+            }
+        return { both / leaf, 1 - both / inside, mesh["triangles"].size() };
+    }
+    // Marks the pixels whose centres lie in a triangle, clockwise with y downwards.
+    static void mark_triangle(std::array<Vec2, 3> const& at, unsigned side,
+                              std::vector<bool>& marks)
+    {
+        Eigen::AlignedBox2d box;
+        for (auto const& corner : at)
+            box.extend(corner);
+        auto const turn_of = [](Vec2 const& a, Vec2 const& b, Vec2 const& c) {
+            return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+        };
+        EXPECT_LE(turn_of(at[0], at[1], at[2]), 1e-6);
+        for (int y = int(box.min().y()); y <= int(box.max().y()); ++y)
+            for (int x = int(box.min().x()); x <= int(box.max().x()); ++x) {
+                Vec2 const pixel(x + 0.5, y + 0.5);
+                if (turn_of(at[0], at[1], pixel) <= 0 && turn_of(at[1], at[2], pixel) <= 0
+                    && turn_of(at[2], at[0], pixel) <= 0)
+                    marks[std::size_t(unsigned(y) * side + unsigned(x))] = true;
+            }
     }
     fs::path folder_;
 };
@@ -97,12 +184,13 @@ TEST_F(LeafAtlas, CutsShapesOutThatHoldTheirLeaves)
     auto const corner = [&](std::size_t i) {
         return Vec2(128 * mesh["uv"][i][0].get<double>(), 128 * mesh["uv"][i][1].get<double>());
     };
-    auto const side_of = [](Vec2 const& a, Vec2 const& b, Vec2 const& c) {
-        return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
+    // How far c is outside of the edge from a to b, in pixels.
+    auto const outside_px = [](Vec2 const& a, Vec2 const& b, Vec2 const& c) {
+        return ((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x()) / (b - a).norm();
     };
     for (unsigned y = 0; y < 128; ++y)
         for (unsigned x = 0; x < 128; ++x) {
-            if (picture.rgba[4 * (y * 128 + x) + 3] == 0)
+            if (picture.rgba[4 * (y * 128 + x) + 3] < 128)
                 continue;
             Vec2 const at(x + 0.5, y + 0.5);
             bool is_held = false;
@@ -110,8 +198,8 @@ TEST_F(LeafAtlas, CutsShapesOutThatHoldTheirLeaves)
                 Vec2 const a = corner(triangle[0]);
                 Vec2 const b = corner(triangle[1]);
                 Vec2 const c = corner(triangle[2]);
-                is_held |= side_of(a, b, at) <= 1e-6 && side_of(b, c, at) <= 1e-6
-                    && side_of(c, a, at) <= 1e-6;
+                is_held |= outside_px(a, b, at) <= 1e-6 && outside_px(b, c, at) <= 1e-6
+                    && outside_px(c, a, at) <= 1e-6;
             }
             ASSERT_TRUE(is_held) << x << " " << y;
         }
@@ -164,22 +252,136 @@ TEST_F(LeafAtlas, IsTheSameHoweverManyLeavesFollow)
 
 TEST_F(LeafAtlas, WritesSmallerPicturesInWhichLeavesStay)
 {
-    ASSERT_EQ(commands::run({ "leaves", "fern", "--count", "1", "--pixels", "256", "--page", "256",
-                              "--mips", "-o", folder("mips") })
+    std::vector<std::string> arguments { "leaves" };
+    for (auto const& name : leaf_names())
+        arguments.push_back(name);
+    for (auto const* const more :
+         { "--count", "1", "--pixels", "128", "--page", "512", "--mips", "-o" })
+        arguments.emplace_back(more);
+    arguments.push_back(folder("mips"));
+    ASSERT_EQ(commands::run(arguments).exit_code, 0);
+    auto const level_of = [&](std::string const& map, int level) {
+        auto const number = level == 0 ? std::string() : "-mip" + std::to_string(level);
+        return read(folder("mips/page-0-" + map + number + ".png"));
+    };
+    auto const mask = level_of("color", 0);
+    for (int level = 1; level <= 4; ++level) { // A leaf has 8 pixels on a side at level 4.
+        auto const small = level_of("color", level);
+        auto const under = level_of("under-color", level);
+        ASSERT_EQ(small.side, 512u >> level);
+        for (unsigned cell = 0; cell < leaf_names().size(); ++cell) {
+            auto const where = leaf_names()[cell] + " at level " + std::to_string(level);
+            auto const whole = seen_in(mask, mask, cell);
+            auto const made = seen_in(small, small, cell);
+            EXPECT_NEAR(made.coverage, whole.coverage, 0.5 / std::pow(128 >> level, 2) + 1e-9)
+                << where;
+            auto const whole_under = seen_in(level_of("under-color", 0), mask, cell);
+            auto const made_under = seen_in(under, small, cell);
+            for (int i = 0; i < 3; ++i) {
+                EXPECT_NEAR(made.light[i], whole.light[i], 0.01 * whole.light[i]) << where;
+                EXPECT_NEAR(made_under.light[i], whole_under.light[i], 0.01 * whole_under.light[i])
+                    << where;
+            }
+        }
+    }
+    EXPECT_EQ(level_of("normal", 4).side, 32u);
+    EXPECT_FALSE(fs::exists(folder("mips/page-0-normal-mip5.png")));
+}
+
+TEST_F(LeafAtlas, HasColorsAllOverBothSides)
+{
+    ASSERT_EQ(commands::run({ "leaves", "willow", "grass", "--count", "1", "--pixels", "128",
+                              "--page", "256", "-o", folder("sides") })
                   .exit_code,
               0);
-    auto const there = [&](std::string const& name) {
-        auto const picture = read(folder("mips/" + name));
-        std::size_t count = 0;
-        for (std::size_t i = 3; i < picture.rgba.size(); i += 4)
-            count += picture.rgba[i] >= 128;
-        return double(count) / double(picture.rgba.size() / 4);
+    for (auto const* const map : { "color", "under-color" }) {
+        auto const picture = read(folder("sides/page-0-") + map + ".png");
+        for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+            ASSERT_GT(picture.rgba[i + 1], picture.rgba[i + 2]) << map << ": no leaf's green";
+    }
+}
+
+TEST_F(LeafAtlas, HasThreeWeightsOfGeometry)
+{
+    for (auto const* const geometry : { "card", "cut", "modelled" }) {
+        std::vector<std::string> arguments { "leaves" };
+        for (auto const& name : leaf_names())
+            arguments.push_back(name);
+        for (auto const* const more :
+             { "--count", "1", "--pixels", "256", "--page", "1024", "--geometry", geometry, "-o" })
+            arguments.emplace_back(more);
+        arguments.push_back(folder(geometry));
+        ASSERT_EQ(commands::run(arguments).exit_code, 0);
+        auto const json = nlohmann::json::parse(file_bytes(folder(geometry) + "/leaves.json"));
+        auto const picture = read(folder(geometry) + "/page-0-color.png");
+        for (auto const& cell : json["pages"][0]["cells"]) {
+            auto const where = cell["leaf"].get<std::string>() + ", " + geometry;
+            auto const found = fit_of(cell, picture);
+            bool const is_card = std::string_view(geometry) == "card";
+            bool const is_modelled = std::string_view(geometry) == "modelled";
+            EXPECT_GE(found.held, is_modelled ? 0.95 : 0.99) << where;
+            EXPECT_LE(found.empty, is_card ? 1 : 0.05) << where;
+            if (is_card) {
+                EXPECT_EQ(found.triangles, 2u) << where;
+            }
+            if (is_modelled) {
+                EXPECT_GE(found.triangles, 60u) << where;
+                EXPECT_LE(found.triangles, 400u) << where;
+            }
+            EXPECT_EQ(cell["mesh"].contains("normals"), is_modelled) << where;
+            EXPECT_EQ(cell["mesh"]["positions"][0].size(), is_modelled ? 3u : 2u) << where;
+        }
+        auto const glb = file_bytes(folder(geometry) + "/page-0.glb");
+        EXPECT_EQ(glb.find("\"MASK\"") == std::string::npos,
+                  std::string_view(geometry) == "modelled");
+    }
+}
+
+// A modelled leaf is folded along its midrib and bends down towards its tip.
+TEST_F(LeafAtlas, ModelsLeavesInSpace)
+{
+    ASSERT_EQ(commands::run({ "leaves", "beech", "--count", "1", "--pixels", "256", "--page", "256",
+                              "--geometry", "modelled", "-o", folder("space") })
+                  .exit_code,
+              0);
+    auto const json = nlohmann::json::parse(file_bytes(folder("space/leaves.json")));
+    auto const& mesh = json["pages"][0]["cells"][0]["mesh"];
+    double left = 0;
+    double right = 0;
+    double low = 1;
+    for (std::size_t i = 0; i < mesh["normals"].size(); ++i) {
+        Vec3 const normal(mesh["normals"][i][0], mesh["normals"][i][1], mesh["normals"][i][2]);
+        EXPECT_NEAR(normal.norm(), 1, 1e-6);
+        double const x = mesh["positions"][i][0];
+        (x < 0 ? left : right) += normal.x();
+        low = std::min(low, normal.z());
+    }
+    EXPECT_GT(left, 1); // Each half faces the midrib.
+    EXPECT_LT(right, -1);
+    EXPECT_LT(low, 0.97);
+}
+
+TEST_F(LeafAtlas, IsTheSameOnAnyNumberOfThreads)
+{
+    auto const make = [&](std::string const& name) {
+        EXPECT_EQ(commands::run({ "leaves", "maple", "fern", "--count", "3", "--pixels", "64",
+                                  "--page", "128", "--mips", "--geometry", "modelled", "--larvae",
+                                  "2", "-o", folder(name) })
+                      .exit_code,
+                  0);
     };
-    double const whole = there("page-0-color.png");
-    for (int level = 1; level <= 4; ++level) // Level 4 has 16 pixels on a side.
-        EXPECT_NEAR(there("page-0-color-mip" + std::to_string(level) + ".png"), whole, 0.02)
-            << level;
-    EXPECT_EQ(read(folder("mips/page-0-normal-mip6.png")).side, 4u);
+    make("all");
+    {
+        tbb::global_control const one(tbb::global_control::max_allowed_parallelism, 1);
+        make("one");
+    }
+    std::size_t files = 0;
+    for (auto const& entry : fs::directory_iterator(folder("all"))) {
+        auto const name = entry.path().filename().string();
+        EXPECT_EQ(file_bytes(entry.path()), file_bytes(folder("one") + "/" + name)) << name;
+        ++files;
+    }
+    EXPECT_GT(files, 40u);
 }
 
 TEST_F(LeafAtlas, SaysWhatItWants)

@@ -3,6 +3,7 @@
 #include "app/methods/all_leaves.h"
 #include "app/session/session_repair.h"
 #include "tests/app/methods/pairs/document_of_all_methods.h"
+#include "tests/app/methods/pairs/plant_of_each_method.h"
 #include "tests/app/session/small_session.h"
 
 #include <fmt/core.h>
@@ -11,33 +12,58 @@
 namespace tractus::methods {
 namespace {
 
-// Fixture with a session file of a plant with grown leaves, whose last step is undone. It tests
-// whether the plant survives damage to the file.
-class DamagedPlant : public session::SessionFolder {
+// Fixture with a session file, whose last step is undone. It tests whether the plants survive
+// damage to the file. The parameter is the method with which the plants are made, as an index in
+// kMethods, or kGrownLeaves for a model with grown leaves, which make a file of several megabytes.
+class DamagedPlant : public session::SessionFolder,
+                     public testing::WithParamInterface<std::size_t> {
+public:
+    static constexpr std::size_t kGrownLeaves = kMethods.size();
+
 protected:
     void SetUp() override
     {
         session::SessionFolder::SetUp();
-        {
-            auto session = begin();
-            auto const leaves = foliage_edits(session.scene(), session.scene().state.active,
-                                              parse_foliage("oak"));
-            ASSERT_TRUE(leaves) << leaves.error().message;
-            add(session, drawing(0));
-            add(session, *leaves);
-            for (int i = 1; i < 12; ++i)
-                add(session, drawing(i));
-            ASSERT_TRUE(session.undo());
-        }
+        if (GetParam() == kGrownLeaves)
+            make_grown_leaves();
+        else
+            make_plants(kMethods[GetParam()]);
         whole_ = read_bytes();
         contents_ = session::read_session(path(), all_methods().edits).value();
     }
 
-    session::Session begin()
+    void make_grown_leaves()
     {
-        auto const model = io::load_model_edit(files::find_model("birch").value()).value();
+        auto session = begin(io::load_model_edit(files::find_model("birch").value()).value());
+        auto const leaves
+            = foliage_edits(session.scene(), session.scene().state.active, parse_foliage("oak"));
+        ASSERT_TRUE(leaves) << leaves.error().message;
+        add(session, drawing(0));
+        add(session, *leaves);
+        for (int i = 1; i < 12; ++i)
+            add(session, drawing(i));
+        ASSERT_TRUE(session.undo());
+    }
+
+    // Makes several plants with a method, and changes each. Each edit is a step.
+    void make_plants(MethodOfPair const& method)
+    {
+        constexpr int kPlants = 5;
+        auto session = begin(small_model());
+        for (int i = 0; i < kPlants; ++i) {
+            Steps steps(session.scene());
+            method.make(steps, 40.0 * i);
+            steps.add(method.change(steps.active()));
+            for (auto const& edit : steps.edits())
+                add(session, { edit });
+        }
+        ASSERT_TRUE(session.undo());
+    }
+
+    session::Session begin(scene::Edit const& model)
+    {
         std::vector<scene::Edit> const edits { model, scene::SetGrowth {} };
-        auto session = session::Session::create(path(), { .plant = "birch", .program = "1.2.3" },
+        auto session = session::Session::create(path(), { .plant = "plant", .program = "1.2.3" },
                                                 edits, options_for_all_methods());
         EXPECT_TRUE(session) << session.error().message;
         return *std::move(session);
@@ -101,10 +127,11 @@ protected:
     // damage overwrites `damage_bytes` bytes, or changes a single bit if that is 0.
     double share_that_comes_back(std::size_t damage_bytes, std::uint32_t seed) const
     {
-        constexpr int kDamages = 40; // Each trial reads a file of several megabytes.
+        // Each trial with grown leaves reads a file of several megabytes.
+        int const damages = GetParam() == kGrownLeaves ? 40 : 120;
         std::mt19937 random(seed);
         int same = 0;
-        for (int i = 0; i < kDamages; ++i) {
+        for (int i = 0; i < damages; ++i) {
             auto bytes = whole_;
             auto const place = random() % bytes.size();
             if (damage_bytes == 0)
@@ -114,8 +141,8 @@ protected:
             same += gives_the_same_plant(bytes);
         }
         fmt::print("damages of {} bytes: {} of {} give the same plant\n", damage_bytes, same,
-                   kDamages);
-        return double(same) / kDamages;
+                   damages);
+        return double(same) / damages;
     }
 
     std::string whole_;
@@ -123,33 +150,34 @@ protected:
     std::vector<std::uintmax_t> lengths_; // Length of the file after each step, in bytes.
 };
 
-TEST_F(DamagedPlant, ComesBackFromAWholeFile)
+TEST_P(DamagedPlant, ComesBackFromAWholeFile)
 {
     EXPECT_TRUE(gives_the_same_plant(whole_));
     EXPECT_EQ(contents_.step + 1, contents_.last_step());
 }
 
-TEST_F(DamagedPlant, ComesBackAfterOneBit)
+TEST_P(DamagedPlant, ComesBackAfterOneBit)
 {
     EXPECT_GE(share_that_comes_back(0, 1), 0.95);
 }
 
-TEST_F(DamagedPlant, ComesBackAfterSixtyFourBytes)
+TEST_P(DamagedPlant, ComesBackAfterSixtyFourBytes)
 {
     EXPECT_GE(share_that_comes_back(64, 2), 0.9);
 }
 
-TEST_F(DamagedPlant, ComesBackAfterFourKibibytes)
+TEST_P(DamagedPlant, ComesBackAfterFourKibibytes)
 {
     EXPECT_GE(share_that_comes_back(4096, 3), 0.8);
 }
 
 // If the file is cut off, all steps must survive that were complete when the file had the remaining
 // length.
-TEST_F(DamagedPlant, ComesBackAsFarAsTheFileIsNotCutOff)
+TEST_P(DamagedPlant, ComesBackAsFarAsTheFileIsNotCutOff)
 {
     std::mt19937 random(4);
-    for (int i = 0; i < 12; ++i) {
+    int const cuts = GetParam() == kGrownLeaves ? 12 : 120;
+    for (int i = 0; i < cuts; ++i) {
         auto const cut = lengths_.front() + random() % (whole_.size() - lengths_.front() + 1);
         std::size_t step = 0;
         while (step < lengths_.size() && lengths_[step] <= cut)
@@ -161,6 +189,9 @@ TEST_F(DamagedPlant, ComesBackAsFarAsTheFileIsNotCutOff)
             << " steps";
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(OfMethods, DamagedPlant,
+                         testing::Range(std::size_t { 0 }, DamagedPlant::kGrownLeaves + 1));
 
 } // namespace
 } // namespace tractus::methods

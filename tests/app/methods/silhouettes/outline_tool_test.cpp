@@ -33,7 +33,7 @@ TEST(OutlineTool, SaysItsNumbersInLogs)
     OutlineTool const tool { .levels = 1, .leaves = 8, .what = OutlineTool::What::New };
     auto const words = tools::words_for(tool);
     EXPECT_EQ(words.name + " " + words.arguments,
-              "outline levels=1 leaves=8 new of_any siblings closely whole_nodes fills_to_outline");
+              "outline levels=1 leaves=8 new of_any siblings closely whole_nodes fills_by_species");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(tool));
 }
@@ -135,6 +135,7 @@ TEST(OutlineTool, TakesAReadyFormWithItsNumbers)
         auto form = ready.form;
         form.has_whole_nodes = true;
         form.leaves_reach_outline = ready.name != std::string("fern");
+        form.bases_by_angle = ready.name != std::string("fern");
         EXPECT_EQ(meant(trunk_at(0), {}, *tool.get<OutlineTool>()).form, form) << ready.name;
         auto given = *tool.get<OutlineTool>();
         given.what = OutlineTool::What::Form;
@@ -248,7 +249,7 @@ TEST(OutlineTool, CarriesAStyle)
         document.draw({ stroke, OutlineTool { .style = silhouette::StyleScope::None } });
     OutlineTool const carrying { .what = OutlineTool::What::Carry };
     auto const words = tools::words_for(carrying);
-    EXPECT_EQ(words.arguments, "carry of_any siblings closely whole_nodes fills_to_outline");
+    EXPECT_EQ(words.arguments, "carry of_any siblings closely whole_nodes fills_by_species");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(carrying));
     auto const tree = [&] { return *silhouette::outlined_tree(*document.newest()->scene.drawn); };
@@ -500,6 +501,26 @@ TEST(OutlineTool, FillsOutlinesWithLeavesUnlessALogIsOlder)
     EXPECT_FALSE(form_by("oak closely whole_nodes").leaves_reach_outline);
 }
 
+TEST(OutlineTool, GivesBranchesTheAnglesOfTheSpeciesUnlessALogIsOlder)
+{
+    auto const tools = methods::all_methods().tools;
+    auto const form_by = [&](std::string const& words) {
+        document::Document document({}, document::Document::Working::AtOnce);
+        document.draw({ trunk_at(0), tools::parse_tool(tools, "outline", words).value() });
+        return outlined_tree(*document.newest()->scene.drawn)->form;
+    };
+    for (auto const* const name : { "oak", "pine", "willow", "poplar" }) {
+        auto const now = form_by(name + std::string(" fills_by_species"));
+        EXPECT_TRUE(now.bases_by_angle) << name;
+        EXPECT_NE(now.rise, 0) << name;
+        auto const older = form_by(name + std::string(" fills_to_outline"));
+        EXPECT_FALSE(older.bases_by_angle) << name;
+        EXPECT_EQ(older.rise, 0) << name;
+        EXPECT_EQ(older.base_angle_deg, name == std::string("poplar") ? 35 : 0) << name;
+    }
+    EXPECT_FALSE(form_by("fills_by_species").bases_by_angle);
+}
+
 // The tool must erase branches before the trunk and the crown's outline. Without its outline, the
 // tree is a bare stem. The trunk is then the last line, which cannot be erased.
 TEST(EraseOutlineTool, TakesLinesOfTheDrawingAway)
@@ -605,7 +626,7 @@ TEST(OutlineLayer, ShowsWhatWasSeenInTheOutline)
     EXPECT_FALSE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::Always }));
     EXPECT_TRUE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::WithTriangles }));
     EXPECT_EQ(tools::words_for(OutlineTool { .seen = Seen::Always }).arguments,
-              "of_any siblings closely seen_stays whole_nodes fills_to_outline");
+              "of_any siblings closely seen_stays whole_nodes fills_by_species");
 }
 
 } // namespace

@@ -2,9 +2,16 @@
 #include "engine/methods/silhouettes/skeleton.h"
 #include "engine/methods/silhouettes/spaced_ends.h"
 #include "engine/methods/silhouettes/tree_form.h"
+#include "engine/methods/silhouettes/tree_preset.h"
 #include "tests/engine/methods/silhouettes/outlines.h"
 
+#include <array>
+#include <cmath>
+#include <numeric>
 #include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace tractus::silhouette {
 namespace {
@@ -65,6 +72,68 @@ std::size_t count(Drawing const& drawing, InferenceOptions const& options)
     auto const system = infer_system(drawing, options);
     EXPECT_TRUE(system) << system.error().message;
     return system ? system->branches.size() - (system->has_apex_branch() ? 1 : 0) : 0;
+}
+
+// Returns the angles between the trunk and the first quarters of a system's branches, by position
+// along the trunk.
+std::vector<std::pair<double, double>> angles_deg(BranchingSystem const& system)
+{
+    std::vector<std::pair<double, double>> angles;
+    auto const last = system.trunk.size() - 1;
+    for (auto const& branch : system.branches) {
+        auto const k = branch.path.trunk_sample;
+        if (branch.origin == Branch::Origin::Apex || k == 0 || k >= last)
+            continue;
+        Vec2 const along = system.trunk[k + 1] - system.trunk[k - 1];
+        Vec2 const way = chord_to_share(branch.path.curve, 0.25);
+        angles.emplace_back(branch.path.t,
+                            degrees(std::fabs(std::atan2(cross(along, way), along.dot(way)))));
+    }
+    return angles;
+}
+
+// Returns outlines that a tree of this form has, as a hand draws them.
+std::vector<Drawing> outlines_of(std::string_view form)
+{
+    if (form == "poplar")
+        return { rough_column(), with_tremor(rough_column(), 0.35, 1) };
+    if (form == "umbrella_pine" || form == "acacia") {
+        auto flat = ellipse(70, 24);
+        flat.trunk = upright(-130, 12);
+        return { flat, with_tremor(flat, 0.35, 1) };
+    }
+    if (form == "birch" || form == "eucalyptus" || form == "willow")
+        return { ellipse(30, 90), with_tremor(ellipse(34, 90), 0.35, 1) };
+    return { with_tremor(ellipse(45, 90), 0.35, 1), with_tremor(lobed_crown(7), 0.2, 2),
+             lobed_crown(11) };
+}
+
+TEST(SpacedEnds, BranchesLeaveTheTrunkAtTheAnglesOfTheForm)
+{
+    for (auto const& ready : tree_presets()) {
+        if (ready.form.base_angle_deg == 0)
+            continue;
+        auto form = ready.form;
+        form.bases_by_angle = true;
+        for (auto const& drawing : outlines_of(ready.name)) {
+            auto const system = infer_system(drawing, skeleton_options(form).tree);
+            ASSERT_TRUE(system);
+            // Mean deviation from the form's law in each fifth of the trunk.
+            std::array<double, 5> sum {};
+            std::array<int, 5> count {};
+            for (auto const& [t, angle_deg] : angles_deg(*system)) {
+                double const law_deg = std::lerp(form.base_angle_deg, form.tip_angle_deg, t);
+                auto const fifth = static_cast<std::size_t>(std::min(4.0, 5 * t));
+                sum[fifth] += angle_deg - law_deg;
+                ++count[fifth];
+            }
+            EXPECT_GT(std::accumulate(count.begin(), count.end(), 0), 8) << ready.name;
+            for (std::size_t i = 0; i < 5; ++i)
+                if (count[i] > 1) {
+                    EXPECT_LE(std::fabs(sum[i] / count[i]), 10) << ready.name << i;
+                }
+        }
+    }
 }
 
 TEST(SpacedEnds, GiveASmoothOutlineAsManyBranchesAsAHandDrewRoughly)
