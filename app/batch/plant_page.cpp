@@ -1,6 +1,7 @@
 #include "app/batch/plant_page.h"
 
 #include "engine/base/base64.h"
+#include "engine/base/markup.h"
 
 #include <sstream>
 #include <string_view>
@@ -24,30 +25,6 @@ extern char const tractus_page_end[];
 
 namespace tractus::batch {
 
-// Escapes text for HTML, in attributes, too.
-static std::string escaped(std::string_view text)
-{
-    std::string made;
-    for (char const letter : text)
-        switch (letter) {
-        case '&':
-            made += "&amp;";
-            break;
-        case '<':
-            made += "&lt;";
-            break;
-        case '>':
-            made += "&gt;";
-            break;
-        case '"':
-            made += "&quot;";
-            break;
-        default:
-            made += letter;
-        }
-    return made;
-}
-
 Result<exports::GlbSummary> write_page(std::ostream& out, std::string const& title,
                                        std::span<exports::PlacedMesh const> plants,
                                        exports::GlbOptions const& options)
@@ -65,7 +42,7 @@ Result<exports::GlbSummary> write_page(std::ostream& out, std::string const& tit
         page.remove_prefix(at + 1);
         auto const end = page.find('@');
         if (page.substr(0, end) == "TITLE")
-            out << escaped(title);
+            out << escape_markup(title);
         else
             out << base64(bytes.view());
         page.remove_prefix(end + 1);

@@ -1,5 +1,7 @@
 #include "app/calibration/plot_svg.h"
 
+#include "engine/base/markup.h"
+
 #include <algorithm>
 #include <array>
 #include <fmt/core.h>
@@ -25,26 +27,6 @@ constexpr std::array<std::string_view, 7> kColors { "#007d5b", "#0072b2", "#d087
 std::string_view color_of(PlotTone tone)
 {
     return kColors[static_cast<std::size_t>(tone)];
-}
-
-std::string escaped(std::string_view text)
-{
-    std::string result;
-    for (char const c : text)
-        switch (c) {
-        case '&':
-            result += "&amp;";
-            break;
-        case '<':
-            result += "&lt;";
-            break;
-        case '>':
-            result += "&gt;";
-            break;
-        default:
-            result += c;
-        }
-    return result;
 }
 
 // Draws one plot at its place on the sheet.
@@ -163,12 +145,12 @@ private:
         add("<path class=\"axis\" d=\"M{:.1f},{:.1f}v{:.1f}h{:.1f}\"/>\n", corner_.x() + kLeft,
             corner_.y() + kTop, size_.y(), size_.x());
         add("<text class=\"title\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", corner_.x() + kLeft,
-            corner_.y() + 28, escaped(plot_.title));
+            corner_.y() + 28, escape_markup(plot_.title));
         add("<text class=\"label\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-            middle.x(), corner_.y() + kPlotHeight - 16, escaped(plot_.x_label));
+            middle.x(), corner_.y() + kPlotHeight - 16, escape_markup(plot_.x_label));
         add("<text class=\"label\" text-anchor=\"middle\" transform=\"translate({:.1f},{:.1f}) "
             "rotate(-90)\">{}</text>\n",
-            corner_.x() + 20, middle.y(), escaped(plot_.y_label));
+            corner_.x() + 20, middle.y(), escape_markup(plot_.y_label));
     }
 
     void print_legend()
@@ -181,7 +163,7 @@ private:
                 continue;
             print_key(series, { x + 8, y });
             add("<text class=\"key\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + 22, y + 4.5,
-                escaped(series.label));
+                escape_markup(series.label));
             x += 38 + kLetter * static_cast<double>(series.label.size());
         }
     }
@@ -238,7 +220,7 @@ text {{ font-family: "DejaVu Sans", Verdana, sans-serif; fill: #222; }}
 <text class="sheet" x="{2}" y="44">{3}</text>
 <text class="subtitle" x="{2}" y="72">{4}</text>
 )",
-        width, height, kMargin + 20, escaped(sheet.title), escaped(sheet.subtitle));
+        width, height, kMargin + 20, escape_markup(sheet.title), escape_markup(sheet.subtitle));
     for (std::size_t i = 0; i < plots.size(); ++i) {
         Vec2 const corner(kMargin + kPlotWidth * static_cast<double>(i % 2),
                           kSheetTop + kPlotHeight * static_cast<double>(i / 2));

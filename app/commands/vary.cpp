@@ -33,6 +33,10 @@ struct VaryArguments {
 Result<void> vary(VaryArguments const& arguments, tools::Methods const& methods)
 {
     auto options = arguments.collection;
+    if (options.details > 0 && options.output.extension() == ".html")
+        return fail(Fault::User,
+                    "--lods needs a .glb file or a folder: a page (.html) shows each plant at one "
+                    "level of detail");
     TRY(check_writable(batch::is_one_file(options) ? options.output
                                                    : options.output / "plant.glb"));
     options.model = TRY(files::find_model(arguments.model));
