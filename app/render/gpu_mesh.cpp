@@ -3,6 +3,8 @@
 #include "app/render/image.h"
 #include "app/render/leaf_parts.h"
 #include "engine/base/check.h"
+#include "engine/export/gltf_material.h"
+#include "engine/export/texture.h"
 #include "engine/mesh/coarse_mesh.h"
 #include "engine/mesh/mesh_measures.h"
 
@@ -163,20 +165,42 @@ void set_picture(Shader const& shader, int index, SurfacePicture const* picture,
 }
 
 // Sets the uniform base_color and those of the material's pictures.
-void set_pictures(GpuMesh::Part const& part, Shader const& shader)
+void set_pictures(GpuMesh::Part const& part, Shader const& shader, SurfacePictures& pictures)
 {
+    using Meaning = SurfacePictures::Meaning;
     auto const& textures = part.material.textures;
+    // New pictures are uploaded through the active texture unit, which must not be one of the sun's
+    // shadow.
+    glActiveTexture(GL_TEXTURE0 + kPictureUnit);
+    auto const* const picture = pictures.find_or_add(textures.base_color, Meaning::Color);
+    auto const* const normal = pictures.find_or_add(textures.normal, Meaning::Numbers);
+    auto const* const occlusion = pictures.find_or_add(textures.occlusion, Meaning::Numbers);
+    auto const* const roughness = pictures.find_or_add(textures.roughness, Meaning::Numbers);
+    auto const* const translucency = pictures.find_or_add(textures.translucency, Meaning::Numbers);
+
     bool const replaces = textures.color == MaterialTextures::Color::Replaced;
     shader.set("base_color",
-               part.picture && replaces ? Vec3f::Ones().eval()
-                                        : linear_light(part.material.base_color));
-    bool const is_masked = part.picture && textures.alpha == MaterialTextures::Alpha::Mask;
+               picture && replaces ? Vec3f::Ones().eval() : linear_light(part.material.base_color));
+    bool const is_masked = picture && textures.alpha == MaterialTextures::Alpha::Mask;
     shader.set("masked", is_masked ? 1.0f : 0.0f);
-    set_picture(shader, 0, part.picture, "picture", "pictured", 1);
-    set_picture(shader, 1, part.normal, "normals", "bumped", textures.normal_strength);
-    set_picture(shader, 2, part.occlusion, "occlusions", "occluded", textures.occlusion_strength);
-    set_picture(shader, 3, part.roughness, "roughnesses", "roughened", 1);
-    set_picture(shader, 4, part.translucency, "passings", "passing", 1);
+    set_picture(shader, 0, picture, "picture", "pictured", 1);
+    set_picture(shader, 1, normal, "normals", "bumped", textures.normal_strength);
+    set_picture(shader, 2, occlusion, "occlusions", "occluded", textures.occlusion_strength);
+    set_picture(shader, 3, roughness, "roughnesses", "roughened", 1);
+    set_picture(shader, 4, translucency, "passings", "passing", 1);
+}
+
+// Adds the pictures of a kind of bark. The furrows that suit any plant are drawn by the shader.
+Material with_bark_pictures(Material material)
+{
+    if (material.kind != Material::Kind::Bark || material.bark.kind == BarkKind::Furrowed)
+        return material;
+    Vec3 const light = exports::multiplied_color(material);
+    material.textures = exports::textures_of(material);
+    if (material.textures.color == MaterialTextures::Color::Multiplied)
+        for (int k = 0; k < 3; ++k)
+            material.base_color[k] = static_cast<float>(exports::srgb_from_linear(light[k]));
+    return material;
 }
 
 // If this check fails, the mesh was made wrongly; readers of files check the indices themselves.
@@ -204,14 +228,7 @@ GpuMesh::GpuMesh(mesh::Mesh const& mesh, Sky how)
 GpuMesh::Part GpuMesh::make_part(Material const& material, mesh::TriangleMesh const& triangles)
 {
     Part part;
-    part.material = material;
-    using Meaning = SurfacePictures::Meaning;
-    auto const& textures = material.textures;
-    part.picture = pictures_.find_or_add(textures.base_color, Meaning::Color);
-    part.normal = pictures_.find_or_add(textures.normal, Meaning::Numbers);
-    part.occlusion = pictures_.find_or_add(textures.occlusion, Meaning::Numbers);
-    part.roughness = pictures_.find_or_add(textures.roughness, Meaning::Numbers);
-    part.translucency = pictures_.find_or_add(textures.translucency, Meaning::Numbers);
+    part.material = with_bark_pictures(material);
     part.index_count = static_cast<GLsizei>(triangles.indices.size());
     add_triangles(part, part.vertex_array, triangles);
     return part;
@@ -268,9 +285,10 @@ void GpuMesh::add_organ(Material const& material, mesh::InstancedMesh const& org
     parts_.push_back(std::move(part));
 }
 
-void GpuMesh::draw(Part const& part, Shader const& shader, float pixel_mm) const
+void GpuMesh::draw(Part const& part, Shader const& shader, SurfacePictures& pictures,
+                   float pixel_mm) const
 {
-    set_pictures(part, shader);
+    set_pictures(part, shader, pictures);
     if (part.instance_count == 0)
         draw_surface(part);
     else

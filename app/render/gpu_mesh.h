@@ -25,13 +25,7 @@ public:
 
     // The triangles of one material, drawn by one draw call: once, or as many instances.
     struct Part {
-        Material material;
-        // The material's pictures; null for pictures that the material does not have.
-        SurfacePicture const* picture = nullptr;
-        SurfacePicture const* normal = nullptr;
-        SurfacePicture const* occlusion = nullptr;
-        SurfacePicture const* roughness = nullptr;
-        SurfacePicture const* translucency = nullptr;
+        Material material; // With the pictures that are generated for its bark.
         GLsizei index_count = 0;
         // Number of first indices that belong to tubes. Only the outer sides of tubes are drawn.
         GLsizei tube_index_count = 0;
@@ -53,8 +47,9 @@ public:
     // attributes: 4 translation, 5 rotation (a quaternion, scalar last), 6 scale, 7 sky visibility,
     // 8 individual_at(). Uniforms: those of the material's colour and pictures. Where the picture's
     // pixels are `pixel_mm` wide, instances are drawn with as few triangles as make no visible
-    // difference.
-    void draw(Part const& part, Shader const& shader, float pixel_mm) const;
+    // difference. The material's pictures are uploaded to `pictures` where they are not there yet.
+    void draw(Part const& part, Shader const& shader, SurfacePictures& pictures,
+              float pixel_mm) const;
 
     // Visibility of the sky from the ground below the plant: ground_texture() has a single channel
     // and covers the rectangle given by the corner and size.
@@ -71,7 +66,6 @@ private:
     void make_ground_texture(SkyVisibility const& sky);
 
     Bounds bounds_;
-    SurfacePictures pictures_;
     std::vector<Part> parts_;
     gl::Texture ground_texture_;
     Vec2f ground_corner_mm_ = Vec2f::Zero();

@@ -38,6 +38,7 @@ struct Renderer::Parts {
     Shader curve;
     Shader picture;
     SunShadow shadow;
+    SurfacePictures pictures {};
     gl::VertexArray no_vertices {};
 
     // State of one picture, shared by its rendering passes.
@@ -55,7 +56,7 @@ struct Renderer::Parts {
     void draw_picture(View const& view) const;
     void draw_ground(View const& view) const;
     void draw_ground_shade(View const& view) const;
-    void draw_meshes(View const& view) const;
+    void draw_meshes(View const& view);
     void draw_curves(View const& view) const;
 
     Shader const& shader_for(Material const& material) const;
@@ -108,10 +109,11 @@ void Renderer::draw(Stage const& stage, Camera const& camera, Canvas const& canv
     view.pixels_per_mm = projection(1, 1) * static_cast<float>(canvas.height()) / 2;
     view.depth_terms = Vec2f(projection(2, 2), projection(2, 3));
 
+    parts_->pictures.drop_unused();
     bool const is_lit = stage.lighting == Stage::Lighting::Lit;
     bool const has_ground = shows_ground(stage);
     if (has_ground || (is_lit && !stage.meshes.empty()))
-        parts_->shadow.draw(stage, view.box, shadow_map_side(canvas));
+        parts_->shadow.draw(stage, view.box, shadow_map_side(canvas), parts_->pictures);
     canvas.bind();
     glDisable(GL_CULL_FACE);
     glDisable(GL_SCISSOR_TEST);
@@ -238,7 +240,7 @@ Shader const& Renderer::Parts::shader_for(Material const& material) const
     return plain;
 }
 
-void Renderer::Parts::draw_meshes(View const& view) const
+void Renderer::Parts::draw_meshes(View const& view)
 {
     for (auto const* shader : { &bark, &thin, &plain }) {
         shader->use();
@@ -269,7 +271,7 @@ void Renderer::Parts::draw_meshes(View const& view) const
             // Veins drawn by the shader need texture coordinates in the unit square. Leaves with
             // pictures do not have such coordinates.
             shader.set("drawn_veins", material.textures.base_color ? 0.0f : 1.0f);
-            placed.mesh->draw(part, shader, pixel_mm / scale);
+            placed.mesh->draw(part, shader, pictures, pixel_mm / scale);
         }
     }
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);

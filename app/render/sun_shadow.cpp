@@ -69,7 +69,7 @@ void SunShadow::resize(int side)
     CHECK(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
 }
 
-void SunShadow::draw(Stage const& stage, Bounds const& box, int side)
+void SunShadow::draw(Stage const& stage, Bounds const& box, int side, SurfacePictures& pictures)
 {
     CHECK(side >= 64 && side <= 2048);
     resize(side);
@@ -88,11 +88,11 @@ void SunShadow::draw(Stage const& stage, Bounds const& box, int side)
     T_clip_world_ = projection_matrix(eye, 1) * T_camera_world(eye);
     texel_mm_ = static_cast<float>(eye.view_height_mm / side);
     depth_mm_ = static_cast<float>(eye.far_mm - eye.near_mm);
-    draw_depth(stage);
+    draw_depth(stage, pictures);
     draw_ground(stage);
 }
 
-void SunShadow::draw_depth(Stage const& stage)
+void SunShadow::draw_depth(Stage const& stage, SurfacePictures& pictures)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, depth_target_.name());
     glViewport(0, 0, side_, side_);
@@ -108,7 +108,7 @@ void SunShadow::draw_depth(Stage const& stage)
                           Eigen::Matrix4f(T_clip_world_ * placed.T_world_plant.matrix()));
         float const scale = placed.T_world_plant.linear().col(0).norm();
         for (auto const& part : placed.mesh->parts())
-            placed.mesh->draw(part, depth_shader_, texel_mm_ / scale);
+            placed.mesh->draw(part, depth_shader_, pictures, texel_mm_ / scale);
     }
     if (!stage.curves_cast_shadows)
         return;

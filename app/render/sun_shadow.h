@@ -3,6 +3,7 @@
 #include "app/render/gl_objects.h"
 #include "app/render/shader.h"
 #include "app/render/stage.h"
+#include "app/render/surface_picture.h"
 
 namespace tractus::render {
 
@@ -15,9 +16,9 @@ public:
     // Fails with an internal error if the driver rejects the shaders.
     static Result<SunShadow> create();
 
-    // Renders the stage as seen from the sun, into a map of `side` pixels, 64 to 2048. Leaves
-    // one of its own framebuffers bound.
-    void draw(Stage const& stage, Bounds const& box, int side);
+    // Renders the stage as seen from the sun, into a map of `side` pixels, 64 to 2048. Uploads
+    // pictures that are not there yet. Leaves one of its own framebuffers bound.
+    void draw(Stage const& stage, Bounds const& box, int side, SurfacePictures& pictures);
 
     // Sets a shader's maps (texture unit 0: depth, 1: ground), and the transforms from a place to
     // its coordinates in the maps.
@@ -27,7 +28,7 @@ private:
     SunShadow(Shader depth, Shader curves, Shader ground);
 
     void resize(int side);
-    void draw_depth(Stage const& stage);
+    void draw_depth(Stage const& stage, SurfacePictures& pictures);
     void draw_ground(Stage const& stage);
 
     Shader depth_shader_;

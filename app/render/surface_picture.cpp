@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 namespace tractus::render {
@@ -68,6 +69,17 @@ SurfacePicture const* SurfacePictures::find_or_add(TextureSlot const& slot, Mean
         }
     }
     return place->second.get();
+}
+
+void SurfacePictures::drop_unused()
+{
+    // Each meaning of a picture has an entry of its own, which refers to the picture, too.
+    for (auto entry = pictures_.begin(); entry != pictures_.end();) {
+        auto const& slot = entry->first.first;
+        auto const entries = static_cast<long>(pictures_.count({ slot, Meaning::Color })
+                                               + pictures_.count({ slot, Meaning::Numbers }));
+        entry = slot.use_count() == entries ? pictures_.erase(entry) : std::next(entry);
+    }
 }
 
 } // namespace tractus::render

@@ -15,7 +15,8 @@ struct SurfacePicture {
     gl::Texture texture;
 };
 
-// The pictures of a mesh's materials; each is uploaded once. Must not outlive the OpenGL context.
+// The pictures of all materials that are drawn in an OpenGL context, which it must not outlive.
+// Each is uploaded once, however many meshes have it.
 class SurfacePictures {
 public:
     // What a picture's pixels contain: sRGB colours, or plain numbers.
@@ -24,6 +25,9 @@ public:
     // Returns the picture of a texture slot. Null if the slot is empty or its bytes cannot be
     // decoded; the surface is then drawn without this picture.
     SurfacePicture const* find_or_add(TextureSlot const& slot, Meaning meaning);
+
+    // Removes the pictures that nothing else refers to any more.
+    void drop_unused();
 
 private:
     std::map<std::pair<TextureSlot, Meaning>, std::unique_ptr<SurfacePicture>> pictures_;

@@ -3,10 +3,12 @@
 #include "engine/base/random.h"
 #include "engine/base/vectors.h"
 #include "engine/export/png.h"
+#include "engine/export/relief_tile.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace tractus::exports {
@@ -77,73 +79,31 @@ private:
     std::vector<double> values_;
 };
 
-// Height field, 0 to 1, of ridges between furrows, like that of the renderer's shader
-// (surface.cpp). It has a whole number of cells along the axis, so that it can be tiled.
-class Relief {
-public:
-    Relief()
-    {
-        CylinderNoise const wander(0, 2, 7);
-        CylinderNoise const coarse(1, 3.4, 5);
-        CylinderNoise const fine(2, 8, 15);
-        for (int row = 0; row < kRelief_px; ++row)
-            for (int column = 0; column < kRelief_px; ++column) {
-                double const angle = 2 * kPi * (column + 0.5) / kRelief_px;
-                double const v = (row + 0.5) / kRelief_px;
-                double const x = std::cos(angle);
-                double const y = std::sin(angle);
-                double const bent = wander.at(x, y, v);
-                double const large = 1 - std::abs(2 * coarse.at(x, y, v, 0.8 * bent) - 1);
-                double const small = 1 - std::abs(2 * fine.at(x, y, v, bent) - 1);
-                heights_.push_back(0.68 * large + 0.32 * small);
-            }
-        find_means();
-    }
-
-    // Returns the height at a pixel. Beyond its edges the height field is repeated.
-    double at(int column, int row) const { return heights_[index(column, row)]; }
-
-    // Returns the mean of the heights in a square around a pixel.
-    double around(int column, int row) const { return means_[index(column, row)]; }
-
-private:
-    static std::size_t index(int column, int row)
-    {
-        auto const wrapped
-            = [](int i) { return static_cast<std::size_t>((i + kRelief_px) % kRelief_px); };
-        return wrapped(row) * kRelief_px + wrapped(column);
-    }
-
-    // Computes means_ by a box filter along the rows, then along the columns.
-    void find_means()
-    {
-        constexpr int kReach = 12;
-        constexpr int kStep = 4;
-        constexpr int kCount = 2 * kReach / kStep + 1;
-        auto along = heights_;
-        means_.resize(heights_.size());
-        auto const sum = [&](auto const& value_at) {
-            double total = 0;
-            for (int i = -kReach; i <= kReach; i += kStep)
-                total += value_at(i);
-            return total / kCount;
-        };
-        for (int row = 0; row < kRelief_px; ++row)
-            for (int column = 0; column < kRelief_px; ++column)
-                along[index(column, row)] = sum([&](int x) { return at(column + x, row); });
-        for (int row = 0; row < kRelief_px; ++row)
-            for (int column = 0; column < kRelief_px; ++column)
-                means_[index(column, row)]
-                    = sum([&](int y) { return along[index(column, row + y)]; });
-    }
-
-    std::vector<double> heights_;
-    std::vector<double> means_;
-};
-
-Relief const& relief()
+// Height field of ridges between furrows, like that of the renderer's shader (surface.cpp). It has
+// a whole number of cells along the axis, so that it can be tiled.
+ReliefTile furrowed_relief()
 {
-    static Relief const relief;
+    CylinderNoise const wander(0, 2, 7);
+    CylinderNoise const coarse(1, 3.4, 5);
+    CylinderNoise const fine(2, 8, 15);
+    std::vector<double> heights;
+    for (int row = 0; row < kRelief_px; ++row)
+        for (int column = 0; column < kRelief_px; ++column) {
+            double const angle = 2 * kPi * (column + 0.5) / kRelief_px;
+            double const v = (row + 0.5) / kRelief_px;
+            double const x = std::cos(angle);
+            double const y = std::sin(angle);
+            double const bent = wander.at(x, y, v);
+            double const large = 1 - std::abs(2 * coarse.at(x, y, v, 0.8 * bent) - 1);
+            double const small = 1 - std::abs(2 * fine.at(x, y, v, bent) - 1);
+            heights.push_back(0.68 * large + 0.32 * small);
+        }
+    return { kRelief_px, std::move(heights) };
+}
+
+ReliefTile const& relief()
+{
+    static ReliefTile const relief = furrowed_relief();
     return relief;
 }
 
@@ -170,19 +130,12 @@ Vec3 normal_color(int column, int row)
 {
     // Depth of the relief as a share of the branch's circumference, as in the renderer's shader.
     constexpr double kBump = 0.055;
-    auto const& heights = relief();
-    double const per_step = 0.5 * kRelief_px * kBump;
-    double const slope_u = per_step * (heights.at(column + 1, row) - heights.at(column - 1, row));
-    double const slope_v = per_step * (heights.at(column, row + 1) - heights.at(column, row - 1));
-    Vec3 const normal = Vec3(-slope_u, slope_v, 1).normalized();
-    return 0.5 * (normal + Vec3::Ones());
+    return relief().normal(column, row, kBump);
 }
 
 Vec3 occlusion_color(int column, int row)
 {
-    auto const& heights = relief();
-    double const depth = heights.around(column, row) - heights.at(column, row);
-    return { std::clamp(1 - 2 * std::max(depth, 0.0), 0.3, 1.0), 1, 0 };
+    return { relief().openness(column, row), 1, 0 };
 }
 
 } // namespace

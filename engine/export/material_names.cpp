@@ -32,7 +32,8 @@ MaterialNames::Key MaterialNames::key_of(Material const& material)
              { pictures.base_color.get(), pictures.normal.get(), pictures.occlusion.get(),
                pictures.roughness.get(), pictures.translucency.get() },
              pictures.alpha,
-             pictures.color };
+             pictures.color,
+             material.bark };
 }
 
 std::string MaterialNames::unused_name(std::string const& word)

@@ -30,7 +30,7 @@ public:
 private:
     using Key = std::tuple<std::string, Material::Kind, std::array<float, 8>,
                            std::array<TexturePicture const*, 5>, MaterialTextures::Alpha,
-                           MaterialTextures::Color>;
+                           MaterialTextures::Color, Bark>;
     static Key key_of(Material const& material);
     std::string unused_name(std::string const& word);
 

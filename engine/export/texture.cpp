@@ -1,9 +1,12 @@
 #include "engine/export/texture.h"
 
+#include "engine/base/check.h"
 #include "engine/base/vectors.h"
+#include "engine/export/bark_pictures.h"
 #include "engine/export/bark_relief.h"
 #include "engine/export/gltf_material.h"
 #include "engine/export/png.h"
+#include "engine/plant/png_pixels.h"
 
 #include <algorithm>
 #include <array>
@@ -73,14 +76,17 @@ MaterialTextures textures_of(Material const& material)
         textures.base_color = leaf;
     if (material.kind != Material::Kind::Bark)
         return textures;
+    bool const is_furrowed = material.bark.kind == BarkKind::Furrowed;
+    auto const made = is_furrowed ? BarkPictures { bark, bark_normals(), bark_occlusion() }
+                                  : bark_pictures(material.bark);
     if (!textures.base_color)
-        textures.base_color = bark;
+        textures.base_color = made.color;
     if (!textures.normal)
-        textures.normal = bark_normals();
+        textures.normal = made.normals;
     if (!textures.occlusion)
-        textures.occlusion = bark_occlusion();
+        textures.occlusion = made.occlusion_roughness;
     if (!textures.roughness)
-        textures.roughness = bark_occlusion();
+        textures.roughness = made.occlusion_roughness;
     return textures;
 }
 
@@ -102,6 +108,10 @@ Vec3 multiplied_color(Material const& material)
     bool const is_bark = material.kind == Material::Kind::Bark;
     if (textures.base_color || (!is_bark && material.kind != Material::Kind::Leaf))
         return own;
+    if (is_bark && material.bark.kind != BarkKind::Furrowed) {
+        Vec3 const factor = own.cwiseQuotient(bark_pictures(material.bark).mean_color);
+        return factor / std::max(factor.maxCoeff(), 1.0);
+    }
     static double const bark = mean_light(bark_picture());
     static double const leaf = mean_light(leaf_picture());
     return own * std::min(1 / (is_bark ? bark : leaf), 1 / std::max(own.maxCoeff(), 1e-6));
@@ -112,6 +122,43 @@ bool has_relief(Material const& material)
     return material.kind == Material::Kind::Bark || material.textures.normal;
 }
 
+// For each channel, the sRGB levels of a picture after multiplication by a colour. Linear light is
+// multiplied, not sRGB values, so that colours agree with those in .glb files.
+using ChannelLevels = std::array<std::array<std::uint8_t, 256>, 3>;
+
+static ChannelLevels multiplied_levels(Vec3 const& color)
+{
+    ChannelLevels levels {};
+    for (std::size_t k = 0; k < levels.size(); ++k)
+        for (std::size_t level = 0; level < levels[k].size(); ++level) {
+            double const light = color[static_cast<Eigen::Index>(k)]
+                * linear_from_srgb(static_cast<double>(level) / 255);
+            levels[k][level]
+                = static_cast<std::uint8_t>(std::lround(255 * srgb_from_linear(light)));
+        }
+    return levels;
+}
+
+// Returns one of our own opaque pictures with its levels replaced.
+static std::string shaded_picture(TexturePicture const& picture, ChannelLevels const& levels)
+{
+    PixelRows rows;
+    auto const read = read_png_pixels(
+        picture.bytes, kMaxBarkPicture_px * kMaxBarkPicture_px, [&](int w, int h) {
+            rows = { w, h,
+                     std::vector<std::uint8_t>(std::size_t { 4 } * static_cast<std::size_t>(w)
+                                               * static_cast<std::size_t>(h)) };
+            return rows.rgba.data();
+        });
+    CHECK(read.has_value());
+    std::vector<std::uint8_t> pixels;
+    pixels.reserve(rows.rgba.size() / 4 * 3);
+    for (std::size_t i = 0; i < rows.rgba.size(); i += 4)
+        for (std::size_t k = 0; k < levels.size(); ++k)
+            pixels.push_back(levels[k][rows.rgba[i + k]]);
+    return png_bytes({ rows.width, rows.height, 3, pixels, PngPicture::Packing::Fast });
+}
+
 std::string colored_picture(Material const& material)
 {
     if (material.textures.base_color)
@@ -119,20 +166,15 @@ std::string colored_picture(Material const& material)
     bool const is_bark = material.kind == Material::Kind::Bark;
     if (!is_bark && material.kind != Material::Kind::Leaf)
         return {};
+    auto const shades = multiplied_levels(multiplied_color(material));
+    if (is_bark && material.bark.kind != BarkKind::Furrowed)
+        return shaded_picture(*bark_pictures(material.bark).color, shades);
     auto const grey = is_bark ? bark_picture() : leaf_picture();
-    // Linear light is multiplied, not sRGB values, so that colours agree with those in .glb files.
-    Vec3 const color = multiplied_color(material);
-    std::array<std::array<std::uint8_t, 3>, 256> shades {};
-    for (std::size_t level = 0; level < shades.size(); ++level)
-        for (int k = 0; k < 3; ++k) {
-            double const light = color[k] * linear_from_srgb(static_cast<double>(level) / 255);
-            shades[level][static_cast<std::size_t>(k)]
-                = static_cast<std::uint8_t>(std::lround(255 * srgb_from_linear(light)));
-        }
     std::vector<std::uint8_t> pixels;
     pixels.reserve(3 * grey.pixels.size());
     for (auto const level : grey.pixels)
-        pixels.insert(pixels.end(), shades[level].begin(), shades[level].end());
+        for (auto const& channel : shades)
+            pixels.push_back(channel[level]);
     return png_bytes({ grey.width, grey.height, 3, pixels });
 }
 

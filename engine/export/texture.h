@@ -24,8 +24,8 @@ GreyPicture bark_picture();
 // The first row is at the leaf's base, the last at its tip, as for blades in engine/mesh/mesh.h.
 GreyPicture leaf_picture();
 
-// Returns the textures to export for a material: its own pictures, and default pictures of its kind
-// where it has none.
+// Returns the textures of a material: its own pictures, and those of its kind and bark where it has
+// none.
 MaterialTextures textures_of(Material const& material);
 
 // Returns the linear colour by which the colour picture of textures_of() is multiplied: white if

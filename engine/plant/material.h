@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/vectors.h"
+#include "engine/plant/bark.h"
 
 #include <cstdint>
 #include <memory>
@@ -59,6 +60,7 @@ struct Material {
     float roughness = 0.9f;                   // 0 to 1, as in glTF 2.0 section 3.9.2.
     // 0 to 1, as in glTF 2.0 section 3.9.2. Only imported materials are metallic.
     float metalness = 0;
+    Bark bark {};           // For Kind::Bark only: which pictures are generated where it has none.
     float translucency = 0; // Share of light that passes through, 0 to 1; for Leaf and Petal only.
     // If a picture is missing, the exporter generates one for the kind of material.
     MaterialTextures textures {};

@@ -29,6 +29,19 @@ constexpr Follows kFollows[] {
     { &Habit::tropism_last, &Habit::tropism_twigs, "tropism_last" },
 };
 
+// Reads the kind of bark, and takes its colour, which numbers of the habit may change.
+Result<void> read_bark(calib::TomlTable& table, Habit& habit)
+{
+    auto const kind
+        = static_cast<BarkKind>(TRY(table.word("bark", { kBarkNames.begin(), kBarkNames.end() })));
+    habit.bark = bark_name(kind);
+    Vec3f const color = bark_color({ kind, BarkAge::Old });
+    habit.bark_red = double { color.x() };
+    habit.bark_green = double { color.y() };
+    habit.bark_blue = double { color.z() };
+    return {};
+}
+
 } // namespace
 
 Result<Habit> parse_habit(std::string_view text, std::string const& name)
@@ -39,6 +52,8 @@ Result<Habit> parse_habit(std::string_view text, std::string const& name)
         habit.latin = TRY(table.text("latin"));
     if (table.has("leaves"))
         habit.leaves = TRY(table.text("leaves"));
+    if (table.has("bark"))
+        TRY(read_bark(table, habit));
     for (auto const& number : habit_numbers())
         habit.*number.value = TRY(table.number_or(number.key, habit.*number.value));
     for (auto const& [value, other, key] : kFollows)

@@ -80,7 +80,11 @@ struct Habit {
     double leaf_is_needle = 0;  // Shape of the leaf: 1 is a needle, 0 a flat blade.
     double leaf_is_evergreen = 0;
     double leaf_red = 0.25, leaf_green = 0.42, leaf_blue = 0.13; // Leaf colour, sRGB, 0 to 1.
+    // Mean colour of the bark of an old trunk, sRGB, 0 to 1; limbs are tinted like it.
     double bark_red = 0.34, bark_green = 0.28, bark_blue = 0.22;
+    // Kind of the bark's pictures, one of kBarkNames. Unknown names mean furrows that suit any
+    // tree, and so does no name, as in sessions that are older than the kinds.
+    std::string bark {};
 
     bool operator==(Habit const&) const = default;
 };

@@ -21,6 +21,7 @@ void list_habit(scene::Fields& fields, Habit& habit)
     fields.field("habit", &habit.name);
     fields.sparse_field("latin", &habit.latin);
     fields.sparse_field("leaves", &habit.leaves);
+    fields.sparse_field("bark", &habit.bark);
     for (auto const& number : habit_numbers())
         if (number.is_sparse)
             fields.sparse_field(number.key, &(habit.*number.value));

@@ -121,6 +121,59 @@ TEST(Habits, AnOakBearsAsManyLeavesAsOaksDo)
     expect_within(static_cast<double>(plant.organs.size()), { 100'000, 300'000 }, "leaves");
 }
 
+// Bark of each segment of the trunk from the ground on, of all but twigs.
+std::vector<Bark> barks_of_trunk(Plant const& plant)
+{
+    std::vector<Bark> barks;
+    auto const& trunk = plant.axes.front();
+    for (auto i = trunk.first_segment; i < trunk.first_segment + trunk.segment_count; ++i) {
+        auto const& material = plant.materials[plant.segment_material[i]];
+        if (material.name != "twig")
+            barks.push_back(material.bark);
+    }
+    return barks;
+}
+
+TEST(Habits, HaveTheBarkOfTheirKindWhichAgesWithTheGirth)
+{
+    for (auto const& name : habit_names()) {
+        auto const habit = load_habit(name).value();
+        EXPECT_EQ(habit.bark, name);
+        auto const kind = bark_kind(habit.bark);
+        ASSERT_TRUE(kind) << name;
+        auto const young
+            = barks_of_trunk(plant_of(grow_without_brush(habit, 6, 1).value(), habit, 1).plant);
+        ASSERT_FALSE(young.empty()) << name;
+        EXPECT_EQ(young.back(), (Bark { *kind, BarkAge::Young })) << name;
+        auto const old
+            = barks_of_trunk(plant_of(grow_without_brush(habit, 40, 1).value(), habit, 1).plant);
+        EXPECT_EQ(old.front(), (Bark { *kind, BarkAge::Old })) << name;
+        EXPECT_EQ(old.back(), (Bark { *kind, BarkAge::Young })) << name;
+        for (std::size_t i = 1; i < old.size(); ++i)
+            EXPECT_LE(old[i].age, old[i - 1].age) << name;
+    }
+}
+
+TEST(Habits, WithoutBarkLookAsTheyAlwaysDid)
+{
+    auto const habit = parse_habit("bark_red = 0.5", "old.habit").value();
+    auto const plant = plant_of(grow_without_brush(habit, 6, 1).value(), habit, 1).plant;
+    ASSERT_EQ(plant.materials.size(), 3U);
+    for (auto const& material : plant.materials)
+        EXPECT_EQ(material.bark.kind, BarkKind::Furrowed);
+    EXPECT_EQ(plant.materials[0].base_color.x(), 0.5F);
+}
+
+TEST(Habits, TintTheBarkOfTheirKind)
+{
+    auto const habit = parse_habit("bark = \"oak\"\nbark_red = 0.3", "red.habit").value();
+    EXPECT_EQ(habit.bark_red, 0.3);
+    EXPECT_EQ(static_cast<float>(habit.bark_green),
+              bark_color({ BarkKind::Oak, BarkAge::Old }).y());
+    auto const plant = plant_of(grow_without_brush(habit, 6, 1).value(), habit, 1).plant;
+    EXPECT_EQ(plant.materials[0].base_color.x(), 0.3F);
+}
+
 TEST(Habits, AreFoundByTheirNames)
 {
     EXPECT_EQ(load_habit("Oak").value().name, "oak");
@@ -147,6 +200,8 @@ TEST(Habits, FilesSayWhatIsWrong)
     EXPECT_EQ(message("vigour = 90"), "my.habit: vigour is 90: give a number from 0 to 20");
     EXPECT_NE(message("vigor = 2").find("vigor"), std::string::npos);
     EXPECT_NE(message("vigour = \"high\"").find("my.habit:1: vigour"), std::string::npos);
+    EXPECT_NE(message("bark = \"cork\"").find("my.habit:1: bark is \"cork\""), std::string::npos)
+        << message("bark = \"cork\"");
     EXPECT_EQ(message("whorl = 1.5"), "my.habit: whorl is 1.5: give a whole number from 0 to 8");
 }
 
