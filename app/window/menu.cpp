@@ -103,17 +103,16 @@ void Menu::show_keeping(view::WindowModel& model, Workspace& workspace, Controls
     }
 }
 
-// Shows a button for each format: three in the first row, with a wide one for the first format, and
-// three in each further row.
+// Shows a button for each format in rows of four. The first one is as wide as two.
 void Menu::show_formats(view::WindowModel& model, Controls const& controls) const
 {
-    constexpr std::size_t kInRow = 3;
+    constexpr int kInRow = 4;
     auto const& endings = model.state().export_endings;
     for (std::size_t i = 0; i < endings.size(); ++i) {
-        if (i % kInRow != 0)
+        if (i > 0 && (i + 1) % std::size_t { kInRow } != 0)
             ImGui::SameLine();
         auto const text = i == 0 ? "Export " + endings[i] : endings[i];
-        if (controls.button(text.c_str(), item_px(i == 0 ? 2 : i < kInRow ? 4 : 3)))
+        if (controls.button(text.c_str(), item_px(i == 0 ? 2 : kInRow)))
             model.perform(view::ExportPlant { endings[i], organs_ });
     }
 }
