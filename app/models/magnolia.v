@@ -4,7 +4,7 @@ initial color: 1
 tropism direction: 0,1,0
 initial elasticity: 0.06
 radii: pipe 2.1 0.28
-material: 1 bark kind=bark color=0.42,0.38,0.34 roughness=0.9
+material: 1 bark kind=bark bark=beech color=0.48,0.45,0.41 roughness=1
 material: 2 leaf kind=leaf color=0.40,0.53,0.20 roughness=0.45 translucency=0.45
 material: 3 tepal kind=petal color=0.90,0.62,0.74 roughness=0.5 translucency=0.5
 material: 4 cone kind=solid color=0.55,0.55,0.25 roughness=0.7

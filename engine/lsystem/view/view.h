@@ -55,13 +55,15 @@ struct OrganDefinition {
 //
 // Besides cpfg's statements there are seven additional ones, which cpfg reports and skips:
 //   material: INDEX NAME kind=bark|stem|leaf|petal|solid color=R,G,B [roughness=] [translucency=]
-//   [texture=FILE.png]
+//   [bark=KIND] [texture=FILE.png]
 //     Defines a material. INDEX is the turtle's colour, as set by ; and ,. color is sRGB, 0 to 1.
 //     texture names a PNG file in the model's folder, at most 16 MiB and 16 million pixels; it
 //     replaces the colour, which becomes its mean. On a surface the picture's left and right edges
 //     lie on the left and right boundaries, its lower edge on the base and its upper edge on the
 //     tip (engine/mesh/surface_mesh.h); on a blade they lie on its bounding box, seen from above.
 //     Pixels with alpha below one half are cut out. On stems the picture repeats around and along.
+//     bark gives bark the pattern of a species: KIND is one of kBarkNames (engine/plant/bark.h) for
+//     an old trunk, or one of them after young- for its limbs.
 //   color: INDEX R,G,B [roughness=] [translucency=]
 //     Defines a material by its colour only, unless material: has the index (color_files.h).
 //   organ: LETTER NAME kind=blade|needle|disc|ball material=INDEX length= width= [petiole=]

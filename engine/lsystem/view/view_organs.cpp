@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <utility>
 
 namespace tractus::lsystem {
@@ -91,6 +91,19 @@ Result<bool> read_share(ViewReader const& reader, Material& material, std::strin
     return true;
 }
 
+// Reads the kind of a bark, such as "birch" for an old trunk's or "young-birch" for a limb's.
+Result<Bark> read_bark(ViewReader& reader, std::string_view text)
+{
+    constexpr std::string_view kYoung = "young-";
+    auto const age = text.starts_with(kYoung) ? BarkAge::Young : BarkAge::Old;
+    auto const kind = bark_kind(age == BarkAge::Young ? text.substr(kYoung.size()) : text);
+    if (!kind)
+        return reader.error(
+            fmt::format("found bark={}, expected one of {}, or one of them after {}", text,
+                        fmt::join(kBarkNames, ", "), kYoung));
+    return Bark { *kind, age };
+}
+
 } // namespace
 
 Result<void> read_material(ViewReader& reader, std::string_view value)
@@ -119,9 +132,12 @@ Result<void> read_material(ViewReader& reader, std::string_view value)
             material.base_color = color.cwiseMax(0).cwiseMin(1).cast<float>();
         } else if (key == "texture") {
             texture = text;
+        } else if (key == "bark") {
+            material.bark = TRY(read_bark(reader, text));
         } else if (!TRY(read_share(reader, material, part))) {
             return reader.error(fmt::format(
-                "found '{}', expected kind=, color=, roughness=, translucency= or texture=", part));
+                "found '{}', expected kind=, bark=, color=, roughness=, translucency= or texture=",
+                part));
         }
     }
     // The texture is read last, because its layout depends on kind=, which may come after it.

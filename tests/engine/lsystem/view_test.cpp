@@ -21,6 +21,18 @@ std::string error_of(std::string const& text)
     return view ? "no error" : view.error().message;
 }
 
+TEST(View, ReadsTheSpeciesOfBark)
+{
+    auto const view = parsed("material: 1 bark kind=bark bark=birch color=0.9,0.9,0.8\n"
+                             "material: 2 limb kind=bark bark=young-pine\n"
+                             "material: 3 any kind=bark\n");
+    EXPECT_EQ(view.materials.at(1).bark, (Bark { BarkKind::Birch, BarkAge::Old }));
+    EXPECT_EQ(view.materials.at(2).bark, (Bark { BarkKind::Pine, BarkAge::Young }));
+    EXPECT_EQ(view.materials.at(3).bark, Bark {});
+    EXPECT_EQ(error_of("material: 1 bark bark=cork\n").find("model.v:1:1: found bark=cork, "), 0U)
+        << error_of("material: 1 bark bark=cork\n");
+}
+
 TEST(View, ReadsWhatConcernsTheTurtle)
 {
     auto const view = parsed(
