@@ -162,6 +162,7 @@ TreeForm form_of(OutlineTool const& tool, TreeForm form)
         form.base_angle_deg = ready.base_angle_deg;
         form.tip_angle_deg = ready.tip_angle_deg;
         form.rise = ready.rise;
+        form.bark = tool.fills == FillsOption::BySpecies ? ready.bark : BarkKind::Furrowed;
     }
     form.leaves_reach_outline = tool.fills >= FillsOption::ToOutline && fills_outline(form);
     // Before BySpecies, only the poplar had angles of its own.

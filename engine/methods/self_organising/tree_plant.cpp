@@ -2,6 +2,7 @@
 
 #include "engine/base/random.h"
 #include "engine/methods/self_organising/wood.h"
+#include "engine/plant/bark_materials.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -18,9 +19,6 @@ constexpr std::uint32_t kRootStream = 0x2007;
 constexpr MaterialId kBark = 0;
 constexpr MaterialId kTwig = 1;
 constexpr MaterialId kLeaf = 2;
-// Of trees with a kind of bark only.
-constexpr MaterialId kYoungBark = 3;
-constexpr MaterialId kHalfOldBarkMaterial = 4;
 
 class PlantMaker {
 public:
@@ -30,7 +28,6 @@ public:
         , seed_(seed)
         , laws_(growth_laws_in_year(habit, tree.step))
         , diameters_(shown_diameters(tree, habit))
-        , bark_(bark_kind(habit.bark).value_or(BarkKind::Furrowed))
         , pipe_widths_(tree.is_brushed ? diameters(tree, laws_) : std::vector<double>())
     {
     }
@@ -87,8 +84,7 @@ private:
               .roughness = 0.6F,
               .translucency = habit_.leaf_is_needle != 0 ? 0.1F : 0.45F },
         };
-        if (bark_ != BarkKind::Furrowed)
-            add_barks();
+        barks_ = add_bark(plant(), kBark, bark_kind(habit_.bark).value_or(BarkKind::Furrowed));
         bool const is_needle = habit_.leaf_is_needle != 0;
         OrganShape shape { .name = "leaf",
                            .kind = is_needle ? OrganShape::Kind::Needle : OrganShape::Kind::Blade,
@@ -100,39 +96,10 @@ private:
         plant().organ_shapes.push_back(std::move(shape));
     }
 
-    // Gives the tree the bark of its kind, which changes with the girth.
-    void add_barks()
-    {
-        auto const bark = plant().materials[kBark].base_color;
-        auto const material = [&](char const* name, BarkAge age) {
-            Bark const look { bark_, age };
-            Vec3f const tint = bark.cwiseQuotient(bark_color({ bark_, BarkAge::Old }));
-            return Material { .name = name,
-                              .base_color = tint.cwiseProduct(bark_color(look)).cwiseMin(1.0F),
-                              .roughness = 1, // Multiplied by the pictures' roughness.
-                              .bark = look };
-        };
-        plant().materials[kBark] = material("bark", BarkAge::Old);
-        plant().materials.push_back(material("young bark", BarkAge::Young));
-        plant().materials.push_back(material("half-old bark", BarkAge::Half));
-    }
-
     MaterialId wood_material(std::uint32_t node) const
     {
         double const diameter_mm = diameters_[node];
-        if (diameter_mm <= kTwigWidths * habit_.twig_mm)
-            return kTwig;
-        if (bark_ == BarkKind::Furrowed)
-            return kBark;
-        switch (bark_age(bark_, diameter_mm)) {
-        case BarkAge::Young:
-            return kYoungBark;
-        case BarkAge::Half:
-            return kHalfOldBarkMaterial;
-        case BarkAge::Old:
-            break;
-        }
-        return kBark;
+        return diameter_mm <= kTwigWidths * habit_.twig_mm ? kTwig : barks_.at(diameter_mm);
     }
 
     // Adds an axis that starts at the node `below` and continues to `first`. Axes are added in the
@@ -246,7 +213,7 @@ private:
     std::uint64_t seed_;
     Laws laws_;
     std::vector<double> diameters_;
-    BarkKind bark_;
+    BarkMaterials barks_ {};
     std::vector<double> pipe_widths_; // Widths without rings; only of a brushed tree.
     std::vector<SegmentId> segment_;  // Segment that ends at each tree node.
     std::vector<AxisId> axis_;        // Plant axis of each tree node.

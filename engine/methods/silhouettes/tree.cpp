@@ -8,6 +8,7 @@
 #include "engine/methods/silhouettes/sibling_style.h"
 #include "engine/methods/silhouettes/spray_maker.h"
 #include "engine/methods/silhouettes/styled_branch_set.h"
+#include "engine/plant/bark_materials.h"
 #include "engine/plant/pipe_model.h"
 
 #include <algorithm>
@@ -56,6 +57,7 @@ public:
             fill_with_leaves(tree_, options_,
                              { std::move(may_stick_out_), fit_ ? &*fit_ : nullptr });
         apply_pipe_model(tree_.plant, 2.2, options_.tip_radius_of_height * options_.height_mm);
+        put_on_bark();
         for (auto& [level, places] : told_)
             tree_.arrangements.push_back(std::move(places));
         return std::move(tree_);
@@ -85,6 +87,23 @@ private:
                                     .roughness = 0.6f,
                                     .translucency = 0.4f });
         sprays_.add_shapes();
+    }
+
+    // Gives each segment the bark of its girth.
+    void put_on_bark()
+    {
+        auto& plant = tree_.plant;
+        if (options_.bark == BarkKind::Furrowed)
+            return;
+        plant.materials[0].base_color = bark_color({ options_.bark, BarkAge::Old });
+        auto const barks = add_bark(plant, 0, options_.bark);
+        for (auto const& axis : plant.axes)
+            for (std::uint32_t i = 0; i < axis.segment_count; ++i) {
+                auto& material = plant.segment_material[axis.first_segment + i];
+                if (material == 0)
+                    material
+                        = barks.at(2 * double { plant.node_radius_mm[axis.first_node + i + 1] });
+            }
     }
 
     // Index of a level's options; the last entry applies to all deeper levels.

@@ -4,6 +4,7 @@
 #include "engine/methods/silhouettes/branch_style.h"
 #include "engine/methods/silhouettes/skeleton.h"
 #include "engine/methods/silhouettes/spray.h"
+#include "engine/plant/bark.h"
 #include "engine/plant/plant.h"
 
 #include <cstdint>
@@ -34,7 +35,8 @@ struct TreeOptions {
     std::size_t sprays = 12;
     LeafForm leaf {};
     Vec3f leaf_color { 0.25f, 0.42f, 0.13f };
-    Vec3f bark_color { 0.34f, 0.27f, 0.2f };
+    Vec3f bark_color { 0.34f, 0.27f, 0.2f }; // Used where `bark` is Furrowed.
+    BarkKind bark = BarkKind::Furrowed;      // Gives the bark its colours, too.
     double tip_radius_of_height = 0.0006;
     // True: as seen from the drawing plane, the leaves fill the outline and stay inside of it
     // (leaf_fill.h).

@@ -141,6 +141,7 @@ TreeOptions tree_options(TreeForm const& form, double height_mm)
     options.height_mm = height_mm;
     options.seed = form.seed;
     options.angles = angles_of(form);
+    options.bark = form.bark;
     options.leaf.per_spray = form.leaves;
     options.leaf.width = form.leaf_width;
     options.leaves_reach_outline = form.leaves_reach_outline;

@@ -4,6 +4,7 @@
 #include "engine/methods/silhouettes/branch_style.h"
 #include "engine/methods/silhouettes/skeleton.h"
 #include "engine/methods/silhouettes/tree.h"
+#include "engine/plant/bark.h"
 
 #include <array>
 #include <cstdint>
@@ -41,6 +42,8 @@ struct TreeForm {
     // How the trunk's branches rise towards their ends (BranchingAngles::rise()), -2 to 2; 0: the
     // default.
     double rise = 0;
+    // Bark of the trunk and branches; Furrowed for trees from before this option existed.
+    BarkKind bark = BarkKind::Furrowed;
 
     bool operator==(TreeForm const&) const = default;
 };

@@ -62,6 +62,15 @@ void list_whorl(scene::Fields& fields, char const* name, Pattern& pattern)
     pattern.whorl = whorl == 0 ? kUsualWhorl : whorl;
 }
 
+// Lists the bark. It is written only if it is of a kind, so that other forms keep their file
+// format.
+void list_bark(scene::Fields& fields, BarkKind& bark)
+{
+    std::string name(bark == BarkKind::Furrowed ? "" : bark_name(bark));
+    fields.sparse_field("bark", &name);
+    bark = bark_kind(name).value_or(BarkKind::Furrowed);
+}
+
 } // namespace
 
 void list(scene::Fields& fields, TreeForm& form)
@@ -86,6 +95,7 @@ void list(scene::Fields& fields, TreeForm& form)
     fields.sparse_field("tip_angle_deg", &form.tip_angle_deg);
     fields.sparse_field("bases_by_angle", &form.bases_by_angle);
     fields.sparse_field("rise", &form.rise);
+    list_bark(fields, form.bark);
 }
 
 } // namespace tractus::silhouette

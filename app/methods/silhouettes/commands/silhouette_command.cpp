@@ -158,6 +158,7 @@ silhouette::TreeForm styled_form(SilhouetteArguments const& arguments,
     form.base_angle_deg = given.base_angle_deg;
     form.tip_angle_deg = given.tip_angle_deg;
     form.rise = given.rise;
+    form.bark = given.bark;
     return form;
 }
 
@@ -362,6 +363,21 @@ void add_form_options(CLI::App& command, SilhouetteArguments& arguments)
         ->check(options::number(0, 10));
 }
 
+void add_bark_option(CLI::App& command, SilhouetteArguments& arguments)
+{
+    std::vector<std::string> const names(kBarkNames.begin(), kBarkNames.end());
+    command
+        .add_option_function<std::string>(
+            "--bark",
+            [&form = arguments.form](std::string const& name) {
+                form.bark = bark_kind(name).value_or(BarkKind::Furrowed);
+            },
+            fmt::format("Bark of the trunk and its branches, which changes with their girth: {}",
+                        fmt::join(names, ", ")))
+        ->type_name("KIND")
+        ->check(options::one_of(names));
+}
+
 void add_angle_options(CLI::App& command, SilhouetteArguments& arguments)
 {
     command
@@ -399,6 +415,7 @@ void add_options(CLI::App& command, SilhouetteArguments& arguments)
     add_style_options(command, arguments);
     add_form_options(command, arguments);
     add_angle_options(command, arguments);
+    add_bark_option(command, arguments);
     add_leaf_options(command, arguments);
     command.add_option("--height", arguments.height_m, "Of the whole tree, metres")
         ->type_name("METRES")

@@ -501,7 +501,7 @@ TEST(OutlineTool, FillsOutlinesWithLeavesUnlessALogIsOlder)
     EXPECT_FALSE(form_by("oak closely whole_nodes").leaves_reach_outline);
 }
 
-TEST(OutlineTool, GivesBranchesTheAnglesOfTheSpeciesUnlessALogIsOlder)
+TEST(OutlineTool, GivesBranchesTheAnglesAndBarkOfTheSpeciesUnlessALogIsOlder)
 {
     auto const tools = methods::all_methods().tools;
     auto const form_by = [&](std::string const& words) {
@@ -513,9 +513,11 @@ TEST(OutlineTool, GivesBranchesTheAnglesOfTheSpeciesUnlessALogIsOlder)
         auto const now = form_by(name + std::string(" fills_by_species"));
         EXPECT_TRUE(now.bases_by_angle) << name;
         EXPECT_NE(now.rise, 0) << name;
+        EXPECT_EQ(bark_name(now.bark), name);
         auto const older = form_by(name + std::string(" fills_to_outline"));
         EXPECT_FALSE(older.bases_by_angle) << name;
         EXPECT_EQ(older.rise, 0) << name;
+        EXPECT_EQ(older.bark, BarkKind::Furrowed) << name;
         EXPECT_EQ(older.base_angle_deg, name == std::string("poplar") ? 35 : 0) << name;
     }
     EXPECT_FALSE(form_by("fills_by_species").bases_by_angle);

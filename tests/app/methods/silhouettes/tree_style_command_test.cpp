@@ -26,10 +26,11 @@ TEST_F(SilhouetteCommand, AReadyFormIsItsOptions)
         return file_bytes(file);
     };
     auto const fir = written({ "--form", "fir" });
-    EXPECT_TRUE(fir
-                == written({ "--levels", "1", "--arrangement", "spiral,two-rows", "--density",
-                             "1.5", "--leaves", "120", "--leaf-width", "0.25", "--branches", "36",
-                             "--base-angle", "98", "--tip-angle", "50", "--rise", "0.15" }));
+    EXPECT_TRUE(fir == written({ "--levels",     "1",    "--arrangement", "spiral,two-rows",
+                                 "--density",    "1.5",  "--leaves",      "120",
+                                 "--leaf-width", "0.25", "--branches",    "36",
+                                 "--base-angle", "98",   "--tip-angle",   "50",
+                                 "--rise",       "0.15", "--bark",        "fir" }));
     auto const bare = written({ "--leaves", "2", "--form", "fir" });
     EXPECT_TRUE(bare != fir);
     EXPECT_TRUE(bare == written({ "--form", "fir", "--leaves", "2" }));
