@@ -34,6 +34,12 @@ CLI::Option* add_glb_options(CLI::App& command, exports::GlbOptions& options)
         [&options] { options.vertices = exports::GlbOptions::Vertices::Compressed; },
         "Write a .glb a third as large as with --quantized, which it implies, for readers that "
         "know EXT_meshopt_compression, too: three.js and Babylon.js, not Blender");
+    command
+        .add_option("--bark-size", options.bark_px,
+                    "Width and height in pixels of the pictures of bark in a .glb, 64 to 2048")
+        ->type_name("PIXELS")
+        ->check(whole_number(64, exports::kMaxBarkPicture_px))
+        ->capture_default_str();
     return command
         .add_option_function<std::string>(
             "--organs", choose,

@@ -17,7 +17,7 @@ struct BarkPictures {
 };
 
 constexpr int kBarkPicture_px = 512;
-constexpr int kMaxBarkPicture_px = 4096;
+constexpr int kMaxBarkPicture_px = 2048;
 
 // Returns the pictures of a bark. `side_px`: their width and height, 16 to kMaxBarkPicture_px. The
 // pictures are computed on first use, always with the same bytes, and kept until the program ends.

@@ -152,7 +152,8 @@ GlbFile::GlbFile(std::ostream& out, GlbOptions const& options, std::uint64_t jso
     : stream_(out, json_room)
     , options_(options)
     , json_room_(json_room)
-    , materials_(json_, stream_, options.textures == GlbOptions::Textures::Embedded)
+    , materials_(json_, stream_, options.textures == GlbOptions::Textures::Embedded,
+                 options.bark_px)
 {
 }
 

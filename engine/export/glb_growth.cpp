@@ -59,7 +59,8 @@ public:
         : film_(film)
         , json_room_(json_room)
         , stream_(out, json_room)
-        , materials_(json_, stream_, film.textures == GlbOptions::Textures::Embedded)
+        , materials_(json_, stream_, film.textures == GlbOptions::Textures::Embedded,
+                     kBarkPicture_px)
     {
     }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/result.h"
+#include "engine/export/bark_pictures.h"
 #include "engine/export/placed_mesh.h"
 
 #include <cstdint>
@@ -69,6 +70,8 @@ struct GlbOptions {
     Organs organs = Organs::Merged;
     Textures textures = Textures::Embedded;
     Vertices vertices = Vertices::Float;
+    // Width and height of the pictures of each kind of bark, up to kMaxBarkPicture_px.
+    int bark_px = kBarkPicture_px;
 
     // Called with the expected summary before anything is written. The expected sizes and triangles
     // are those of the first plant times the number of plants, without JSON and textures.

@@ -29,10 +29,11 @@ double six_digits(double value)
 
 } // namespace
 
-GltfMaterials::GltfMaterials(GltfJson& json, GlbStream& stream, bool has_textures)
+GltfMaterials::GltfMaterials(GltfJson& json, GlbStream& stream, bool has_textures, int bark_px)
     : json_(json)
     , stream_(stream)
     , has_textures_(has_textures)
+    , bark_px_(bark_px)
 {
 }
 
@@ -40,9 +41,9 @@ std::size_t GltfMaterials::index_of(Material const& material)
 {
     MaterialTextures textures;
     if (has_textures_)
-        textures = textures_of(material);
+        textures = textures_of(material, bark_px_);
     Vec3 const color
-        = has_textures_ ? multiplied_color(material) : linear_color(material.base_color);
+        = has_textures_ ? multiplied_color(material, bark_px_) : linear_color(material.base_color);
     Json made {
         { "name", material.name },
         { "pbrMetallicRoughness",

@@ -13,8 +13,9 @@ namespace tractus::exports {
 // The materials of a glTF file, with their pictures. Equal materials and pictures are written once.
 class GltfMaterials {
 public:
-    // Writes materials to `json`, and pictures to `stream` if `has_textures`.
-    GltfMaterials(GltfJson& json, GlbStream& stream, bool has_textures);
+    // Writes materials to `json`, and pictures to `stream` if `has_textures`. `bark_px`: as in
+    // GlbOptions.
+    GltfMaterials(GltfJson& json, GlbStream& stream, bool has_textures, int bark_px);
 
     // Returns the index of a material, adding it unless an equal one exists.
     std::size_t index_of(Material const& material);
@@ -30,6 +31,7 @@ private:
     GltfJson& json_;
     GlbStream& stream_;
     bool has_textures_;
+    int bark_px_;
     std::map<std::string, std::size_t> textures_; // Texture indices, by the picture's bytes.
     std::map<std::string, std::size_t> indices_;  // Material indices, by the material's JSON.
 };

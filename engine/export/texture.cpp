@@ -2,7 +2,6 @@
 
 #include "engine/base/check.h"
 #include "engine/base/vectors.h"
-#include "engine/export/bark_pictures.h"
 #include "engine/export/bark_relief.h"
 #include "engine/export/gltf_material.h"
 #include "engine/export/png.h"
@@ -67,7 +66,7 @@ static TextureSlot slot_of(GreyPicture const& picture, TexturePicture::Edges edg
     return std::make_shared<TexturePicture const>(TexturePicture { png_bytes(picture), edges });
 }
 
-MaterialTextures textures_of(Material const& material)
+MaterialTextures textures_of(Material const& material, int bark_px)
 {
     static auto const bark = slot_of(bark_picture(), TexturePicture::Edges::Repeat);
     static auto const leaf = slot_of(leaf_picture(), TexturePicture::Edges::Clamp);
@@ -78,7 +77,7 @@ MaterialTextures textures_of(Material const& material)
         return textures;
     bool const is_furrowed = material.bark.kind == BarkKind::Furrowed;
     auto const made = is_furrowed ? BarkPictures { bark, bark_normals(), bark_occlusion() }
-                                  : bark_pictures(material.bark);
+                                  : bark_pictures(material.bark, bark_px);
     if (!textures.base_color)
         textures.base_color = made.color;
     if (!textures.normal)
@@ -99,7 +98,7 @@ static double mean_light(GreyPicture const& picture)
     return sum / static_cast<double>(picture.pixels.size());
 }
 
-Vec3 multiplied_color(Material const& material)
+Vec3 multiplied_color(Material const& material, int bark_px)
 {
     auto const& textures = material.textures;
     if (textures.base_color && textures.color == MaterialTextures::Color::Replaced)
@@ -109,7 +108,7 @@ Vec3 multiplied_color(Material const& material)
     if (textures.base_color || (!is_bark && material.kind != Material::Kind::Leaf))
         return own;
     if (is_bark && material.bark.kind != BarkKind::Furrowed) {
-        Vec3 const factor = own.cwiseQuotient(bark_pictures(material.bark).mean_color);
+        Vec3 const factor = own.cwiseQuotient(bark_pictures(material.bark, bark_px).mean_color);
         return factor / std::max(factor.maxCoeff(), 1.0);
     }
     static double const bark = mean_light(bark_picture());

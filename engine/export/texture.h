@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/export/bark_pictures.h"
 #include "engine/plant/material.h"
 
 #include <cstdint>
@@ -25,14 +26,14 @@ GreyPicture bark_picture();
 GreyPicture leaf_picture();
 
 // Returns the textures of a material: its own pictures, and those of its kind and bark where it has
-// none.
-MaterialTextures textures_of(Material const& material);
+// none. `bark_px`: width and height of pictures made for a kind of bark (bark_pictures()).
+MaterialTextures textures_of(Material const& material, int bark_px = kBarkPicture_px);
 
 // Returns the linear colour by which the colour picture of textures_of() is multiplied: white if
 // the picture replaces the material's colour. For a default picture it is lighter than the
 // material's own colour, so that the mean lightness is that of the material; no component exceeds
 // 1.
-Vec3 multiplied_color(Material const& material);
+Vec3 multiplied_color(Material const& material, int bark_px = kBarkPicture_px);
 
 // True if the textures from textures_of() include a normal map.
 bool has_relief(Material const& material);

@@ -6,11 +6,18 @@
 #include "engine/methods/self_organising/tree_plant.h"
 #include "engine/plant/tree_measures.h"
 #include "tests/app/commands/outcome.h"
+#include "tests/file_bytes.h"
 
+#include <cstdint>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <string_view>
+#include <unistd.h>
+#include <vector>
 
 namespace tractus::self_organising {
 namespace {
@@ -203,6 +210,42 @@ TEST(Habits, FilesSayWhatIsWrong)
     EXPECT_NE(message("bark = \"cork\"").find("my.habit:1: bark is \"cork\""), std::string::npos)
         << message("bark = \"cork\"");
     EXPECT_EQ(message("whorl = 1.5"), "my.habit: whorl is 1.5: give a whole number from 0 to 8");
+}
+
+// Widths of the pictures in a .glb file, in pixels.
+std::set<std::uint32_t> picture_widths(std::string const& glb)
+{
+    constexpr std::string_view kPng = "\x89PNG";
+    constexpr std::size_t kWidthAt = 16;
+    std::set<std::uint32_t> widths;
+    for (auto at = glb.find(kPng); at != std::string::npos; at = glb.find(kPng, at + 1)) {
+        std::uint32_t width = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            width = width << 8 | static_cast<unsigned char>(glb.at(at + kWidthAt + i));
+        widths.insert(width);
+    }
+    return widths;
+}
+
+TEST(GrowCommand, WritesTheBarkInTheSizeThatIsAskedFor)
+{
+    auto const folder
+        = std::filesystem::temp_directory_path() / ("tractus-bark-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    auto const widths
+        = [&](std::vector<std::string> const& more) {
+              auto const file = (folder / "alder.glb").string();
+              std::vector<std::string> arguments { "grow", "--habit", "alder", "--years",
+                                                   "4",    "-o",      file };
+              arguments.insert(arguments.end(), more.begin(), more.end());
+              auto const outcome = commands::run(arguments);
+              EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+              return picture_widths(file_bytes(file));
+          };
+    EXPECT_TRUE(widths({}).contains(512));
+    EXPECT_FALSE(widths({}).contains(64));
+    EXPECT_TRUE(widths({ "--bark-size", "64" }).contains(64));
+    std::filesystem::remove_all(folder);
 }
 
 TEST(GrowCommand, ReportsATreeOfAHabit)
