@@ -1,6 +1,7 @@
 #include "app/view/plant_grower.h"
 
 #include "app/tools/underground.h"
+#include "engine/export/texture.h"
 #include "engine/mesh/join_meshes.h"
 #include "engine/mesh/make_mesh.h"
 #include "engine/scene/scene_shaper.h"
@@ -71,6 +72,13 @@ GrownUnderground underground_of(Plant const& plant, Plant const& base,
 
 } // namespace
 
+// Makes the pictures of a mesh's bark on the growing thread: the window's thread would stand still.
+static mesh::Mesh with_bark(mesh::Mesh mesh)
+{
+    exports::prepare_bark(mesh);
+    return mesh;
+}
+
 // Grows the plants of successive scenes. Plants that have not changed are not grown again.
 class PlantGrower::SceneGrower {
 public:
@@ -120,7 +128,7 @@ private:
         auto const& plant = made->grow(growth.seed, growth.age, wanted.along_ground, stop);
         if (stop.stop_requested())
             return GrownPlants {};
-        return GrownPlants { mesh::make_mesh(plant, {}, stop),
+        return GrownPlants { with_bark(mesh::make_mesh(plant, {}, stop)),
                              underground_of(plant, made->plan.base, built) };
     }
 
@@ -174,9 +182,10 @@ private:
         if (stop.stop_requested())
             return mesh::Mesh {};
         if (how == variation::Individuality {})
-            return mesh::make_mesh(plant, coarse(), stop);
+            return with_bark(mesh::make_mesh(plant, coarse(), stop));
         auto const kept = variation::axes_below_paths(made->plan.base, scene::drawn_paths(scene));
-        return mesh::make_mesh(variation::individual(plant, key, how, kept), coarse(), stop);
+        return with_bark(
+            mesh::make_mesh(variation::individual(plant, key, how, kept), coarse(), stop));
     }
 
     // Scene and Individuality::seeds of the last request, from which alone_ and own_seeds_ are

@@ -8,6 +8,7 @@
 #include "engine/export/relief_tile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -25,29 +26,50 @@ namespace {
 class HalfOldBark {
 public:
     explicit HalfOldBark(BarkKind kind)
-        : young_(bark_style(kind, BarkAge::Young))
-        , old_(bark_style(kind, BarkAge::Old))
+        : young_style_(bark_style(kind, BarkAge::Young))
+        , old_style_(bark_style(kind, BarkAge::Old))
+        , young_(young_style_)
+        , old_(old_style_)
     {
     }
 
-    double depth() const { return std::max(young_.depth, old_.depth); }
+    float depth() const { return std::max(young_style_.depth, old_style_.depth); }
 
-    BarkPoint at(double u, double v) const
+    BarkPoint at(float u, float v) const
     {
-        constexpr std::uint32_t kLayer = 2001;
-        double const place = tile_turbulence(u, v, { 4, 3 }, 4, kLayer);
-        double const share = std::clamp((place - 0.42) / 0.16, 0.0, 1.0);
-        auto const young = bark_point(young_, u, v);
-        auto const old = bark_point(old_, u, v);
-        return { .height = (1 - share) * (young.height * young_.depth / depth() + 0.3)
-                     + share * old.height * old_.depth / depth(),
+        float const share = std::clamp((places_.at(u, v) - 0.42F) / 0.16F, 0.0F, 1.0F);
+        if (share <= 0)
+            return young_at(u, v);
+        if (share >= 1)
+            return old_at(u, v);
+        auto const young = young_at(u, v);
+        auto const old = old_at(u, v);
+        return { .height = young.height + share * (old.height - young.height),
                  .color = young.color + share * (old.color - young.color),
                  .roughness = young.roughness + share * (old.roughness - young.roughness) };
     }
 
 private:
-    BarkStyle young_;
-    BarkStyle old_;
+    // Young bark lies between the bottom of the furrows and the ridges of old bark.
+    BarkPoint young_at(float u, float v) const
+    {
+        auto point = young_.at(u, v);
+        point.height = point.height * young_style_.depth / depth() + 0.3F;
+        return point;
+    }
+
+    BarkPoint old_at(float u, float v) const
+    {
+        auto point = old_.at(u, v);
+        point.height *= old_style_.depth / depth();
+        return point;
+    }
+
+    BarkStyle young_style_;
+    BarkStyle old_style_;
+    BarkField young_;
+    BarkField old_;
+    TileTurbulence places_ { { 4, 3 }, 4, 2001 };
 };
 
 std::uint8_t byte_from(double value)
@@ -65,11 +87,11 @@ public:
         if (bark.age == BarkAge::Half) {
             HalfOldBark const mixed(bark.kind);
             depth_ = mixed.depth();
-            sample([&](double u, double v) { return mixed.at(u, v); });
+            sample(mixed);
         } else {
             auto const style = bark_style(bark.kind, bark.age);
             depth_ = style.depth;
-            sample([&](double u, double v) { return bark_point(style, u, v); });
+            sample(BarkField(style));
         }
     }
 
@@ -77,32 +99,45 @@ public:
     {
         std::vector<double> heights;
         heights.reserve(points_.size());
-        Vec3 sum = Vec3::Zero();
-        for (auto const& point : points_) {
-            heights.push_back(point.height);
-            for (int k = 0; k < 3; ++k)
-                sum[k] += linear_from_srgb(point.color[k]);
-        }
+        for (auto const& point : points_)
+            heights.push_back(double { point.height });
         ReliefTile const relief(side_, std::move(heights));
         BarkPictures made;
-        made.mean_color = sum / static_cast<double>(points_.size());
-        made.color = picture([&](int column, int row) { return point(column, row).color; });
-        made.normals
-            = picture([&](int column, int row) { return relief.normal(column, row, depth_); });
+        made.mean_color = mean_color();
+        made.color = picture(
+            [&](int column, int row) { return point(column, row).color.cast<double>().eval(); });
+        made.normals = picture(
+            [&](int column, int row) { return relief.normal(column, row, double { depth_ }); });
         made.occlusion_roughness = picture([&](int column, int row) {
-            return Vec3(relief.openness(column, row), point(column, row).roughness, 0);
+            return Vec3(relief.openness(column, row), double { point(column, row).roughness }, 0);
         });
         return made;
     }
 
 private:
+    // The mean in linear light, of colours rounded as in the picture.
+    Vec3 mean_color() const
+    {
+        std::array<std::array<std::uint32_t, 256>, 3> counts {};
+        for (auto const& point : points_)
+            for (std::size_t k = 0; k < counts.size(); ++k)
+                ++counts[k][byte_from(double { point.color[static_cast<Eigen::Index>(k)] })];
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t k = 0; k < counts.size(); ++k)
+            for (std::size_t level = 0; level < counts[k].size(); ++level)
+                sum[static_cast<Eigen::Index>(k)]
+                    += counts[k][level] * linear_from_srgb(static_cast<double>(level) / 255);
+        return sum / static_cast<double>(points_.size());
+    }
+
     BarkPoint const& point(int column, int row) const
     {
         return points_[static_cast<std::size_t>(row) * static_cast<std::size_t>(side_)
                        + static_cast<std::size_t>(column)];
     }
 
-    template<typename PointAt> void sample(PointAt const& point_at)
+    // Samples a field: BarkField or HalfOldBark.
+    template<typename Field> void sample(Field const& field)
     {
         constexpr std::size_t kGrain = 8;
         auto const side = static_cast<std::size_t>(side_);
@@ -110,8 +145,8 @@ private:
             for (std::size_t row = begin; row < end; ++row)
                 for (std::size_t column = 0; column < side; ++column)
                     points_[row * side + column]
-                        = point_at((static_cast<double>(column) + 0.5) / side_,
-                                   (static_cast<double>(row) + 0.5) / side_);
+                        = field.at((static_cast<float>(column) + 0.5F) / static_cast<float>(side_),
+                                   (static_cast<float>(row) + 0.5F) / static_cast<float>(side_));
         });
     }
 
@@ -129,7 +164,7 @@ private:
     }
 
     int side_;
-    double depth_; // Of the relief, as a share of the circumference.
+    float depth_; // Of the relief, as a share of the circumference.
     std::vector<BarkPoint> points_;
 };
 

@@ -89,6 +89,15 @@ MaterialTextures textures_of(Material const& material, int bark_px)
     return textures;
 }
 
+void prepare_bark(mesh::Mesh const& mesh)
+{
+    for (auto const& surface : mesh.surfaces) {
+        auto const& material = mesh.materials.at(surface.material);
+        if (material.kind == Material::Kind::Bark && material.bark.kind != BarkKind::Furrowed)
+            bark_pictures(material.bark);
+    }
+}
+
 // Returns the mean linear lightness of a picture: 0 for black, 1 for white.
 static double mean_light(GreyPicture const& picture)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/export/bark_pictures.h"
+#include "engine/mesh/mesh.h"
 #include "engine/plant/material.h"
 
 #include <cstdint>
@@ -28,6 +29,9 @@ GreyPicture leaf_picture();
 // Returns the textures of a material: its own pictures, and those of its kind and bark where it has
 // none. `bark_px`: width and height of pictures made for a kind of bark (bark_pictures()).
 MaterialTextures textures_of(Material const& material, int bark_px = kBarkPicture_px);
+
+// Makes the pictures of the bark of a mesh's materials, so that textures_of() finds them later.
+void prepare_bark(mesh::Mesh const& mesh);
 
 // Returns the linear colour by which the colour picture of textures_of() is multiplied: white if
 // the picture replaces the material's colour. For a default picture it is lighter than the

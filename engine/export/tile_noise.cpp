@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tractus::exports {
 
@@ -21,85 +22,132 @@ std::uint32_t mixed_bits(std::uint32_t column, std::uint32_t row, std::uint32_t 
 
 int wrapped_cell(int cell, int count)
 {
-    int const rest = cell % count;
-    return rest < 0 ? rest + count : rest;
+    // Faster than a division, as cells are in the tile or next to it.
+    while (cell < 0)
+        cell += count;
+    while (cell >= count)
+        cell -= count;
+    return cell;
 }
 
-double smooth_step(double t)
+// Calls add(column, row) for each cell, row by row.
+template<typename Add> void for_each_cell(Lattice cells, Add const& add)
+{
+    for (int row = 0; row < cells.along; ++row)
+        for (int column = 0; column < cells.across; ++column)
+            add(column, row);
+}
+
+float eased_part(float t)
 {
     return t * t * (3 - 2 * t);
 }
 
 } // namespace
 
-double tile_random(int column, int row, Lattice cells, std::uint32_t layer)
+float tile_random(int column, int row, Lattice cells, std::uint32_t layer)
 {
-    return mixed_bits(static_cast<std::uint32_t>(wrapped_cell(column, cells.across)),
-                      static_cast<std::uint32_t>(wrapped_cell(row, cells.along)), layer)
-        * 0x1p-32;
+    // 24 bits are exact in a float.
+    return static_cast<float>(
+               mixed_bits(static_cast<std::uint32_t>(wrapped_cell(column, cells.across)),
+                          static_cast<std::uint32_t>(wrapped_cell(row, cells.along)), layer)
+               >> 8)
+        * 0x1p-24F;
 }
 
-double tile_noise(double u, double v, Lattice cells, std::uint32_t layer)
+TileNoise::TileNoise(Lattice cells, std::uint32_t layer)
+    : cells_(cells)
 {
-    double const x = u * cells.across;
-    double const y = v * cells.along;
-    auto const column = static_cast<int>(std::floor(x));
-    auto const row = static_cast<int>(std::floor(y));
-    double const across = smooth_step(x - column);
-    double const along = smooth_step(y - row);
-    auto const value = [&](int i, int j) { return tile_random(column + i, row + j, cells, layer); };
-    double const lower = value(0, 0) + across * (value(1, 0) - value(0, 0));
-    double const upper = value(0, 1) + across * (value(1, 1) - value(0, 1));
+    for_each_cell(cells, [&](int column, int row) {
+        values_.push_back(tile_random(column, row, cells, layer));
+    });
+}
+
+float TileNoise::at(float u, float v) const
+{
+    float const x = u * static_cast<float>(cells_.across);
+    float const y = v * static_cast<float>(cells_.along);
+    float const left = std::floor(x);
+    float const low = std::floor(y);
+    int const column = wrapped_cell(static_cast<int>(left), cells_.across);
+    int const row = wrapped_cell(static_cast<int>(low), cells_.along);
+    int const next_column = column + 1 == cells_.across ? 0 : column + 1;
+    int const next_row = row + 1 == cells_.along ? 0 : row + 1;
+    auto const value
+        = [&](int i, int j) { return values_[static_cast<std::size_t>(j * cells_.across + i)]; };
+    float const across = eased_part(x - left);
+    float const along = eased_part(y - low);
+    float const lower
+        = value(column, row) + across * (value(next_column, row) - value(column, row));
+    float const upper = value(column, next_row)
+        + across * (value(next_column, next_row) - value(column, next_row));
     return lower + along * (upper - lower);
 }
 
-double tile_turbulence(double u, double v, Lattice cells, int octaves, std::uint32_t layer)
+TileTurbulence::TileTurbulence(Lattice cells, int octaves, std::uint32_t layer)
 {
-    double sum = 0;
-    double weight = 1;
-    double weights = 0;
+    constexpr std::uint32_t kNextLayer = 101;
     for (int i = 0; i < octaves; ++i) {
-        sum += weight * tile_noise(u, v, cells, layer + 101 * static_cast<std::uint32_t>(i));
+        octaves_.emplace_back(cells, layer + kNextLayer * static_cast<std::uint32_t>(i));
+        cells = { 2 * cells.across, 2 * cells.along };
+    }
+}
+
+float TileTurbulence::at(float u, float v) const
+{
+    float sum = 0;
+    float weight = 1;
+    float weights = 0;
+    for (auto const& octave : octaves_) {
+        sum += weight * octave.at(u, v);
         weights += weight;
-        weight *= 0.5;
-        cells.across *= 2;
-        cells.along *= 2;
+        weight *= 0.5F;
     }
     return sum / weights;
 }
 
-TileCell tile_cell(double u, double v, Lattice cells, double jitter, std::uint32_t layer)
+TileCells::TileCells(Lattice cells, float jitter, std::uint32_t layer)
+    : cells_(cells)
 {
-    double const x = u * cells.across;
-    double const y = v * cells.along;
+    for_each_cell(cells, [&](int column, int row) {
+        auto const random
+            = [&](std::uint32_t which) { return tile_random(column, row, cells, layer + which); };
+        seeds_.push_back(
+            { 0.5F + jitter * (random(0) - 0.5F), 0.5F + jitter * (random(1) - 0.5F), random(2) });
+    });
+}
+
+TileCell TileCells::at(float u, float v) const
+{
+    float const x = u * static_cast<float>(cells_.across);
+    float const y = v * static_cast<float>(cells_.along);
     auto const column = static_cast<int>(std::floor(x));
     auto const row = static_cast<int>(std::floor(y));
-    struct Seed {
-        double u = 0, v = 0, squared = 1e9, random = 0;
+    struct Found {
+        float u = 0;
+        float v = 0;
+        float squared = 1e9F;
+        float random = 0;
     };
-    Seed first;
-    Seed second;
-    for (int j = -1; j <= 1; ++j)
-        for (int i = -1; i <= 1; ++i) {
-            auto const random_of = [&](std::uint32_t which) {
-                return tile_random(column + i, row + j, cells, layer + which);
-            };
-            Seed seed;
-            seed.u = x - (column + i + 0.5 + jitter * (random_of(0) - 0.5));
-            seed.v = y - (row + j + 0.5 + jitter * (random_of(1) - 0.5));
-            seed.squared = seed.u * seed.u + seed.v * seed.v;
-            if (seed.squared >= second.squared)
+    Found first;
+    Found second;
+    for (int j = row - 1; j <= row + 1; ++j)
+        for (int i = column - 1; i <= column + 1; ++i) {
+            auto const& seed = seeds_[static_cast<std::size_t>(
+                wrapped_cell(j, cells_.along) * cells_.across + wrapped_cell(i, cells_.across))];
+            Found found { x - static_cast<float>(i) - seed.u, y - static_cast<float>(j) - seed.v };
+            found.squared = found.u * found.u + found.v * found.v;
+            if (found.squared >= second.squared)
                 continue;
-            seed.random = random_of(2);
-            second = seed;
+            found.random = seed.random;
+            second = found;
             if (second.squared < first.squared)
                 std::swap(first, second);
         }
-    double const between_u = first.u - second.u;
-    double const between_v = first.v - second.v;
-    double const between = std::max(std::hypot(between_u, between_v), 1e-9);
-    return { .nearest = std::sqrt(first.squared),
-             .to_border = (second.squared - first.squared) / (2 * between),
+    float const between_u = first.u - second.u;
+    float const between_v = first.v - second.v;
+    float const between = std::max(std::sqrt(between_u * between_u + between_v * between_v), 1e-6F);
+    return { .to_border = (second.squared - first.squared) / (2 * between),
              .border_tilt = std::abs(between_v) / between,
              .offset_u = first.u,
              .offset_v = first.v,

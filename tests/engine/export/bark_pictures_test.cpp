@@ -47,9 +47,8 @@ double difference(PixelRows const& rows, int from, int to, bool are_columns)
             auto const level = [&](int place) {
                 int const column = are_columns ? place : i;
                 int const row = are_columns ? i : place;
-                return double {
-                    rows.rgba[static_cast<std::size_t>(4 * (row * rows.width + column) + k)]
-                };
+                return static_cast<double>(
+                    rows.rgba[static_cast<std::size_t>(4 * (row * rows.width + column) + k)]);
             };
             sum += std::abs(level(from) - level(to));
         }
