@@ -19,6 +19,12 @@ constexpr std::array<tools::OptionWord, 2> kPlantWords { {
     { "new_leaf", "Another leaf" },
 } };
 
+// Option words, in the order of LeafLineTool::Leaves.
+constexpr std::array<tools::OptionWord, 2> kLeavesWords { {
+    { "simple", "Simple leaves" },
+    { "compound", "Compound leaves, too" },
+} };
+
 void visit(tools::OptionVisitor& visitor, LeafLineTool& tool)
 {
     visitor.choice({ kPlantWords }, tool.plant);
@@ -29,6 +35,7 @@ void visit(tools::OptionVisitor& visitor, LeafLineTool& tool)
     visitor.number({ "teeth", "", 0, 60, 1, "Teeth" }, tool.teeth);
     visitor.number({ "tooth_depth", "", 0, 0.2, 0.005, "Teeth's depth" }, tool.tooth_depth);
     visitor.number({ "variation", "", 0, 4, 0.25, "Variation" }, tool.variation);
+    visitor.choice({ kLeavesWords, tools::WordOption::Offered::Never }, tool.leaves);
 }
 
 leaf::LeafForm form_of(LeafLineTool const& tool)
@@ -110,6 +117,7 @@ Result<std::vector<scene::Edit>> add_line(tools::Tool const& tool, Stroke const&
 {
     auto const& options = *tool.get<LeafLineTool>();
     leaf::AddLeafLine edit { .stroke = stroke, .form = form_of(options) };
+    edit.may_be_leaflet = options.leaves == LeafLineTool::Leaves::Compound;
     if (options.plant == LeafLineTool::Plant::GoOn && leaf::active_leaf_sketch(scene.state))
         edit.plant = scene.state.active;
     if (!scene.plants.empty())
@@ -133,7 +141,9 @@ constexpr tools::ToolKind LeafLineTool::kKind {
     .title = "Draw a leaf by its outline and veins",
     .done = "The leaf follows the line",
     .help = "adds a line to a leaf on paper that stands upright: its outline, its midrib from the "
-            "stalk to the tip, or a vein, or draws one of them again; the leaf bends and rises by "
+            "stalk to the tip, or a vein, or draws one of them again; outlines along a rachis are "
+            "the leaflets of a compound "
+            "leaf; the leaf bends and rises by "
             "so many degrees more than drawn, has so many teeth on each half, of a depth as a "
             "share of its length, and so much variation where plants wear it",
     .group = "Sketch",

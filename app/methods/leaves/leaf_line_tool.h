@@ -24,6 +24,9 @@ struct LeafLineTool {
     double teeth = 0;
     double tooth_depth = 0.02;
     double variation = 1;
+    // Whether several closed lines beside a line are the leaflets of a compound leaf. Logs that are
+    // older than this option lack it and mean Simple.
+    enum class Leaves { Simple, Compound } leaves = Leaves::Compound;
 };
 
 } // namespace tractus::leaf

@@ -35,9 +35,22 @@ struct DrawnLeaf {
     };
     using Half = std::vector<HalfOutline::Point>;
 
-    double size_mm = 0; // Length of the blade along its midrib.
-    double stalk = 0;
-    Half right {}; // Right half outline, from the petiole's end at (0, 0) to the tip.
+    // A leaflet of a compound leaf, and the piece of the rachis that leads to it.
+    struct Leaflet {
+        double piece
+            = 0; // Length of the piece, from the leaflet before or the petiole's beginning.
+        double turn_deg = 0;  // Angle by which the piece turns from the one before, to the right.
+        double angle_deg = 0; // Angle between the leaflet and the piece, positive to the right.
+        double stalk = 0;     // Length of the leaflet's stalk.
+        double size = 0;      // Length of the leaflet's blade.
+
+        bool operator==(Leaflet const&) const = default;
+    };
+
+    // Length of the blade along its midrib; of a compound leaf, that of its longest leaflet.
+    double size_mm = 0;
+    double stalk = 0; // Length of the petiole; of a compound leaf, of the rachis' first piece.
+    Half right {};    // Right half outline, from the petiole's end at (0, 0) to the tip.
     // Left half outline, with x positive to the left. If empty, it is the mirror image of the right
     // half.
     Half left {};
@@ -61,6 +74,14 @@ struct DrawnLeaf {
     // Width of the midrib at its beginning; the widths of other veins are proportional to it.
     double width = 0.014;
     double spread_deg = 2.5; // Standard deviation of the angle of a vein between leaves of a plant.
+    // Leaflets on both sides of a compound leaf's rachis, from its beginning; empty for a simple
+    // leaf. All leaflets have the blade that the other members describe.
+    std::vector<Leaflet> leaflets {};
+    // The leaflet in which the rachis ends, with the last piece of the rachis; size 0: the rachis
+    // ends without one.
+    Leaflet end {};
+
+    bool is_compound() const { return !leaflets.empty(); }
 
     bool operator==(DrawnLeaf const&) const = default;
 };
@@ -84,7 +105,11 @@ struct LeafFit {
     std::vector<Vein> veins {}; // Veins in the drawing's order.
     // The drawn outline after the midrib has been straightened, in units of the blade's length;
     // counter-clockwise.
+    // Empty for a compound leaf.
     FlatLine outline {};
+    // The drawn outlines of a compound leaf's leaflets, in units of the longest leaflet's length:
+    // the petiole begins at (0, 0) and points to (0, 1).
+    std::vector<FlatLine> leaflets {};
     // Difference between the areas of the two halves, as a share of the whole area.
     double asymmetry = 0;
     double tremor_mm = 0; // Standard deviation of the drawn veins from the fitted curves.
@@ -93,18 +118,22 @@ struct LeafFit {
     BladePlace place {};
 };
 
-// Determines the parameters of a recognised leaf. Fails with a user error if the outline does not
-// surround the midrib.
+// Determines the parameters of a recognised leaf. The leaflets of a compound leaf get one blade,
+// the mean of all, each at its own size and angle; its veins are those of the leaflet in which most
+// were drawn. Fails with a user error if an outline does not surround its midrib, or for more than
+// kMaxLeaflets.
+constexpr std::size_t kMaxLeaflets = 48;
 Result<LeafFit> fit_leaf(RecognisedLeaf const& leaf);
 
-// Intersection over union of the areas of two closed polylines.
+// Intersection over union of the areas of two closed polylines, or of those within several.
 double overlap_of(FlatLine const& a, FlatLine const& b);
+double overlap_of(std::vector<FlatLine> const& a, std::vector<FlatLine> const& b);
 
-// Overlap of the outline that a fitted leaf's grammar derives (derived_outline()) with the drawn
-// outline: its intersection over union with LeafFit::outline, times the share of the drawn area
-// that LeafFit::outline still covers. This share is below 1 if parts of the blade are on neither
-// side of the midrib, such as those below a stalk that ends in the middle of the blade.
-double overlap_with_drawing(RecognisedLeaf const& drawn, LeafFit const& fit,
-                            FlatLine const& derived);
+// Overlap of the outline that a fitted leaf's grammar derives with the drawn outline: its
+// intersection over union with LeafFit::outline, times the share of the drawn area that
+// LeafFit::outline still covers. This share is below 1 if parts of the blade are on neither side of
+// the midrib, such as those below a stalk that ends in the middle of the blade. For a compound
+// leaf, that of all leaflets with LeafFit::leaflets. Fails if the leaf cannot be derived.
+Result<double> overlap_with_drawing(RecognisedLeaf const& drawn, LeafFit const& fit);
 
 } // namespace tractus::leaf

@@ -1,4 +1,6 @@
+#include "engine/methods/leaves/derived_outline.h"
 #include "engine/methods/leaves/drawn_leaf.h"
+#include "engine/methods/leaves/fit_compound_leaf.h"
 #include "engine/methods/leaves/fit_half_outline.h"
 #include "engine/methods/leaves/fit_veins.h"
 #include "engine/methods/leaves/flat_blade.h"
@@ -25,9 +27,30 @@ std::vector<double> crossings(FlatLine const& ring, double y)
     return found;
 }
 
-// Length of the overlap of two sets of intervals. Each list contains alternately the beginnings and
-// ends of intervals, in ascending order.
-double common_length(std::vector<double> const& a, std::vector<double> const& b)
+// Intervals in ascending order that do not overlap: alternately beginnings and ends.
+using Intervals = std::vector<double>;
+
+// Intervals in which a horizontal line at the height y is inside at least one closed line.
+Intervals inside_at(std::vector<FlatLine> const& rings, double y)
+{
+    std::vector<std::pair<double, double>> all;
+    for (auto const& ring : rings) {
+        auto const found = crossings(ring, y);
+        for (std::size_t i = 0; i + 1 < found.size(); i += 2)
+            all.emplace_back(found[i], found[i + 1]);
+    }
+    std::ranges::sort(all);
+    Intervals joined;
+    for (auto const& [from, to] : all)
+        if (!joined.empty() && from <= joined.back())
+            joined.back() = std::max(joined.back(), to);
+        else
+            joined.insert(joined.end(), { from, to });
+    return joined;
+}
+
+// Length of the overlap of two sets of intervals.
+double common_length(Intervals const& a, Intervals const& b)
 {
     double sum = 0;
     for (std::size_t i = 0; i + 1 < a.size(); i += 2)
@@ -136,19 +159,25 @@ Outline outline_of(DrawnLeaf const& leaf)
 
 double overlap_of(FlatLine const& a, FlatLine const& b)
 {
+    return overlap_of(std::vector<FlatLine> { a }, std::vector<FlatLine> { b });
+}
+
+double overlap_of(std::vector<FlatLine> const& a, std::vector<FlatLine> const& b)
+{
     constexpr int kRows = 600;
     Eigen::AlignedBox2d box;
-    for (auto const* const ring : { &a, &b })
-        for (auto const& at : *ring)
-            box.extend(at);
+    for (auto const* const rings : { &a, &b })
+        for (auto const& ring : *rings)
+            for (auto const& at : ring)
+                box.extend(at);
     if (box.isEmpty())
         return 0;
     double common = 0;
     double all = 0;
     for (int row = 0; row < kRows; ++row) {
         double const y = box.min().y() + (row + 0.5) / kRows * box.sizes().y();
-        auto const in_a = crossings(a, y);
-        auto const in_b = crossings(b, y);
+        auto const in_a = inside_at(a, y);
+        auto const in_b = inside_at(b, y);
         double const both = common_length(in_a, in_b);
         common += both;
         all += common_length(in_a, in_a) + common_length(in_b, in_b) - both;
@@ -156,20 +185,26 @@ double overlap_of(FlatLine const& a, FlatLine const& b)
     return all > 0 ? common / all : 0;
 }
 
-double overlap_with_drawing(RecognisedLeaf const& drawn, LeafFit const& fit,
-                            FlatLine const& derived)
+// Area of a closed line in space, which lies about in a plane.
+static double area_mm2(std::vector<Vec3> const& ring)
+{
+    Vec3 twice_mm2 = Vec3::Zero();
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        twice_mm2 += (ring[i] - ring[0]).cross(ring[(i + 1) % ring.size()] - ring[0]);
+    return twice_mm2.norm() / 2;
+}
+
+Result<double> overlap_with_drawing(RecognisedLeaf const& drawn, LeafFit const& fit)
 {
     // From this share on, the drawn area counts as completely covered: flattening a bent blade
     // changes its area a little.
     constexpr double kWhole = 0.9;
-    double const overlap = overlap_of(derived, fit.outline);
+    if (fit.leaf.is_compound())
+        return overlap_of(TRY(derived_leaflets(fit.leaf)), fit.leaflets);
+    double const overlap = overlap_of(TRY(derived_outline(fit.leaf)), fit.outline);
     if (drawn.edge == RecognisedLeaf::Edge::OneHalf || drawn.outline.empty())
         return overlap;
-    Vec3 twice_mm2 = Vec3::Zero();
-    for (std::size_t i = 0; i < drawn.outline.size(); ++i)
-        twice_mm2 += (drawn.outline[i] - drawn.outline[0])
-                         .cross(drawn.outline[(i + 1) % drawn.outline.size()] - drawn.outline[0]);
-    double const drawn_mm2 = twice_mm2.norm() / 2;
+    double const drawn_mm2 = area_mm2(drawn.outline);
     double const kept_mm2 = std::abs(area_of(fit.outline)) * fit.leaf.size_mm * fit.leaf.size_mm;
     return kept_mm2 < kWhole * drawn_mm2 ? overlap * kept_mm2 / drawn_mm2 : overlap;
 }
@@ -179,6 +214,8 @@ Result<LeafFit> fit_leaf(RecognisedLeaf const& drawn)
     constexpr double kMinStalk = 0.02;
     // Length of the stalk if none is drawn, as a share of the blade's length.
     constexpr double kUsualStalk = 0.06;
+    if (!drawn.leaflets.empty())
+        return fit_compound_leaf(drawn);
     auto const blade = TRY(lay_flat(drawn));
     LeafFit fit;
     double const tremor = tremor_of(blade);

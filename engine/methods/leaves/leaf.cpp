@@ -424,6 +424,12 @@ Result<void> Leaf::derive()
     return glue();
 }
 
+bool Leaf::is_bare(FaceId face) const
+{
+    auto const number = static_cast<std::size_t>(face);
+    return number < faces_.size() && grammar_->bare.contains(faces_[number].name);
+}
+
 std::map<char, std::size_t> Leaf::face_counts() const
 {
     std::map<char, std::size_t> counts;

@@ -62,6 +62,8 @@ public:
 
     int step() const { return step_; }
     LeafMap const& map() const { return map_; }
+    // True for a face to which no limb is attached (Grammar::bare).
+    bool is_bare(FaceId face) const;
     // Number of vein faces for each face letter.
     std::map<char, std::size_t> face_counts() const;
     // Number of edges E on the border: vein tips on which more faces can grow.

@@ -13,6 +13,9 @@ namespace tractus::leaf {
 // Their roles are found by recognise_leaf().
 struct LeafDrawing {
     std::vector<std::vector<Vec3>> strokes {};
+    // True if several closed strokes beside a line are the leaflets of a compound leaf. False: they
+    // are an error, as in older drawings.
+    bool may_be_compound = true;
 };
 
 enum class StrokeRole {
@@ -46,12 +49,19 @@ struct RecognisedLeaf {
     std::vector<Vein> mains {};
     std::vector<Vein> sides {};
     std::vector<Vec3> stalk {}; // Petiole; empty unless it was drawn as a separate stroke.
+
+    // The leaflets of a compound leaf, each as a simple leaf, in order of drawing; empty for a
+    // simple leaf. A compound leaf has no outline and no veins of its own.
+    std::vector<RecognisedLeaf> leaflets {};
+    std::vector<Vec3> rachis {}; // The compound leaf's rachis, from the petiole's beginning.
 };
 
 // Recognises the strokes of a leaf, drawn in any order and direction: an outline (closed to within
 // a few millimetres, as two halves, or as one half), a midrib, and veins that begin on the midrib
-// or at its beginning. Fails with a user error that says what to draw or which stroke cannot be
-// used; the message counts strokes from 1 and gives positions in millimetres.
+// or at its beginning. A compound leaf is recognised by at least two closed outlines beside each
+// other: a line along them is the rachis, and lines inside an outline are the leaflet's veins.
+// Fails with a user error that says what to draw or which stroke cannot be used; the message counts
+// strokes from 1 and gives positions in millimetres.
 Result<RecognisedLeaf> recognise_leaf(LeafDrawing const& drawing);
 
 } // namespace tractus::leaf

@@ -145,7 +145,11 @@ public:
         , size_mm_(drawn.size_mm)
         , base_(vertex_at(leaf, { 0, drawn.stalk }))
     {
-        Vec3 const tip = vertex_at(leaf, { 0, drawn.stalk + 1 });
+        // The rachis of a compound leaf is flat, and its leaflets are anywhere.
+        if (drawn.is_compound())
+            base_ = Vec3(0, drawn.stalk, 0);
+        Vec3 const tip = drawn.is_compound() ? Vec3(base_ + Vec3::UnitY())
+                                             : vertex_at(leaf, { 0, drawn.stalk + 1 });
         turn_ = frame_of(place.tip_mm - place.base_mm, place.normal)
             * frame_of(tip - base_, Vec3::UnitZ()).transpose();
     }

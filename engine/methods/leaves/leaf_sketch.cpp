@@ -211,6 +211,8 @@ Result<LeafDrawing> drawing_of(LeafSketch const& sketch)
 {
     LeafDrawing drawing;
     double begins_mm = 0;
+    drawing.may_be_compound = std::ranges::all_of(
+        sketch.lines, [](LeafLine const& line) { return line.may_be_leaflet; });
     for (auto const& line : sketch.lines) {
         auto const tips = TRY(line.stroke.tips.in_memory());
         auto points = TRY(stroke_points({ tips }));

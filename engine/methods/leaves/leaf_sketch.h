@@ -40,6 +40,9 @@ struct LeafLine {
     // Stroke in the world frame: x and y are positions on an upright sheet of paper, z is the
     // height of the drawing surface.
     Stroke stroke {};
+    // True if several closed lines may be leaflets. A sketch is a compound leaf only if this is
+    // true for all of its lines; it is false for lines of older drawings.
+    bool may_be_leaflet = false;
 };
 
 // Result of recognising a leaf sketch: the roles of its lines, and the leaf's parameters.

@@ -1,6 +1,5 @@
 #include "engine/methods/leaves/leaf_sketch_edits.h"
 
-#include "engine/methods/leaves/derived_outline.h"
 #include "engine/scene/edit_words.h"
 #include "engine/scene/make_edit_kind.h"
 #include "engine/scene/paper.h"
@@ -28,6 +27,7 @@ void list(scene::Fields& fields, LeafForm& form)
 void list(scene::Fields& fields, AddLeafLine& edit)
 {
     fields.sparse_field("plant", &edit.plant);
+    fields.sparse_field("may_be_leaflet", &edit.may_be_leaflet);
     list(fields, edit.form);
     fields.field("scale", &edit.scale);
     fields.field("stands_at_mm", &edit.stands_at_mm);
@@ -64,7 +64,8 @@ Result<scene::DocumentState> begun(scene::DocumentState state, AddLeafLine const
         return fail(Fault::User, "the place for the leaf is not a number: draw it again");
     auto const id = scene::take_id(state, edit.id);
     auto sketch = TRY(
-        with_line({ .form = edit.form, .scale = edit.scale }, { .id = id, .stroke = edit.stroke }));
+        with_line({ .form = edit.form, .scale = edit.scale },
+                  { .id = id, .stroke = edit.stroke, .may_be_leaflet = edit.may_be_leaflet }));
     TRY(build_leaf(sketch));
     auto const foot_mm = TRY(foot_of(sketch));
     if (!state.scale)
@@ -85,7 +86,9 @@ Result<scene::DocumentState> applied(scene::DocumentState state, AddLeafLine con
         return begun(std::move(state), edit);
     auto sketch = TRY(find_leaf(state, edit.plant));
     sketch = TRY(with_line(std::move(sketch),
-                           { .id = scene::take_id(state, edit.id), .stroke = edit.stroke }));
+                           { .id = scene::take_id(state, edit.id),
+                             .stroke = edit.stroke,
+                             .may_be_leaflet = edit.may_be_leaflet }));
     return with_leaf(std::move(state), edit.plant, std::move(sketch));
 }
 
@@ -161,15 +164,20 @@ std::string describe_result(LeafSketch const& sketch)
     if (!sketch.seen->left_out.empty())
         return fmt::format("A line is left out: {}", sketch.seen->left_out);
     auto const& fit = sketch.seen->fit;
-    auto const lengths = fmt::format("A leaf of {:.0f} mm", fit.leaf.size_mm);
+    auto const lengths = fit.leaf.is_compound()
+        ? fmt::format("A compound leaf, leaflets up to {:.0f} mm long,", fit.leaf.size_mm)
+        : fmt::format("A leaf of {:.0f} mm", fit.leaf.size_mm);
     if (sketch.seen->is_midrib_guessed)
         return lengths + ": draw its midrib, from the stalk to the tip, and its veins";
-    auto const outline = derived_outline(fit.leaf);
     constexpr double kFaithful = 0.95;
-    if (double const overlap = outline ? overlap_of(*outline, fit.outline) : 1; overlap < kFaithful)
+    auto const overlap = overlap_with_drawing(sketch.seen->lines, fit);
+    if (overlap && *overlap < kFaithful)
         return fmt::format("{} whose outline overlaps the drawn one by {:.0f} %: deep lobes and "
-                           "leaflets are not kept",
-                           lengths, 100 * overlap);
+                           "leaflets of different shapes are not kept",
+                           lengths, 100 * *overlap);
+    if (fit.leaf.is_compound())
+        return fmt::format("{} with {}", lengths,
+                           scene::counted(sketch.seen->lines.leaflets.size(), "leaflet"));
     auto const main = fit.leaf.mains.size() - 1;
     auto const side = static_cast<std::size_t>(std::ranges::count_if(
         fit.veins, [](LeafFit::Vein const& vein) { return vein.parent != vein.stroke; }));

@@ -20,6 +20,7 @@ struct AddLeafLine {
     // World millimetres per plant millimetre for a new leaf. A document without a scale adopts it.
     double scale = 0.1;
     Vec3 stands_at_mm = Vec3::Zero(); // Position of a new leaf's foot (foot_of()), world frame.
+    bool may_be_leaflet = false;      // As in LeafLine.
     scene::ItemId id = 0; // Id of the line, and of the plant that it begins; 0 if not assigned yet.
 };
 

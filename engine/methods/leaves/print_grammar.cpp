@@ -1,5 +1,7 @@
 #include "engine/methods/leaves/print_grammar.h"
 
+#include "engine/methods/leaves/compound_rachis.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -56,8 +58,13 @@ public:
         print_fastening();
         print_shape();
         print_veins();
+        if (leaf_.is_compound())
+            print_leaflets();
         print_faces();
-        print_begin();
+        if (leaf_.is_compound())
+            print_compound_begin();
+        else
+            print_begin();
         for (std::size_t k = 0; k < leaf_.mains.size(); ++k)
             print_rules(k);
         return std::move(text_);
@@ -65,6 +72,8 @@ public:
 
 private:
     bool has_hub() const { return leaf_.mains.size() > 1; }
+    // Number of derivation steps after which main veins have their first pieces.
+    std::size_t steps_before_veins() const { return has_hub() || leaf_.is_compound() ? 2 : 1; }
     bool is_curved() const { return leaf_.side_curve_deg != 0 || leaf_.side_curve_at_tip_deg != 0; }
 
     // Replaces line ends, and @, which would end the comment, by blanks.
@@ -81,7 +90,7 @@ private:
         for (auto const& main : leaf_.mains)
             knots = std::max(knots, main.knots.size());
         text_ += fmt::format("#size({})\n#steps({})\n", text_of(leaf_.size_mm),
-                             knots + (has_hub() ? 2 : 1));
+                             knots + steps_before_veins());
         text_ += "#young(92,138,56)\n#old(184,128,41)\n";
     }
 
@@ -114,7 +123,8 @@ private:
 
     void print_fastening()
     {
-        text_ += "#base\n#bare : S\n#reach : M";
+        text_ += fmt::format("#base\n#bare : {}\n#reach : M",
+                             leaf_.is_compound() ? "S, P, X, Q, T" : "S");
         std::string seen = "M";
         for (char const face : faces_ + (has_sides() ? is_curved() ? "RULN" : "RL" : ""))
             if (seen.find(face) == std::string::npos) {
@@ -134,8 +144,11 @@ private:
 
     void print_shape()
     {
-        text_ += "@ The stalk's length and the midrib's width; all lengths are shares of the "
-                 "blade's. @\n";
+        text_ += leaf_.is_compound()
+            ? "@ The length of the rachis below the first leaflet, and the midrib's width; all "
+              "lengths are\n  shares of the longest leaflet's. @\n"
+            : "@ The stalk's length and the midrib's width; all lengths are shares of the "
+              "blade's. @\n";
         define(text_, "stalk", leaf_.stalk);
         define(text_, "width", leaf_.width);
         text_
@@ -204,9 +217,75 @@ private:
         return made;
     }
 
+    static std::string leaflet_name(std::size_t i) { return fmt::format("leaflet{}_", i + 1); }
+
+    void print_leaflet(std::string const& name, DrawnLeaf::Leaflet const& leaflet, bool is_first)
+    {
+        if (!is_first) {
+            define(text_, name + "piece", leaflet.piece);
+            define(text_, name + "turn", leaflet.turn_deg);
+        }
+        if (leaflet.size == 0)
+            return;
+        define(text_, name + "angle", leaflet.angle_deg);
+        define(text_, name + "stalk", leaflet.stalk);
+        define(text_, name + "size", leaflet.size);
+    }
+
+    void print_leaflets()
+    {
+        text_
+            += "@ Leaflets from the base on: how long the rachis is from the one before, and how "
+               "far it turns\n  to the right there; the leaflet's angle from it, on the right and, "
+               "below 0, on the left; its\n  stalk and its blade. @\n";
+        for (std::size_t i = 0; i < leaf_.leaflets.size(); ++i)
+            print_leaflet(leaflet_name(i), leaf_.leaflets[i], i == 0);
+        print_leaflet("end_", leaf_.end, false);
+    }
+
+    // Writes the stalk of a leaflet. `angle` is the expression for its turn.
+    static std::string leaflet_stalk(std::string const& name, std::string const& angle)
+    {
+        return fmt::format("[Q(,,,,{},{}stalk,{}size * width)]", angle, name, name);
+    }
+
+    // The rachis grows in one rule, since each of its pieces stands on the one before. The leaflets
+    // then grow in the next step, and each sets the size of its blade from the width of its stalk.
+    void print_compound_begin()
+    {
+        text_ += "#axiom : S\nstart S\n      -> S";
+        for (std::size_t i = 0; i < leaf_.leaflets.size(); ++i) {
+            auto const name = leaflet_name(i);
+            bool const is_right = leaf_.leaflets[i].angle_deg > 0;
+            auto const angle = fmt::format("nran({}angle, spread * variation)", name);
+            auto const next = i + 1 < leaf_.leaflets.size() ? leaflet_name(i + 1) : "end_";
+            text_ += fmt::format("[X{}{}\n         [P(,,,,-{}turn,{}piece,)",
+                                 leaflet_stalk(name, is_right ? "90 - " + angle : "-90 - " + angle),
+                                 is_right ? "C1" : "C2", next, next);
+        }
+        if (leaf_.end.size > 0)
+            text_ += leaflet_stalk("end_", "-nran(end_angle, spread * variation)") + "E";
+        for (std::size_t i = 0; i < leaf_.leaflets.size(); ++i)
+            text_ += "]E]E";
+        text_
+            += fmt::format("\nleaflet Q(n,t,a,b,c,l,w) {{ {}\n      {} }} {{}}"
+                           " {{ blade = w / width }}\n      -> Q[T(,,,,,,w)[M(,,,bent,,to,w)]E]E\n",
+                           first_piece(0), bending());
+    }
+
     void print_faces()
     {
-        text_ += "#define S(4,1,0,0,90,stalk,width * 1.25)\n";
+        if (leaf_.is_compound()) {
+            text_ += fmt::format("#define S(4,1,0,0,90,stalk,width * {0})\n"
+                                 "#define P(4,1,0,0,0,1,width * {0})\n"
+                                 "#define X(4,1,0,0,0,{1},width * {0})\n"
+                                 "#define Q(4,1,0,0,0,1,width)\n"
+                                 "#define T(4,1,0,0,0,{2},width)\n",
+                                 text_of(kRachisWidths), text_of(kLeafletKnot),
+                                 text_of(kLeafletStalkEnd));
+        } else {
+            text_ += "#define S(4,1,0,0,90,stalk,width * 1.25)\n";
+        }
         if (has_hub())
             text_ += fmt::format("#define H({},1,0,0,0,hub,width * 1.1)\n", 2 + 2 * hub_sides());
         text_ += "#define M(4,1,0,0,0,1,width)\n";
@@ -292,7 +371,7 @@ private:
         if (main > 0 && faces_[main] == kPlainFace)
             return;
         double const taper = std::pow(0.35, 1.0 / double(std::max<std::size_t>(knots.size(), 1)));
-        std::size_t const made_at = has_hub() ? 2 : 1;
+        std::size_t const made_at = steps_before_veins();
         for (std::size_t i = 0; i < knots.size(); ++i)
             print_rule(main, i, made_at + i + 1, text_of(taper));
     }
@@ -386,6 +465,19 @@ private:
     bool lacks_one_ = false;
 };
 
+std::optional<DrawnLeaf::Leaflet> read_leaflet(NumberReader& numbers, std::string const& name)
+{
+    auto const piece = numbers.find(name + "piece");
+    auto const size = numbers.find(name + "size");
+    if (!piece && !size)
+        return std::nullopt;
+    return DrawnLeaf::Leaflet { .piece = piece ? *piece : numbers.get("stalk"),
+                                .turn_deg = numbers.find(name + "turn").value_or(0),
+                                .angle_deg = size ? numbers.get(name + "angle") : 0,
+                                .stalk = size ? numbers.get(name + "stalk") : 0,
+                                .size = size.value_or(0) };
+}
+
 } // namespace
 
 std::string print_grammar(DrawnLeaf const& leaf, std::string const& title)
@@ -420,6 +512,10 @@ std::optional<DrawnLeaf> read_drawn_leaf(Grammar const& grammar)
                                .curve_deg = numbers.find(prefix + "curve").value_or(0),
                                .knots = numbers.knots(prefix) });
     }
+    while (auto const leaflet
+           = read_leaflet(numbers, fmt::format("leaflet{}_", leaf.leaflets.size() + 1)))
+        leaf.leaflets.push_back(*leaflet);
+    leaf.end = read_leaflet(numbers, "end_").value_or(DrawnLeaf::Leaflet {});
     if (numbers.lacks_one() || leaf.right.size() < 2)
         return std::nullopt;
     return leaf;

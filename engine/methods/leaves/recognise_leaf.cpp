@@ -1,10 +1,11 @@
+#include "engine/methods/leaves/drawing_plane.h"
+#include "engine/methods/leaves/find_leaflets.h"
 #include "engine/methods/leaves/find_outline.h"
 #include "engine/methods/leaves/flat_line.h"
 #include "engine/methods/leaves/leaf_drawing.h"
 #include "engine/stroke/polyline.h"
 #include "engine/stroke/resample.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -26,6 +27,8 @@ std::string_view name_of(StrokeRole role)
         return "side vein";
     case StrokeRole::Stalk:
         return "stalk";
+    case StrokeRole::Rachis:
+        return "rachis";
     case StrokeRole::FinerVein:
         break;
     }
@@ -37,43 +40,6 @@ namespace {
 constexpr std::size_t kMaxStrokes = 300;
 constexpr double kMinStroke_mm = 2;
 constexpr double kStep_mm = 0.5;
-
-// Least-squares plane of the drawing. Its normal points up or, if the plane is upright, towards the
-// viewer.
-struct DrawingPlane {
-    Vec3 center = Vec3::Zero();
-    Vec3 right = Vec3::UnitX();
-    Vec3 up = Vec3::UnitY();
-    Vec3 normal = Vec3::UnitZ();
-
-    explicit DrawingPlane(std::vector<std::vector<Vec3>> const& lines)
-    {
-        double count = 0;
-        for (auto const& line : lines)
-            for (auto const& point : line) {
-                center += point;
-                ++count;
-            }
-        center /= count;
-        Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-        for (auto const& line : lines)
-            for (auto const& point : line)
-                spread += (point - center) * (point - center).transpose();
-        normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-        constexpr double kUpright = 0.2;
-        bool const is_upright = std::abs(normal.z()) < kUpright;
-        if (is_upright ? normal.y() > 0 : normal.z() < 0) // The viewer is on the side of -y.
-            normal = -normal;
-        Vec3 const rough = std::abs(normal.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
-        up = normal.cross(rough).normalized();
-        right = up.cross(normal);
-    }
-
-    Vec2 flat(Vec3 const& point) const
-    {
-        return { (point - center).dot(right), (point - center).dot(up) };
-    }
-};
 
 class VeinRecogniser {
 public:
@@ -433,6 +399,65 @@ private:
     std::vector<RecognisedLeaf::Vein> sides_;
 };
 
+// Recognises one leaflet. Strokes without which it is no leaf, a midrib and a stalk on the side of
+// the rachis, are added if they were not drawn. If the lines in it are no veins, only its outline
+// counts.
+Result<RecognisedLeaf> recognise_leaflet(std::vector<std::vector<Vec3>> const& lines,
+                                         Leaflet const& leaflet, bool with_veins)
+{
+    std::vector<std::size_t> strokes { leaflet.outline };
+    if (with_veins)
+        strokes.insert(strokes.end(), leaflet.veins.begin(), leaflet.veins.end());
+    std::vector<std::vector<Vec3>> own;
+    for (auto const stroke : strokes)
+        own.push_back(lines[stroke]);
+    own.push_back(leaflet.stalk);
+    auto const drawn = own;
+    auto seen = VeinRecogniser(own, drawn).recognise();
+    if (!seen) {
+        own.push_back(leaflet.axis);
+        auto const guessed = own;
+        seen = VeinRecogniser(own, guessed).recognise();
+    }
+    if (!seen)
+        return seen;
+    // The added midrib counts as a part of the outline's stroke.
+    auto const stroke_of = [&](std::size_t number) {
+        return number < strokes.size() ? strokes[number] : leaflet.outline;
+    };
+    for (auto* const veins : { &seen->mains, &seen->sides })
+        for (auto& vein : *veins)
+            vein.stroke = stroke_of(vein.stroke);
+    seen->roles.resize(strokes.size());
+    seen->stalk.clear();
+    return seen;
+}
+
+Result<RecognisedLeaf> recognise_compound(std::vector<std::vector<Vec3>> const& lines,
+                                          LeafDrawing const& drawing, FoundLeaflets const& found)
+{
+    RecognisedLeaf made { .normal = DrawingPlane(lines).normal };
+    made.roles.assign(drawing.strokes.size(), StrokeRole::FinerVein);
+    made.roles[found.rachis] = StrokeRole::Rachis;
+    made.rachis = found.rachis_line;
+    for (auto const stalk : found.stalks)
+        made.roles[stalk] = StrokeRole::Stalk;
+    for (auto const& leaflet : found.leaflets) {
+        auto seen = recognise_leaflet(lines, leaflet, true);
+        if (!seen)
+            seen = recognise_leaflet(lines, leaflet, false);
+        if (!seen)
+            return fail(Fault::User,
+                        fmt::format("stroke {} is no leaflet: {}", leaflet.outline + 1,
+                                    seen.error().message));
+        made.roles[leaflet.outline] = StrokeRole::Outline;
+        for (std::size_t i = 1; i < seen->roles.size(); ++i)
+            made.roles[leaflet.veins[i - 1]] = seen->roles[i];
+        made.leaflets.push_back(*std::move(seen));
+    }
+    return made;
+}
+
 // Resamples a stroke at even distances. Fails with a user error if its points cannot be used; the
 // message contains the stroke's number.
 Result<std::vector<Vec3>> even_line(std::vector<Vec3> const& stroke, std::size_t number)
@@ -471,6 +496,11 @@ Result<RecognisedLeaf> recognise_leaf(LeafDrawing const& drawing)
     std::vector<std::vector<Vec3>> lines;
     for (auto const& stroke : drawing.strokes)
         lines.push_back(TRY(even_line(stroke, lines.size() + 1)));
+    if (drawing.may_be_compound) {
+        auto const leaflets = TRY(find_leaflets(lines));
+        if (!leaflets.empty())
+            return recognise_compound(lines, drawing, leaflets);
+    }
     return VeinRecogniser(std::move(lines), drawing.strokes).recognise();
 }
 

@@ -8,7 +8,6 @@
 #include "app/terminal/console.h"
 #include "app/terminal/error_text.h"
 #include "engine/base/file.h"
-#include "engine/methods/leaves/derived_outline.h"
 #include "engine/methods/leaves/drawn_leaf.h"
 #include "engine/methods/leaves/print_grammar.h"
 
@@ -65,6 +64,7 @@ Json report_json(leaf::LeafFit const& fit, leaf::RecognisedLeaf const& seen, dou
     for (auto const& vein : fit.veins)
         veins.push_back(vein_json(vein, seen));
     return { { "strokes", roles },
+             { "leaflets", seen.leaflets.size() },
              { "size_mm", fit.leaf.size_mm },
              { "outline_overlap", to_places(overlap, 1e4) },
              { "asymmetry", to_places(fit.asymmetry, 1e4) },
@@ -108,8 +108,8 @@ void warn_of_outline(SketchedLeaf const& leaf, double overlap)
     if (overlap < kFaithful)
         terminal::print_warning(fmt::format(
             "{}: the leaf's outline overlaps the drawn one by {:.0f} %, less than {:.0f} "
-            "%: deep lobes, a stalk in the middle of the blade and leaflets are not "
-            "kept; draw each leaflet as a leaf, or look at the picture",
+            "%: deep lobes, a stalk in the middle of the blade and leaflets of different shapes "
+            "are not kept; look at the picture, or draw each leaflet as a leaf",
             leaf.sketch.string(), 100 * overlap, 100 * kFaithful));
 }
 
@@ -124,16 +124,18 @@ Result<void> write_sketched_leaf(SketchedLeaf const& arguments)
         return about_sketch(arguments, fit.error());
     auto const title = fmt::format("Drawn by pen: {}", arguments.sketch.stem().string());
     TRY(write_file(arguments.output, leaf::print_grammar(fit->leaf, title)));
-    auto const outline = leaf::derived_outline(fit->leaf);
-    if (!outline)
-        return about_sketch(arguments, outline.error());
-    double const overlap = leaf::overlap_with_drawing(*seen, *fit, *outline);
-    warn_of_outline(arguments, overlap);
+    auto const overlap = leaf::overlap_with_drawing(*seen, *fit);
+    if (!overlap)
+        return about_sketch(arguments, overlap.error());
+    warn_of_outline(arguments, *overlap);
     if (arguments.reports)
-        return terminal::print_out(report_json(*fit, *seen, overlap).dump(2) + "\n");
-    return terminal::print_out(fmt::format("wrote {}: {} mm, veins {}, outline {:.1f} % as drawn\n",
-                                           arguments.output.string(), fit->leaf.size_mm,
-                                           fit->veins.size(), 100 * overlap));
+        return terminal::print_out(report_json(*fit, *seen, *overlap).dump(2) + "\n");
+    auto const leaflets = seen->leaflets.empty()
+        ? std::string()
+        : fmt::format("leaflets {}, the longest ", seen->leaflets.size());
+    return terminal::print_out(fmt::format(
+        "wrote {}: {}{} mm, veins {}, outline {:.1f} % as drawn\n", arguments.output.string(),
+        leaflets, fit->leaf.size_mm, fit->veins.size(), 100 * *overlap));
 }
 
 } // namespace
@@ -161,7 +163,8 @@ void add_sketch_leaf_command(CLI::App& leaves, options::Action& action,
     sketch->footer(
         "JSON is {\"strokes\": [[[x, y, z], ...], ...]}, in millimetres. The strokes are the\n"
         "outline, as one closed line, two halves or one half, the midrib, and veins on it or\n"
-        "round its begin, in any order and direction.");
+        "round its begin, in any order and direction. Several closed lines along another one are\n"
+        "the leaflets of a compound leaf.");
     options::add_examples(
         *sketch,
         { "leaves fit leaf.json -o mine.leaf", "leaves fit leaf.json --report -o mine.leaf" });

@@ -69,7 +69,7 @@ TEST(LeafLineTool, SaysItsNumbersInLogs)
 {
     LeafLineTool const tool { .plant = LeafLineTool::Plant::NewLeaf, .bend_deg = 20, .teeth = 8 };
     auto const words = tools::words_for(tool);
-    EXPECT_EQ(words.name + " " + words.arguments, "leaf_line new_leaf bend=20 teeth=8");
+    EXPECT_EQ(words.name + " " + words.arguments, "leaf_line new_leaf bend=20 teeth=8 compound");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(tool));
 }
