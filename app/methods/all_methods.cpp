@@ -15,6 +15,7 @@
 #include "app/methods/indicators/indicator_curves.h"
 #include "app/methods/indicators/indicator_layer.h"
 #include "app/methods/indicators/move_indicator_tool.h"
+#include "app/methods/indicators/turn_indicator_tool.h"
 #include "app/methods/leaves/erase_leaf_tool.h"
 #include "app/methods/leaves/leaf_layers.h"
 #include "app/methods/leaves/leaf_line_tool.h"
@@ -50,6 +51,7 @@
 #include "app/tools/oversketch_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/smooth_tool.h"
+#include "app/tools/turn_stroke_tool.h"
 #include "app/tools/underground.h"
 #include "engine/methods/construction_lines/bring_organ.h"
 #include "engine/methods/construction_lines/erase_line.h"
@@ -73,10 +75,12 @@ constexpr std::array kTools {
     &tools::LimbTool::kKind,
     &tools::OversketchTool::kKind,
     &tools::SmoothTool::kKind,
+    &tools::TurnStrokeTool::kKind,
     &tools::DeleteTool::kKind,
     &tools::SelectTool::kKind,
     &indicators::IndicateTool::kKind,
     &indicators::MoveIndicatorTool::kKind,
+    &indicators::TurnIndicatorTool::kKind,
     &indicators::DeleteIndicatorTool::kKind,
     &tools::EraseTool::kKind,
     &sketch::SketchTool::kKind,
@@ -147,7 +151,7 @@ std::vector<scene::EditKind const*> edit_kinds()
     all.insert(all.end(),
                { &self_organising::PlantTree::kKind, &self_organising::GrowOn::kKind,
                  &self_organising::GrowFrom::kKind, &self_organising::ChangeHabit::kKind,
-                 &self_organising::GrowStand::kKind });
+                 &self_organising::GrowStand::kKind, &self_organising::TurnBrushStroke::kKind });
     return all;
 }
 

@@ -3,7 +3,6 @@
 #include "app/tools/branch_previewer.h"
 #include "app/tools/draw_tool.h"
 #include "app/tools/erase_tool.h"
-#include "app/tools/underground.h"
 #include "engine/plant/join_axes.h"
 #include "engine/scene/edit.h"
 
@@ -30,15 +29,20 @@ static Result<std::vector<scene::Edit>> draw_in_order(Tool const& tool, Stroke c
     if (next.empty())
         return fail(Fault::User,
                     "the plant has no branches for a stroke to shape: load another model");
+    auto [drawn, is_reversed] = from_foot(options.base, stroke, next, scene);
     return std::vector<scene::Edit> {
         scene::select_paths(scene, { std::move(next) }),
-        scene::Associate { .stroke = stroke, .fit = options.fit, .laying = options.laying },
+        scene::Associate { .stroke = std::move(drawn),
+                           .fit = options.fit,
+                           .laying = options.laying,
+                           .is_drawn_reversed = is_reversed },
     };
 }
 
 static void visit(OptionVisitor& visitor, DrawInOrderTool& tool)
 {
     visit_laying(visitor, WordOption::Offered::BesideLabel, tool.fit, tool.laying);
+    visit_base(visitor, tool.base);
 }
 
 constexpr ToolKind DrawInOrderTool::kKind {
@@ -53,7 +57,7 @@ constexpr ToolKind DrawInOrderTool::kKind {
     .min_extent_mm = 6,
     .options = options_type<DrawInOrderTool, visit>(),
     .edits_for = draw_in_order,
-    .describe = underground_message,
+    .describe = bent_branch_message,
     .previewer = branch_previewer,
     .aims_at = next_branch,
     .other_end = { &EraseTool::kKind },

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/tools/stroke_base.h"
 #include "app/tools/tool.h"
 #include "engine/variation/association.h"
 
@@ -11,6 +12,7 @@ struct DrawInOrderTool {
 
     variation::StrokeFit fit = variation::StrokeFit::Start;
     variation::StrokeLaying laying = variation::StrokeLaying::HeadingAndPitch;
+    StrokeBase base = StrokeBase::AtFoot;
 };
 
 } // namespace tractus::tools

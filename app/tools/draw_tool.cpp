@@ -2,10 +2,10 @@
 
 #include "app/tools/branch_previewer.h"
 #include "app/tools/erase_tool.h"
-#include "app/tools/underground.h"
 #include "engine/scene/edit.h"
 
 #include <array>
+#include <utility>
 
 namespace tractus::tools {
 
@@ -36,6 +36,7 @@ void visit(OptionVisitor& visitor, DrawTool& tool)
 {
     visitor.choice({ kPropagationWords }, tool.propagation);
     visit_laying(visitor, WordOption::Offered::InHand, tool.fit, tool.laying);
+    visit_base(visitor, tool.base);
 }
 
 Result<std::vector<scene::Edit>> draw_selected(Tool const& tool, Stroke const& stroke,
@@ -45,10 +46,16 @@ Result<std::vector<scene::Edit>> draw_selected(Tool const& tool, Stroke const& s
     if (scene.selection.empty())
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
-    return std::vector<scene::Edit> { scene::Associate { .stroke = stroke,
+    // What a branch bears has feet elsewhere, so only a stroke for the branch itself is reversed.
+    auto const base = options.propagation == variation::Propagation::Descendants
+        ? StrokeBase::AsDrawn
+        : options.base;
+    auto [drawn, is_reversed] = from_foot(base, stroke, scene.selection.front(), scene);
+    return std::vector<scene::Edit> { scene::Associate { .stroke = std::move(drawn),
                                                          .propagation = options.propagation,
                                                          .fit = options.fit,
-                                                         .laying = options.laying } };
+                                                         .laying = options.laying,
+                                                         .is_drawn_reversed = is_reversed } };
 }
 
 } // namespace
@@ -68,12 +75,12 @@ constexpr ToolKind DrawTool::kKind {
     .help = "shapes the selected branch, all that it bears, or both; the stroke is turned to each "
             "branch's heading and pitched so that it starts as the branch did, or leads from its "
             "first point to its last as the branch did, or is not turned at all; a trunk takes it "
-            "as it was drawn",
+            "as it was drawn; one that runs from the branch's tip to its foot is turned round",
     .group = "Draw",
     .min_extent_mm = 6,
     .options = options_type<DrawTool, visit>(),
     .edits_for = draw_selected,
-    .describe = underground_message,
+    .describe = bent_branch_message,
     .previewer = branch_previewer,
     .other_end = { &EraseTool::kKind },
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/tools/stroke_base.h"
 #include "app/tools/tool.h"
 #include "engine/variation/association.h"
 
@@ -12,6 +13,7 @@ struct DrawTool {
     variation::Propagation propagation = variation::Propagation::Selected;
     variation::StrokeFit fit = variation::StrokeFit::Start;
     variation::StrokeLaying laying = variation::StrokeLaying::HeadingAndPitch;
+    StrokeBase base = StrokeBase::AtFoot;
 };
 
 // Visits the options for how a stroke is laid along a branch: `fit`, whose words are offered as

@@ -2,6 +2,7 @@
 
 #include "app/tools/bent_plant.h"
 #include "app/tools/underground.h"
+#include "engine/stroke/foot_first.h"
 #include "engine/stroke/frame_rotation.h"
 #include "engine/stroke/polyline.h"
 #include "engine/variation/subtree.h"
@@ -35,6 +36,7 @@ void visit(OptionVisitor& visitor, LimbTool& tool)
 {
     visitor.choice({ kLimbWords, WordOption::Offered::InHand }, tool.does);
     visitor.number({ "thickness", "", 0.1, 4, 0.1, "Thickness" }, tool.thickness);
+    visit_base(visitor, tool.base);
 }
 
 // The point of an axis that is nearest to a given place.
@@ -126,12 +128,72 @@ scene::BuiltPlant const& plant_with_limb(scene::Scene const& scene, scene::DrawL
     return *scene.plants[*scene::find_plant(scene.state, limb.plant)];
 }
 
+// A limb without its stroke, as it is joined to the wood nearest to a place.
+struct JoinedLimb {
+    scene::DrawLimb limb;
+    double off_mm = 0; // Distance of the place from the wood.
+};
+
+std::optional<JoinedLimb> joined_limb(Vec3 const& place_mm, scene::Scene const& scene)
+{
+    std::optional<JoinedLimb> joined;
+    for (auto const& plant : scene.plants) {
+        if (plant->drawn->is_hidden || plant->base->segment_count() == 0)
+            continue;
+        BentPlant const bent(*plant);
+        auto const nearest = nearest_wood(*plant, bent, place_mm);
+        double const off_mm = off_wood_mm(*plant, nearest);
+        if (off_mm > kLimbReach * plant->placement.shown_height_mm
+            || (joined && off_mm >= joined->off_mm))
+            continue;
+        Eigen::AngleAxisd const turn(bent.turn_of(nearest.segment).conjugate());
+        joined = { scene::DrawLimb {
+                       .plant = plant->drawn->id,
+                       .at = plant->rest->addresses.address_of(*plant->base, nearest.segment),
+                       .joint = nearest.share,
+                       .joint_mm = nearest.place_mm,
+                       .turn_rad = turn.angle() * turn.axis(),
+                       .scale = plant->placement.scale,
+                   },
+                   off_mm };
+    }
+    return joined;
+}
+
+// True if a stroke was drawn from a limb's tip to the branch that is to bear the limb: it ends on
+// the wood, and begins in the air. `begin` and `end` are joined at its first and last point.
+bool is_drawn_to_branch(Stroke const& stroke, std::optional<JoinedLimb> const& begin,
+                        std::optional<JoinedLimb> const& end)
+{
+    constexpr double kOnWood_mm = 2;
+    // Minimum distance of a beginning in the air from the wood, as a share of the distance between
+    // the stroke's ends.
+    constexpr double kInAir = 0.5;
+    double const reach_mm
+        = (stroke.tips.back().position_mm - stroke.tips.front().position_mm).norm();
+    return end && end->off_mm <= kOnWood_mm && (!begin || begin->off_mm > kInAir * reach_mm)
+        && reach_mm > kOnWood_mm;
+}
+
+// ToolKind::describe of the tool: says so if the last edit has drawn a limb from its tip.
+std::string limb_message(Tool const& tool, scene::Scene const& after)
+{
+    for (auto const& plant : after.state.plants)
+        for (auto const& graft : plant->grafts)
+            if (graft.limb && graft.limb->is_drawn_reversed
+                && scene::edit_of_item(graft.limb->id) == after.state.last_edit)
+                return "The limb was drawn from its tip to its branch and is turned round";
+    return underground_message(tool, after);
+}
+
 // Previews the limb, with its twigs, while the user draws it.
 class LimbPreviewer final : public StrokePreviewer {
 public:
     std::vector<SkeletonLine> show(UnfinishedStroke const& stroke) override
     {
-        auto const& tool = *stroke.tool.get<LimbTool>();
+        auto tool = *stroke.tool.get<LimbTool>();
+        // An unfinished stroke that comes near another branch may still leave it again.
+        tool.base = StrokeBase::AsDrawn;
         if (tool.does == LimbTool::Does::Erase || stroke.ink.empty())
             return {};
         Stroke const ink { std::vector(stroke.ink.begin(), stroke.ink.end()) };
@@ -199,35 +261,23 @@ Result<scene::DrawLimb> drawn_limb(LimbTool const& tool, Stroke const& stroke,
 {
     if (stroke.tips.empty())
         return fail(Fault::User, "a limb needs a stroke: draw it from where it begins to its tip");
-    Vec3 const begin_mm = stroke.tips.front().position_mm;
-    double nearest_mm = std::numeric_limits<double>::infinity();
-    std::optional<scene::DrawLimb> limb;
-    for (auto const& plant : scene.plants) {
-        if (plant->drawn->is_hidden || plant->base->segment_count() == 0)
-            continue;
-        BentPlant const bent(*plant);
-        auto const nearest = nearest_wood(*plant, bent, begin_mm);
-        double const off_mm = off_wood_mm(*plant, nearest);
-        if (off_mm > kLimbReach * plant->placement.shown_height_mm || off_mm >= nearest_mm)
-            continue;
-        nearest_mm = off_mm;
-        Eigen::AngleAxisd const turn(bent.turn_of(nearest.segment).conjugate());
-        limb = scene::DrawLimb {
-            .plant = plant->drawn->id,
-            .at = plant->rest->addresses.address_of(*plant->base, nearest.segment),
-            .joint = nearest.share,
-            .joint_mm = nearest.place_mm,
-            .turn_rad = turn.angle() * turn.axis(),
-            .scale = plant->placement.scale,
-            .width_mm = kInkWidth_mm * tool.thickness,
-            .stroke = stroke,
-        };
+    auto joined = joined_limb(stroke.tips.front().position_mm, scene);
+    bool is_reversed = false;
+    if (tool.base == StrokeBase::AtFoot) {
+        auto end = joined_limb(stroke.tips.back().position_mm, scene);
+        is_reversed = is_drawn_to_branch(stroke, joined, end);
+        if (is_reversed)
+            joined = std::move(end);
     }
-    if (!limb)
+    if (!joined)
         return fail(Fault::User,
                     "no branch is near where the stroke begins: begin it on a branch, or closer to "
                     "one");
-    return *std::move(limb);
+    auto limb = std::move(joined->limb);
+    limb.width_mm = kInkWidth_mm * tool.thickness;
+    limb.stroke = is_reversed ? turned_round(stroke) : stroke;
+    limb.is_drawn_reversed = is_reversed;
+    return limb;
 }
 
 constexpr ToolKind LimbTool::kKind {
@@ -235,16 +285,17 @@ constexpr ToolKind LimbTool::kKind {
     .label = "New limb",
     .title = "Draw a new limb",
     .done = "A new limb stands on the branch",
-    .help = "adds a limb along the stroke to the branch on which it begins, or that is nearest; it "
-            "bears twigs like the plant's own branches, is as thick as the ink, or thicker or "
-            "thinner by a factor, and is then shaped as they are; or takes a drawn limb away that "
-            "is touched, as the pen's other end does",
+    .help
+    = "adds a limb along the stroke to the branch on which it begins, or that is nearest; it "
+      "bears twigs like the plant's own branches, is as thick as the ink, or thicker or "
+      "thinner by a factor, and is then shaped as they are; a stroke from its tip to a branch is "
+      "turned round; or takes a drawn limb away that is touched, as the pen's other end does",
     .group = "Draw",
     .key = 'B',
     .min_extent_mm = 6,
     .options = options_type<LimbTool, visit>(),
     .edits_for = draw_limb,
-    .describe = underground_message,
+    .describe = limb_message,
     .previewer
     = []() -> std::unique_ptr<StrokePreviewer> { return std::make_unique<LimbPreviewer>(); },
     .other_end = { &LimbTool::kKind,

@@ -123,6 +123,9 @@ struct Associate {
     double detail_weight = 1;
     variation::StrokeLaying laying = variation::StrokeLaying::LeastTwist;
     ItemId id = 0; // Id of the stroke on the first selected path; 0 if not assigned yet.
+    // True if the stroke was drawn from tip to foot, so that `stroke` is its reverse
+    // (foot_first.h).
+    bool is_drawn_reversed = false;
 };
 
 // The drawn items that an edit applies to.
@@ -150,6 +153,13 @@ struct SmoothStroke {
 
     Items strokes;
     double detail_weight = 0;
+};
+
+// Reverses strokes: what was the tip becomes the foot.
+struct TurnStroke {
+    static EditKind const kKind;
+
+    Items strokes;
 };
 
 // Deletes strokes. Earlier strokes that they overrode take effect again.

@@ -44,7 +44,7 @@ EditKinds core_edit_kinds()
         &SetSeason::kKind,        &LayPicture::kKind,      &PlacePicture::kKind,
         &SetPictureGround::kKind, &RemovePicture::kKind,   &SetFoliage::kKind,
         &KeepGrammar::kKind,      &WriteRules::kKind,      &DrawLimb::kKind,
-        &EraseLimb::kKind,        &DeriveAnew::kKind
+        &EraseLimb::kKind,        &DeriveAnew::kKind,      &TurnStroke::kKind
     };
     return kKinds;
 }

@@ -40,6 +40,7 @@ void list(Fields& fields, DrawLimb& edit)
     fields.field("turn_rad", &edit.turn_rad);
     fields.field("scale", &edit.scale);
     fields.field("width_mm", &edit.width_mm);
+    fields.sparse_field("turned_round", &edit.is_drawn_reversed);
     fields.id(edit.id);
     fields.numbers(edit.stroke);
 }
@@ -66,6 +67,7 @@ Result<DocumentState> applied(DocumentState state, DrawLimb const& edit, SceneBu
     auto const number = TRY(plant_number(state, edit.plant));
     auto limb = std::make_shared<DrawnLimb>();
     limb->joint = edit.joint;
+    limb->is_drawn_reversed = edit.is_drawn_reversed;
     limb->points = TRY(limb_points(edit));
     limb->id = take_id(state, edit.id);
     for (auto const& stroke : state.plants[number]->strokes)

@@ -32,6 +32,7 @@ struct DrawnLimb {
     // Ids of earlier strokes that shape all descendants of a branch. These strokes do not shape the
     // limb, which stays as it was drawn.
     std::vector<ItemId> older_strokes {};
+    bool is_drawn_reversed = false; // As in DrawLimb.
 };
 
 // Adds a limb to a plant.
@@ -51,6 +52,8 @@ struct DrawLimb {
     double width_mm = kInkWidth_mm;
     Stroke stroke {}; // The stroke that draws the limb, world frame.
     ItemId id = 0;    // Id of the limb; 0 if not assigned yet.
+    // True if the limb was drawn from tip to foot, so that `stroke` is its reverse (foot_first.h).
+    bool is_drawn_reversed = false;
 };
 
 // Removes a limb with everything drawn on it, including further limbs.

@@ -1,6 +1,7 @@
 #include "engine/scene/edit_words.h"
 #include "engine/scene/make_edit_kind.h"
 #include "engine/stroke/derived_tips.h"
+#include "engine/stroke/foot_first.h"
 #include "engine/stroke/oversketch.h"
 
 #include <algorithm>
@@ -186,6 +187,7 @@ void list(Fields& fields, Associate& edit)
     fields.word("fit", edit.fit, kFits);
     fields.field("kept_hand", &edit.detail_weight);
     fields.word("laying", edit.laying, kLayings);
+    fields.sparse_field("turned_round", &edit.is_drawn_reversed);
     fields.id(edit.id);
     fields.numbers(edit.stroke);
 }
@@ -196,8 +198,9 @@ Result<DocumentState> applied(DocumentState state, Associate const& edit, SceneB
     if (!active || active->selection.empty())
         return fail(Fault::User,
                     "nothing is selected for the stroke to shape: select a branch first");
-    variation::ShapingStroke const stroke { edit.stroke, edit.propagation, edit.fit,
-                                            edit.detail_weight, edit.laying };
+    variation::ShapingStroke const stroke { edit.stroke, edit.propagation,
+                                            edit.fit,    edit.detail_weight,
+                                            edit.laying, edit.is_drawn_reversed };
     // Checked here, so that this edit fails instead of the plant's growth later.
     TRY(variation::check_shaping_stroke(stroke));
     auto const edit_number = edit_of_item(take_id(state, edit.id));
@@ -215,9 +218,10 @@ std::string described(Associate const& edit)
     static constexpr std::array kWhat { "what is selected", "what the selected bears",
                                         "what is selected and bears" };
     static constexpr std::array kHow { "", ", tip where it was", ", as in the world" };
-    return fmt::format("shapes {} by a stroke: {}{}",
+    return fmt::format("shapes {} by a stroke{}: {}{}",
                        kWhat[static_cast<std::size_t>(edit.propagation)],
-                       describe_stroke(edit.stroke), kHow[static_cast<std::size_t>(edit.fit)]);
+                       edit.is_drawn_reversed ? ", turned round" : "", describe_stroke(edit.stroke),
+                       kHow[static_cast<std::size_t>(edit.fit)]);
 }
 
 void list(Fields& fields, Oversketch& edit)
@@ -262,6 +266,29 @@ std::string described(SmoothStroke const& edit)
 {
     return fmt::format("smooths stroke {}, keeping {:.0f} % of the hand", names_of(edit.strokes),
                        100 * edit.detail_weight);
+}
+
+void list(Fields& fields, TurnStroke& edit)
+{
+    list(fields, edit.strokes);
+}
+
+Result<DocumentState> applied(DocumentState state, TurnStroke const& edit, SceneBuilder&)
+{
+    auto turned = TRY(with_changed_strokes(std::move(state), edit.strokes,
+                                           [](Stroke const& drawn) -> Result<Stroke> {
+                                               return turned_round({ TRY(drawn.tips.in_memory()) });
+                                           }));
+    return with_other_strokes(std::move(turned), edit.strokes,
+                              [](variation::ShapingStroke& stroke) -> Result<void> {
+                                  stroke.is_drawn_reversed = !stroke.is_drawn_reversed;
+                                  return {};
+                              });
+}
+
+std::string described(TurnStroke const& edit)
+{
+    return fmt::format("turns stroke {} round", names_of(edit.strokes));
 }
 
 void list(Fields& fields, DeleteStroke& edit)
@@ -320,6 +347,9 @@ constexpr EditKind Oversketch::kKind
 
 constexpr EditKind SmoothStroke::kKind
     = make_edit_kind<SmoothStroke, list, applied, described>("smooth_stroke");
+
+constexpr EditKind TurnStroke::kKind
+    = make_edit_kind<TurnStroke, list, applied, described>("turn_stroke");
 
 constexpr EditKind DeleteStroke::kKind
     = make_edit_kind<DeleteStroke, list, applied, described>("delete_stroke");

@@ -2,6 +2,8 @@
 
 #include "engine/stroke/oversketch.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <utility>
 
@@ -50,6 +52,22 @@ private:
     std::vector<TipRange> ranges_;
 };
 
+class ReversedStroke final : public ElementSource<TipSample> {
+public:
+    explicit ReversedStroke(Tips::Source drawn)
+        : drawn_(std::move(drawn))
+    {
+    }
+
+    Result<std::vector<TipSample>> read() const override
+    {
+        return reversed_tips(TRY(drawn_->read()));
+    }
+
+private:
+    Tips::Source drawn_;
+};
+
 } // namespace
 
 Tips::Source redrawn_source(Tips::Source drawn, Tips::Source over)
@@ -64,6 +82,21 @@ Tips::Source erased_source(Tips::Source drawn, std::vector<TipRange> ranges)
     if (!drawn)
         return nullptr;
     return std::make_shared<ErasedStroke>(std::move(drawn), std::move(ranges));
+}
+
+Tips::Source reversed_source(Tips::Source drawn)
+{
+    if (!drawn)
+        return nullptr;
+    return std::make_shared<ReversedStroke>(std::move(drawn));
+}
+
+std::vector<TipSample> reversed_tips(std::vector<TipSample> tips)
+{
+    std::reverse(tips.begin(), tips.end());
+    for (std::size_t i = 0; i < tips.size() / 2; ++i)
+        std::swap(tips[i].time, tips[tips.size() - 1 - i].time);
+    return tips;
 }
 
 } // namespace tractus

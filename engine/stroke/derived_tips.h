@@ -22,4 +22,11 @@ SharedVector<TipSample>::Source redrawn_source(SharedVector<TipSample>::Source d
 SharedVector<TipSample>::Source erased_source(SharedVector<TipSample>::Source drawn,
                                               std::vector<TipRange> ranges);
 
+// Returns the source of a stroke that was reversed (reversed_tips()), where `drawn` is the source
+// of the original stroke. Returns null if `drawn` is null.
+SharedVector<TipSample>::Source reversed_source(SharedVector<TipSample>::Source drawn);
+
+// Returns the tips in reverse order, with their times in the original order.
+std::vector<TipSample> reversed_tips(std::vector<TipSample> tips);
+
 } // namespace tractus

@@ -55,6 +55,8 @@ struct ShapingStroke {
     StrokeFit fit = StrokeFit::Start;
     double detail_weight = 1;
     StrokeLaying laying = StrokeLaying::LeastTwist;
+    // True if `stroke` is the reverse of what the pen drew. Has no effect on branches.
+    bool is_drawn_reversed = false;
 };
 
 // Applies the shape of a stroke to branches.

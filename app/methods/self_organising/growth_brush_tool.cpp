@@ -4,11 +4,14 @@
 #include "app/methods/self_organising/prune_tool.h"
 #include "engine/base/check.h"
 #include "engine/methods/self_organising/life.h"
+#include "engine/stroke/foot_first.h"
+#include "engine/stroke/upright_sheet.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,7 +49,7 @@ constexpr std::array<tools::OptionWord, 2> kGirthWords { {
 } };
 
 // Option words, in the order of the enumeration What.
-constexpr std::array<tools::OptionWord, 10> kWhatWords { {
+constexpr std::array<tools::OptionWord, 11> kWhatWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },
     { "year", "A year by itself", nullptr, true },
@@ -57,6 +60,7 @@ constexpr std::array<tools::OptionWord, 10> kWhatWords { {
     { "from_year", "A year from it", nullptr, true },
     { "all_year", "A year for all", nullptr, true },
     { "all_ten_years", "Ten for all", nullptr, true },
+    { "turned", "Turn round", nullptr, true },
 } };
 
 void visit(tools::OptionVisitor& visitor, GrowthBrushTool& tool)
@@ -67,6 +71,7 @@ void visit(tools::OptionVisitor& visitor, GrowthBrushTool& tool)
     visitor.number({ "radius", "mm", 2, 200, 2, "Pressed" }, tool.most_radius_mm);
     visitor.choice({ kWhatWords }, tool.what);
     visit_girth(visitor, tool.girth);
+    tools::visit_base(visitor, tool.base);
 }
 
 Result<GrownTree const*> active_tree(scene::Scene const& scene)
@@ -123,6 +128,10 @@ Result<std::vector<scene::Edit>> edits_for(tools::Tool const& tool, Stroke const
     if (options.what == What::AllYear || options.what == What::AllTenYears)
         return std::vector<scene::Edit> { GrowStand { .years
                                                       = options.what == What::AllYear ? 1 : 10 } };
+    if (options.what == What::TurnRound) {
+        TRY(active_tree(scene));
+        return std::vector<scene::Edit> { TurnBrushStroke { scene.drawn->id } };
+    }
     auto const habit = habit_of(options.species, options.girth);
     if (options.what == What::FromYear)
         return std::vector { TRY(grow_from_active(scene, habit, { .years = 1 })) };
@@ -139,11 +148,26 @@ Result<std::vector<scene::Edit>> edits_for(tools::Tool const& tool, Stroke const
         .first = std::move(life.part) } };
 }
 
-std::string describe_grown(tools::Tool const&, scene::Scene const& after)
+// True if a brush stroke that begins a tree was drawn from the tree's top to its foot: it ends as
+// low as the other plants stand, or there are none.
+bool is_drawn_from_top(Stroke const& stroke, scene::Scene const& scene)
+{
+    std::optional<double> ground_mm;
+    for (auto const& plant : scene.state.plants)
+        ground_mm = std::min(ground_mm.value_or(plant->stands_at_mm.z()), plant->stands_at_mm.z());
+    return is_drawn_to_foot(plant_tips(stroke.tips.vector(), StrokeSurface::Space), ground_mm);
+}
+
+std::string describe_grown(tools::Tool const& tool, scene::Scene const& after)
 {
     auto const* const tree = grown_tree_of(after.drawn->source);
     if (!tree)
         return {};
+    if (tool.get<GrowthBrushTool>() && tool.get<GrowthBrushTool>()->what == What::TurnRound)
+        return "The brush's stroke is turned round";
+    if (tree->life.size() == 1 && tree->life.front().is_drawn_reversed)
+        return "The stroke ran from the tree's top to its foot and is turned round: \"Turn round\" "
+               "turns it back";
     int years = 0;
     for (auto const& part : tree->life)
         years += years_of(part);
@@ -218,6 +242,11 @@ Result<BrushStrokeLife> life_of_brush_stroke(GrowthBrushTool const& tool, Stroke
     bool const is_tree = !scene.plants.empty() && grown_tree_of(scene.drawn->source);
     if (tool.what == What::GoOn && is_tree && begins_on_plant(stroke, tool.most_radius_mm, scene))
         life.plant = scene.drawn->id;
+    bool const begins_tree = life.plant == 0 && tool.what != What::From;
+    if (tool.base == tools::StrokeBase::AtFoot && begins_tree && is_drawn_from_top(stroke, scene)) {
+        life.part.stroke = turned_round(stroke);
+        life.part.is_drawn_reversed = true;
+    }
     return life;
 }
 
@@ -232,7 +261,8 @@ constexpr tools::ToolKind GrowthBrushTool::kKind {
       "begins on it; at once a year or ten by itself, another species in the same volume, or "
       "another tree of this one; or the active plant of any method as it stands and as strokes "
       "have bent it, along a stroke or for a year by itself; or all trees of the drawing beside "
-      "each other, in each other's shade",
+      "each other, in each other's shade; a stroke from a tree's top to its foot is turned round, "
+      "or turned back at once",
     .group = "Sketch",
     .method = "Growth brush",
     .icon = "5953 5735 5673 162441618486",

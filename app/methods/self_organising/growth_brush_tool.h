@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/tools/stroke_base.h"
 #include "app/tools/tool.h"
 #include "engine/methods/self_organising/grown_tree.h"
 
@@ -56,8 +57,11 @@ struct GrowthBrushTool {
         FromYear,
         AllYear, // Needs no stroke: all trees of the drawing grow for a year, shading each other.
         AllTenYears, // Needs no stroke: like AllYear, for ten years.
+        TurnRound,   // Needs no stroke: regrows the active tree along its newest stroke, reversed.
     } what
         = What::GoOn;
+    // With StrokeBase::AtFoot, a stroke that begins a tree and runs down to the ground is reversed.
+    tools::StrokeBase base = tools::StrokeBase::AtFoot;
 };
 
 // Passes the choice of a species to a visitor of options.

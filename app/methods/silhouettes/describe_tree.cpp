@@ -91,6 +91,11 @@ std::string describe_tree(tools::Tool const& tool, scene::Scene const& after)
     auto const* const tree = outlined_tree(*after.drawn);
     if (!tree)
         return {};
+    if (tool.get<OutlineTool>() && tool.get<OutlineTool>()->what == OutlineTool::What::TurnRound)
+        return "The line is turned round";
+    if (tree->turned_line != 0 && scene::edit_of_item(tree->turned_line) == after.state.last_edit)
+        return "The line ran from its tip to its foot and is turned round: touch it with \"Turn "
+               "round\" to turn it back";
     if (!tree->has_crown())
         return "A trunk stands: draw the outline of its crown around it, back to where you began";
     if (tree->is_leaf)

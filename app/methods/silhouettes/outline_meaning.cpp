@@ -5,6 +5,8 @@
 #include "engine/methods/silhouettes/trunk_reach.h"
 #include "engine/scene/paper.h"
 #include "engine/scene/picture_ground.h"
+#include "engine/stroke/foot_first.h"
+#include "engine/stroke/upright_sheet.h"
 
 #include <algorithm>
 #include <optional>
@@ -33,12 +35,12 @@ bool has_any_inside(std::vector<Vec2> const& outline, std::vector<Vec2> const& p
 }
 
 // True if the outline `points` belongs to the tree: it overlaps the crown or, if there is no crown
-// yet, contains a part of the trunk or (Reads::Closely) is just above the trunk.
+// yet, contains a part of the trunk or (since Reads::Closely) is just above the trunk.
 bool is_around(std::vector<Vec2> const& points, Drawing const& tree, OutlineTool::Reads reads)
 {
     if (tree.outline.empty())
         return has_any_inside(points, tree.trunk)
-            || (reads == OutlineTool::Reads::Closely && extension_into_crown(tree.trunk, points));
+            || (reads >= OutlineTool::Reads::Closely && extension_into_crown(tree.trunk, points));
     auto const& crown = tree.outline.front();
     return is_inside(crown, box_of(points).middle()) || is_inside(points, box_of(crown).middle());
 }
@@ -55,17 +57,22 @@ bool is_trunk_of_crown(Drawing const& tree, std::vector<Vec2> const& points)
     return begins_below && (is_inside(crown, points.back()) || extension_into_crown(points, crown));
 }
 
-// The part of a tree's drawing that an open line is; no value if the line does not belong to the
-// tree.
-std::optional<Part> part_on(Drawing const& tree, Vec2 const& foot, std::vector<Vec2> const& points)
+// Largest gap at which two lines count as touching, in millimetres.
+double touching_mm(Drawing const& tree)
 {
-    // Largest gap at which two lines count as touching, as a share of the diagonal of the drawing's
-    // bounding box.
+    // As a share of the diagonal of the drawing's bounding box.
     constexpr double kNear = 0.08;
     auto all = tree.trunk;
     if (!tree.outline.empty())
         all.insert(all.end(), tree.outline[0].begin(), tree.outline[0].end());
-    double const near_mm = kNear * box_of(all).diagonal();
+    return kNear * box_of(all).diagonal();
+}
+
+// The part of a tree's drawing that an open line is; no value if the line does not belong to the
+// tree.
+std::optional<Part> part_on(Drawing const& tree, Vec2 const& foot, std::vector<Vec2> const& points)
+{
+    double const near_mm = touching_mm(tree);
     if ((points.front() - foot).norm() <= near_mm)
         return Part::Trunk;
     if (tree.outline.empty())
@@ -98,7 +105,7 @@ Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const&
     auto const drawing = TRY(drawing_of(tree));
     if (!is_closed_stroke(points)) {
         auto part = part_on(drawing, TRY(foot_of(tree)), points);
-        if (!part && tool.reads == OutlineTool::Reads::Closely
+        if (!part && tool.reads >= OutlineTool::Reads::Closely
             && is_trunk_of_crown(drawing, points))
             part = Part::Trunk;
         bool const may_be_borne = branches != OutlineTool::Branches::OfTrunk && part != Part::Trunk;
@@ -109,6 +116,41 @@ Result<std::optional<Part>> part_of_tree(OutlinedTree const& tree, Stroke const&
     if (TRY(branch_outlined_by(tree, stroke, search)))
         return Part::OwnOutline;
     return is_around(points, drawing, tool.reads) ? std::optional(Part::Outline) : std::nullopt;
+}
+
+// True if an open line was drawn from tip to foot: it ends where the tree's trunk stands, comes
+// down from the crown that has no trunk yet, or ends on the trunk that is to bear it.
+bool is_from_tip(Drawing const& tree, Vec2 const& foot, std::vector<Vec2> const& points)
+{
+    auto const near_mm = touching_mm(tree);
+    auto const reversed = std::vector(points.rbegin(), points.rend());
+    if (tree.trunk.empty())
+        return !is_trunk_of_crown(tree, points) && is_trunk_of_crown(tree, reversed);
+    bool const redraws_trunk
+        = (points.back() - foot).norm() <= near_mm && (points.front() - foot).norm() > 2 * near_mm;
+    if (redraws_trunk)
+        return true;
+    auto const off = [&](Vec2 const& place) { return distance_to_line(place, tree.trunk); };
+    return !tree.outline.empty() && off(points.back()) <= near_mm / 2
+        && off(points.front()) > 2 * near_mm && is_inside(tree.outline[0], points.back());
+}
+
+// True if the tool's stroke is an open line that was drawn from tip to foot: one of the tree, or
+// the trunk of a new tree.
+Result<bool> is_drawn_from_tip(OutlineTool const& tool, Stroke const& stroke,
+                               scene::Scene const& scene)
+{
+    auto const points = points_of(stroke);
+    if (is_touch(points) || is_closed_stroke(points))
+        return false;
+    auto const* const tree = outlined_tree(*scene.drawn);
+    if (tree && tool.what != What::New) {
+        if (is_from_tip(TRY(drawing_of(*tree)), TRY(foot_of(*tree)), points))
+            return true;
+        if (TRY(part_of_tree(*tree, stroke, tool)))
+            return false;
+    }
+    return is_drawn_to_foot(plant_tips(stroke.tips.vector(), StrokeSurface::Paper), {});
 }
 
 // Length in millimetres by which the trunk is continued into the crown after a line with the role
@@ -200,7 +242,7 @@ void stand_on_ground(DrawTree& edit, scene::GroundPlace const& place, scene::Sce
 // Makes a new tree take the style of the nearest tree, unless the user chose a form or numbers.
 void take_nearest_style(DrawTree& edit, OutlineTool const& tool, scene::Scene const& scene)
 {
-    if (tool.reads != OutlineTool::Reads::Closely || !is_usual(edit.form))
+    if (tool.reads < OutlineTool::Reads::Closely || !is_usual(edit.form))
         return;
     edit.takes_style = true;
     auto const source = nearest_with_style(scene.state, edit.stands_at_mm, 0);
@@ -241,6 +283,14 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
     if (points.size() < 2)
         return fail(Fault::User,
                     "a dot is no part of a tree: draw its trunk, or the outline of its crown");
+    if (tool.reads >= OutlineTool::Reads::FootFirst
+        && TRY(is_drawn_from_tip(tool, stroke, scene))) {
+        auto as_drawn = tool;
+        as_drawn.reads = OutlineTool::Reads::Closely;
+        auto turned = TRY(drawn_tree(as_drawn, turned_round(stroke), scene));
+        turned.is_drawn_reversed = true;
+        return turned;
+    }
     DrawTree edit { .stroke = stroke, .is_leaf = tool.what == What::Leaf };
     auto const* const tree = outlined_tree(*scene.drawn);
     if (tree && tool.what != What::New)
@@ -250,7 +300,7 @@ Result<DrawTree> drawn_tree(OutlineTool const& tool, Stroke const& stroke,
                 edit.style_to = tool.style;
                 edit.search = search_of(tool.branches);
             }
-            if (tool.reads == OutlineTool::Reads::Closely)
+            if (tool.reads >= OutlineTool::Reads::Closely)
                 edit.trunk_goes_on_mm = TRY(trunk_reach(*tree, *part, points));
             edit.plant = scene.drawn->id;
             return edit;
@@ -281,7 +331,7 @@ Result<std::optional<scene::Edit>> declared_leaf(OutlineTool const& tool, Stroke
     auto const* const around = id ? outline_of(*tree, *id) : nullptr;
     if (around && around->is_leaf)
         return no_leaf_any_more(scene.drawn->id, *around);
-    if (tool.reads == OutlineTool::Reads::Closely && tree->has_crown() && !tree->is_leaf)
+    if (tool.reads >= OutlineTool::Reads::Closely && tree->has_crown() && !tree->is_leaf)
         if (auto const on_bump = TRY(leaf_on_bump(*tree, stroke, search_of(tool.branches))))
             return TRY(declared_on(*on_bump, tool, stroke, scene));
     if (!id)
@@ -295,6 +345,48 @@ Result<ChooseStyles> copied_styles(Stroke const& stroke, scene::Scene const& sce
 {
     auto const* const tree = TRY(active_tree(scene));
     return ChooseStyles { scene.drawn->id, TRY(styles_copied_by(*tree, stroke)) };
+}
+
+Result<std::vector<scene::Edit>> turned_line(OutlineTool const& tool, Stroke const& touch,
+                                             scene::Scene const& scene)
+{
+    constexpr double kNear_mm = 6;
+    auto const* const tree = TRY(active_tree(scene));
+    auto as_drawn = *tree;
+    as_drawn.trunk_goes_on_mm = 0;
+    auto const drawing = TRY(drawing_of(as_drawn));
+    auto const points = points_of(touch);
+    double nearest_mm = kNear_mm;
+    Stroke const* line = nullptr;
+    std::optional<EraseTreePart> erased;
+    auto const look_at = [&](std::vector<Vec2> const& at, Stroke const& drawn,
+                             std::optional<EraseTreePart> const& erase) {
+        if (points.empty() || at.empty() || distance_to_line(points.back(), at) > nearest_mm)
+            return;
+        nearest_mm = distance_to_line(points.back(), at);
+        line = &drawn;
+        erased = erase;
+    };
+    auto const plant = scene.drawn->id;
+    look_at(drawing.trunk, tree->trunk, std::nullopt);
+    for (std::size_t i = 0; i < tree->branches.size(); ++i)
+        look_at(drawing.branches[i], tree->branches[i].stroke,
+                EraseTreePart { plant, Part::Branch, tree->branches[i].id });
+    for (std::size_t i = 0; i < tree->own_branches.size(); ++i)
+        look_at(drawing.own_branches[i].line, tree->own_branches[i].stroke,
+                EraseTreePart { plant, Part::OwnBranch, tree->own_branches[i].id });
+    if (!line)
+        return fail(Fault::User,
+                    "there is no trunk or branch of the tree's drawing here: touch one");
+    if (!erased)
+        return std::vector<scene::Edit> { DrawTree {
+            .part = Part::Trunk, .stroke = turned_round(*line), .plant = plant } };
+    auto reading = tool;
+    reading.what = What::GoOn;
+    reading.reads = OutlineTool::Reads::Closely;
+    auto const without = TRY(scene::apply_edit(scene, *erased));
+    return std::vector<scene::Edit> { *erased,
+                                      TRY(drawn_tree(reading, turned_round(*line), without)) };
 }
 
 Result<OutlinedTree> tree_with(DrawTree const& edit, scene::Scene const& scene)

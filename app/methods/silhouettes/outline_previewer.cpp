@@ -32,6 +32,8 @@ public:
         if (stroke.ink.empty() || (stroke.ink.size() < 2 && !scene.state.picture))
             return {};
         auto const what = stroke.tool.get<OutlineTool>()->what;
+        if (what == OutlineTool::What::TurnRound)
+            return {};
         if (what == OutlineTool::What::Carry)
             return copied(stroke.ink, scene);
         // An open line of the leaf option takes effect only when it ends, so there is nothing to

@@ -17,13 +17,14 @@ namespace {
 using What = OutlineTool::What;
 
 // Option words, in the order of the enumeration What.
-constexpr std::array<tools::OptionWord, 8> kWords { {
+constexpr std::array<tools::OptionWord, 9> kWords { {
     { "go_on", "Go on" },
     { "new", "New tree" },
     { "carry", "Carry a style" },
     { "split", "Split a bump", "Touch a bump to split it" },
     { "join", "Join bumps", "Touch between two bumps to join them" },
     { "leaf", "Leaf", "Outline a leaf, or touch a bump or an outline" },
+    { "turned", "Turn round", "Touch a trunk or branch to turn it round" },
     { "form", "To this tree", nullptr, true },
     { "reseed", "Another one", nullptr, true },
 } };
@@ -59,9 +60,10 @@ constexpr std::array<tools::OptionWord, 3> kStyleWords { {
 } };
 
 // Option words, in the order of OutlineTool::Reads.
-constexpr std::array<tools::OptionWord, 2> kReadsWords { {
+constexpr std::array<tools::OptionWord, 3> kReadsWords { {
     { "as_at_first", "as at first" },
     { "closely", "closely" },
+    { "foot_first", "closely, foot first" },
 } };
 
 // Option words, in the order of OutlineTool::SeenFor.
@@ -142,6 +144,8 @@ Result<std::vector<scene::Edit>> draw(tools::Tool const& tool, Stroke const& str
     if (options.what == What::Leaf)
         if (auto const declared = TRY(declared_leaf(options, stroke, scene)))
             return std::vector<scene::Edit> { *declared };
+    if (options.what == What::TurnRound)
+        return turned_line(options, stroke, scene);
     return std::vector<scene::Edit> { TRY(drawn_tree(options, stroke, scene)) };
 }
 
@@ -193,7 +197,9 @@ constexpr tools::ToolKind OutlineTool::kKind {
       "touch on a bump of an outline splits it in two, one between two bumps joins them, and "
       "an outline may be a leaf, which a touch inside declares it or takes back; a touch on a "
       "crown in the picture behind is its outline; read closely, a trunk that ends just below a "
-      "crown is its trunk, and a touch on a bump declares that a leaf; in a ready form, or with so "
+      "crown is its trunk, and a touch on a bump declares that a leaf; foot first, a line from "
+      "tip to foot is turned round, and a touch turns a trunk or branch round; in a ready form, or "
+      "with so "
       "many levels of branches, so many times as many as usual that nobody draws, so many leaves "
       "on a twig; with whole nodes, so that the branches of a whorl or a pair stand together, and "
       "filled by "

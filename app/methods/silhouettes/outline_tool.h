@@ -44,8 +44,9 @@ struct OutlineTool {
         // A closed line is the outline of a leaf. A touch turns a bump into a leaf, or a leaf back
         // into a bump; a touch that is not on a bump does so with the outline around it.
         Leaf,
-        Form,   // Needs no stroke: applies the tool's form and numbers to the active tree.
-        Reseed, // Needs no stroke: redoes the active tree's random decisions with another seed.
+        TurnRound, // Reverses the trunk or drawn branch that the pen touches.
+        Form,      // Needs no stroke: applies the tool's form and numbers to the active tree.
+        Reseed,    // Needs no stroke: redoes the active tree's random decisions with another seed.
     } what
         = What::GoOn;
 
@@ -64,8 +65,10 @@ struct OutlineTool {
         // drawn into a crown without a trunk. A touch that declares a leaf applies to a bump if it
         // is on one (bump_leaf.h).
         Closely,
+        // As Closely; a trunk or branch that was drawn from its tip to its foot is reversed.
+        FootFirst,
     } reads
-        = Reads::Closely;
+        = Reads::FootFirst;
 
     NodesOption nodes = NodesOption::Whole;
     FillsOption fills = FillsOption::BySpecies;

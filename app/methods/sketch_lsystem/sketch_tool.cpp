@@ -5,8 +5,8 @@
 #include "app/methods/sketch_lsystem/sketch_options.h"
 #include "app/methods/sketch_lsystem/sketch_previewer.h"
 #include "engine/methods/sketch_lsystem/change_edits.h"
-#include "engine/methods/sketch_lsystem/foot_first.h"
 #include "engine/scene/paper.h"
+#include "engine/stroke/foot_first.h"
 
 #include <algorithm>
 #include <utility>
@@ -77,8 +77,8 @@ Result<std::vector<scene::Edit>> turn_round(scene::Scene const& scene)
 {
     auto const grown = TRY(grown_last(scene));
     return std::vector<scene::Edit> { sketch::RedrawSketch {
-        scene.drawn->id, grown.part, grown.sketch->surface,
-        sketch::turned_round(grown.sketch->stroke), !grown.sketch->is_drawn_reversed } };
+        scene.drawn->id, grown.part, grown.sketch->surface, turned_round(grown.sketch->stroke),
+        !grown.sketch->is_drawn_reversed } };
 }
 
 // Message for the user if the stroke was reversed, and how to reverse it again; otherwise empty.
@@ -199,9 +199,9 @@ static void stand_at_foot(sketch::GrowAlongStroke& edit, SketchTool const& tool,
             ground_mm
                 = std::min(ground_mm.value_or(plant->stands_at_mm.z()), plant->stands_at_mm.z());
     edit.is_drawn_reversed
-        = sketch::is_drawn_to_foot(plant_tips(edit.stroke.tips.vector(), edit.surface), ground_mm);
+        = is_drawn_to_foot(plant_tips(edit.stroke.tips.vector(), edit.surface), ground_mm);
     if (edit.is_drawn_reversed)
-        edit.stroke = sketch::turned_round(edit.stroke);
+        edit.stroke = turned_round(edit.stroke);
 }
 
 Result<sketch::GrowAlongStroke> grown_along(SketchTool const& tool, Stroke const& stroke,

@@ -22,6 +22,7 @@ bool same_part(LifePeriod const& one, LifePeriod const& other)
         && one.stroke.tips.id() == other.stroke.tips.id()
         && one.min_radius_mm == other.min_radius_mm && one.most_radius_mm == other.most_radius_mm
         && one.waits_outside == other.waits_outside
+        && one.is_drawn_reversed == other.is_drawn_reversed
         && one.seconds_per_year == other.seconds_per_year && one.stands_at_mm == other.stands_at_mm
         && one.scale == other.scale && one.stand == other.stand
         && one.place_in_stand == other.place_in_stand;

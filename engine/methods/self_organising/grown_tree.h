@@ -40,6 +40,9 @@ struct LifePeriod {
     bool waits_outside = false; // See BrushSweep::waits_outside.
     // Seconds of drawing that count as one year; 0: the years divide the stroke's duration evenly.
     double seconds_per_year = 0;
+    // True if the stroke was drawn from the tree's top to its foot, so that `stroke` is its reverse
+    // (foot_first.h).
+    bool is_drawn_reversed = false;
     // The tree's position and scale (world millimetres per plant millimetre) when the stroke was
     // drawn. The edit that adds the period sets both.
     Vec3 stands_at_mm = Vec3::Zero();
@@ -104,6 +107,14 @@ struct ChangeHabit {
     scene::ItemId plant = 0;
     Habit habit {};
     std::uint64_t seed = 1;
+};
+
+// Edit: reverses the newest brush stroke along which a tree has grown, and regrows the tree. If it
+// is the stroke with which the tree began, the tree stands at the stroke's other end.
+struct TurnBrushStroke {
+    static scene::EditKind const kKind;
+
+    scene::ItemId plant = 0;
 };
 
 // The balls of the brush along a period's stroke, in the tree's frame. Fails if the stroke's

@@ -1,10 +1,13 @@
 #include "engine/methods/self_organising/grown_tree.h"
 #include "engine/scene/edit_words.h"
 #include "engine/scene/make_edit_kind.h"
+#include "engine/stroke/foot_first.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <fmt/core.h>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -44,6 +47,7 @@ void list_part(scene::Fields& fields, LifePeriod& part)
     fields.field("most_radius", &part.most_radius_mm);
     fields.field("waits_outside", &part.waits_outside);
     fields.sparse_field("seconds_per_year", &part.seconds_per_year);
+    fields.sparse_field("turned_round", &part.is_drawn_reversed);
     fields.numbers(part.stroke);
 }
 
@@ -222,6 +226,43 @@ Result<scene::DocumentState> applied(scene::DocumentState state, ChangeHabit con
     });
 }
 
+void list(scene::Fields& fields, TurnBrushStroke& edit)
+{
+    fields.field("plant", &edit.plant);
+}
+
+Result<scene::DocumentState> applied(scene::DocumentState state, TurnBrushStroke const& edit,
+                                     scene::SceneBuilder&)
+{
+    auto const number = TRY(scene::plant_number(state, edit.plant));
+    auto const* const tree = grown_tree_of(state.plants[number]->source);
+    std::optional<std::size_t> newest;
+    for (std::size_t i = 0; tree && i < tree->life.size(); ++i)
+        if (tree->life[i].kind == LifePeriod::Kind::Grow && !tree->life[i].stroke.tips.empty())
+            newest = i;
+    if (!newest)
+        return fail(Fault::User,
+                    fmt::format("plant {} has grown along no brush stroke that could be turned "
+                                "round",
+                                scene::name_of(edit.plant)));
+    auto part = tree->life[*newest];
+    part.stroke = turned_round({ TRY(part.stroke.tips.in_memory()) });
+    part.is_drawn_reversed = !part.is_drawn_reversed;
+    if (*newest == 0 && !tree->start) {
+        Vec3 const moved_mm = part.stroke.tips.front().position_mm - part.stands_at_mm;
+        part.stands_at_mm += moved_mm;
+        scene::change_plant(state, number,
+                            [&](scene::PlantState& plant) { plant.stands_at_mm += moved_mm; });
+    }
+    return changed(std::move(state), edit.plant,
+                   [&](GrownTree& grown) { grown.life[*newest] = std::move(part); });
+}
+
+std::string described(TurnBrushStroke const& edit)
+{
+    return fmt::format("turns the newest brush stroke of {} round", scene::name_of(edit.plant));
+}
+
 std::string described(ChangeHabit const& edit)
 {
     return fmt::format("lets {} grow again by the habit {}, seed {}", scene::name_of(edit.plant),
@@ -236,6 +277,8 @@ constexpr scene::EditKind GrowOn::kKind
     = scene::make_edit_kind<GrowOn, list, applied, described>("grow_on");
 constexpr scene::EditKind GrowFrom::kKind
     = scene::make_edit_kind<GrowFrom, list, applied, described>("grow_from", true);
+constexpr scene::EditKind TurnBrushStroke::kKind
+    = scene::make_edit_kind<TurnBrushStroke, list, applied, described>("turn_brush_stroke");
 constexpr scene::EditKind ChangeHabit::kKind
     = scene::make_edit_kind<ChangeHabit, list, applied, described>("change_habit");
 

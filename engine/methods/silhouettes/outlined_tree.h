@@ -88,6 +88,7 @@ struct OutlinedTree {
     // True: while the tree has no style of its own, its form takes the style of the nearest tree
     // that has one (nearest_style.h).
     bool takes_style = false;
+    scene::ItemId turned_line = 0; // Id of the newest line if it was reversed, otherwise 0.
     // Cache of inference results, shared by all versions of the tree; null: nothing is cached. Not
     // part of the tree's value.
     std::shared_ptr<InferredTrees> inferred {};

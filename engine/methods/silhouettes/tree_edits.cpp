@@ -47,6 +47,7 @@ void list(scene::Fields& fields, DrawTree& edit)
     fields.sparse_field("enlarged", &edit.enlarged);
     fields.sparse_field("trunk_goes_on_mm", &edit.trunk_goes_on_mm);
     fields.sparse_field("takes_style", &edit.takes_style);
+    fields.sparse_field("turned_round", &edit.is_drawn_reversed);
     fields.id(edit.id);
     fields.numbers(edit.stroke);
 }
@@ -277,7 +278,8 @@ std::string described(DrawTree const& edit)
                                    ", in whose style its siblings and those below are" };
     auto const* const style = kStyles[static_cast<std::size_t>(edit.style_to)];
     auto const* const reach = edit.trunk_goes_on_mm > 0 ? ", the trunk going on into it" : "";
-    return fmt::format("draws {} for {}{}{}: {}", what, whose, style, reach,
+    return fmt::format("draws {} for {}{}{}{}: {}", what, whose, style, reach,
+                       edit.is_drawn_reversed ? ", turned round" : "",
                        scene::describe_stroke(edit.stroke));
 }
 
@@ -328,6 +330,7 @@ std::string described(FormTree const& edit)
 
 Result<OutlinedTree> with_part(OutlinedTree tree, DrawTree const& edit, scene::ItemId id)
 {
+    tree.turned_line = edit.is_drawn_reversed ? id : 0;
     switch (edit.part) {
     case DrawTree::Part::Trunk:
         tree.trunk = edit.stroke;

@@ -49,6 +49,8 @@ struct DrawTree {
     // World millimetres per millimetre of the paper, for a new tree that was drawn smaller because
     // it is farther away (picture_ground.h). 0: shown as large as drawn.
     double enlarged = 0;
+    // True if the line was drawn from tip to foot, so that `stroke` is its reverse (foot_first.h).
+    bool is_drawn_reversed = false;
     // Id of the plant or part, used in the names of new branches; 0: none assigned yet.
     scene::ItemId id = 0;
 };

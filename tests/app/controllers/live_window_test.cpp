@@ -70,7 +70,7 @@ TEST(LiveWindow, RecordsWhatReplaysToTheSame)
               tools::print_min_extents(tools::usual_min_extents(methods::all_methods().tools)));
     EXPECT_EQ(log.tools[1].tool, "draw_in_order")
         << "for programs that do not know the line before";
-    EXPECT_EQ(log.tools[1].arguments, "heading") << "by which law it draws";
+    EXPECT_EQ(log.tools[1].arguments, "heading from_foot") << "by which law it draws";
     EXPECT_EQ(log.tools[2].tool, "indicate");
     EXPECT_TRUE(calib::parse_rig(log.rig_text, "log"));
     fs::remove(path);

@@ -17,7 +17,7 @@ TEST(SimulatedRecording, HasTwoDevicesARigAndAToolForEachGesture)
     ASSERT_EQ(log.tools.size(), 3u);
     EXPECT_EQ(log.tools[0].tool, "select");
     EXPECT_EQ(log.tools[1].tool, "draw");
-    EXPECT_EQ(log.tools[1].arguments, "both heading") << "as a person draws now";
+    EXPECT_EQ(log.tools[1].arguments, "both heading from_foot") << "as a person draws now";
     EXPECT_EQ(log.tools[2].tool, "indicate");
 }
 

@@ -222,7 +222,8 @@ inline scene::Edit random_edit()
                                   random_enum<variation::StrokeFit>(3),
                                   random_double(),
                                   random_enum<variation::StrokeLaying>(2),
-                                  random_id() };
+                                  random_id(),
+                                  *rc::gen::arbitrary<bool>() };
     case 4:
         return scene::Oversketch { random_items(), random_stroke() };
     case 5:
@@ -248,6 +249,8 @@ inline scene::Edit random_edit()
                                   random_double(), random_double() };
     case 12:
         return random_measured();
+    case 13:
+        return scene::TurnStroke { random_items() };
     default:
         return random_plant_edit();
     }

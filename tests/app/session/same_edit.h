@@ -112,7 +112,8 @@ inline bool same(scene::Associate const& one, scene::Associate const& other)
 {
     return same(one.stroke, other.stroke) && one.propagation == other.propagation
         && one.fit == other.fit && same(one.detail_weight, other.detail_weight)
-        && one.laying == other.laying && one.id == other.id;
+        && one.laying == other.laying && one.id == other.id
+        && one.is_drawn_reversed == other.is_drawn_reversed;
 }
 
 inline bool same(scene::Oversketch const& one, scene::Oversketch const& other)
@@ -123,6 +124,11 @@ inline bool same(scene::Oversketch const& one, scene::Oversketch const& other)
 inline bool same(scene::SmoothStroke const& one, scene::SmoothStroke const& other)
 {
     return same(one.strokes, other.strokes) && same(one.detail_weight, other.detail_weight);
+}
+
+inline bool same(scene::TurnStroke const& one, scene::TurnStroke const& other)
+{
+    return same(one.strokes, other.strokes);
 }
 
 inline bool same(scene::DeleteStroke const& one, scene::DeleteStroke const& other)
@@ -215,7 +221,8 @@ inline bool same(scene::DrawLimb const& one, scene::DrawLimb const& other)
     return one.plant == other.plant && one.at == other.at && same(one.joint, other.joint)
         && same(one.joint_mm, other.joint_mm) && same(one.turn_rad, other.turn_rad)
         && same(one.scale, other.scale) && same(one.width_mm, other.width_mm)
-        && same(one.stroke, other.stroke) && one.id == other.id;
+        && same(one.stroke, other.stroke) && one.id == other.id
+        && one.is_drawn_reversed == other.is_drawn_reversed;
 }
 
 inline bool same(scene::EraseLimb const& one, scene::EraseLimb const& other)
@@ -256,7 +263,8 @@ inline bool same(scene::Edit const& one, scene::Edit const& other)
         || same_of<scene::SetScale>(one, other) || same_of<scene::GraftPlant>(one, other)
         || same_of<scene::TakeOffGraft>(one, other) || same_of<scene::HideBranch>(one, other)
         || same_of<scene::DrawLimb>(one, other) || same_of<scene::EraseLimb>(one, other)
-        || same_of<scene::DeriveAnew>(one, other) || same_of<scene::UnknownEdit>(one, other);
+        || same_of<scene::DeriveAnew>(one, other) || same_of<scene::TurnStroke>(one, other)
+        || same_of<scene::UnknownEdit>(one, other);
 }
 
 } // namespace tractus::session

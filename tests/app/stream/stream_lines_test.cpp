@@ -53,7 +53,8 @@ TEST(StreamLines, HaveAStrokeWithWhatItIsFor)
     stroke.stroke.tips.push_back(
         { .time = timestamp_ns(6'000'000), .position_mm = { 4, 5, 6.0006 }, .pressure = 1 });
     EXPECT_EQ(stroke_line(7, stroke),
-              "{\"type\":\"stroke\",\"number\":7,\"tool\":\"draw\",\"arguments\":\"both heading\","
+              "{\"type\":\"stroke\",\"number\":7,\"tool\":\"draw\",\"arguments\":\"both heading "
+              "from_foot\","
               "\"eraser\":false,\"tips\":[[1.000,2.000,3.000,0.5000,0.001000000],"
               "[4.000,5.000,6.001,1.0000,0.006000000]]}\n");
 }

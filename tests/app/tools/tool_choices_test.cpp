@@ -49,7 +49,7 @@ TEST(ToolChoices, OfferTheMethodsOfAGroupAndTheToolsOfOne)
     EXPECT_EQ(
         buttons(Tool(*find_tool_kind(tools, "arrange"))),
         "Along a stroke, From an outline*, Growth brush, From lines, A leaf, | Go on, New tree, "
-        "Carry a style, Split a bump, Join bumps, Leaf, | To this tree!, Another one!, "
+        "Carry a style, Split a bump, Join bumps, Leaf, Turn round, | To this tree!, Another one!, "
         "Crown in space, Erase in space, | Around the trunk*, Around branches, "
         "| Next!, Even!, Spiral!, "
         "Decussate!, Whorls!, Two rows!, Horizontal!, | In a whorl 3##whorl, Erase, ");
@@ -87,15 +87,16 @@ TEST(ToolChoices, OfferAllThatTheToolInHandMayMean)
     EXPECT_EQ(
         buttons(Tool(*tools[0])),
         "Branch by branch*, | From its base*, Base to tip, As it lies, Selected, All it bears, "
-        "Both, New limb, | Redraw, Smooth!, Take away!, ");
+        "Both, New limb, | Redraw, Smooth!, Turn round!, Take away!, ");
     EXPECT_EQ(
         buttons(DrawTool { variation::Propagation::Both, variation::StrokeFit::World }),
         "Branch by branch, Selected, All it bears, Both*, | From its base, Base to tip, As it "
-        "lies*, New limb, | Redraw, Smooth!, Take away!, ");
+        "lies*, New limb, | Redraw, Smooth!, Turn round!, Take away!, ");
     EXPECT_EQ(buttons(SelectTool {}),
               "Path*, By its ends, Add, Take, Whole order, All alike, | Invert!, Nothing!, ");
-    EXPECT_EQ(buttons(Tool(*find_tool_kind(tools, "move_indicator"))),
-              "Everywhere, Selected and above, Near it, | Wind, Light, | Move*, Remove, ");
+    EXPECT_EQ(
+        buttons(Tool(*find_tool_kind(tools, "move_indicator"))),
+        "Everywhere, Selected and above, Near it, | Wind, Light, | Move*, Turn round, Remove, ");
     EXPECT_EQ(buttons(EraseTool {}), "Whole strokes*, What it touches, ");
 }
 

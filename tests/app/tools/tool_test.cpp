@@ -5,6 +5,7 @@
 #include "app/methods/indicators/delete_indicator_tool.h"
 #include "app/methods/indicators/indicate_tool.h"
 #include "app/methods/indicators/move_indicator_tool.h"
+#include "app/methods/indicators/turn_indicator_tool.h"
 #include "app/tools/delete_tool.h"
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/draw_tool.h"
@@ -13,6 +14,7 @@
 #include "app/tools/oversketch_tool.h"
 #include "app/tools/select_tool.h"
 #include "app/tools/smooth_tool.h"
+#include "app/tools/turn_stroke_tool.h"
 #include "app/tools/underground.h"
 #include "engine/plant/join_axes.h"
 #include "engine/scene/scene_shaper.h"
@@ -156,14 +158,14 @@ TEST(DrawTool, LaysByHeadingInHandAndByLeastTwistInOlderLogs)
     using variation::StrokeLaying;
     EXPECT_EQ(DrawTool {}.laying, StrokeLaying::HeadingAndPitch);
     EXPECT_EQ(DrawInOrderTool {}.laying, StrokeLaying::HeadingAndPitch);
-    EXPECT_EQ(words_for(DrawTool { variation::Propagation::Both }).arguments, "both heading");
+    EXPECT_EQ(words_for(DrawTool { variation::Propagation::Both }).arguments, "both heading from_foot");
     EXPECT_EQ(parse_tool(tools(), "draw", "both")->get<DrawTool>()->laying,
               StrokeLaying::LeastTwist);
     EXPECT_EQ(default_tool_of_kind(DrawInOrderTool::kKind).get<DrawInOrderTool>()->laying,
               StrokeLaying::LeastTwist);
-    EXPECT_EQ(words_of_selected_tool(tools(), "draw", "both chord"), "both chord heading");
+    EXPECT_EQ(words_of_selected_tool(tools(), "draw", "both chord"), "both chord heading from_foot");
     EXPECT_EQ(words_of_selected_tool(tools(), "draw", "both least_twist"), "both least_twist");
-    EXPECT_EQ(words_of_selected_tool(tools(), "draw_in_order", ""), "heading");
+    EXPECT_EQ(words_of_selected_tool(tools(), "draw_in_order", ""), "heading from_foot");
     EXPECT_EQ(words_of_selected_tool(tools(), "select", "path"), "path");
     auto scene = small_scene();
     select(scene, { segments_of(scene.base->axes[1]) });
@@ -307,6 +309,11 @@ TEST(IndicatorTools, MoveAndDeleteTheOneWhereTheyBegin)
     auto const moved = edits_of(indicators::MoveIndicatorTool {}, move, scene).value();
     scene = scene::apply_edit(scene, moved[0]).value();
     EXPECT_EQ(scene.indicators[0].what.start_mm, Vec3(0, 0, 160));
+    auto const touch = stroke_through({ { 50, 5, 160 }, { 50, 5, 160 } });
+    auto const turned = edits_of(indicators::TurnIndicatorTool {}, touch, scene).value();
+    scene = scene::apply_edit(scene, turned[0]).value();
+    EXPECT_EQ(scene.indicators[0].what.start_mm, Vec3(100, 0, 160));
+    EXPECT_EQ(scene.indicators[0].what.end_mm, Vec3(0, 0, 160));
     // The stroke begins beside the indicator's new position, so it deletes nothing.
     EXPECT_FALSE(edits_of(indicators::DeleteIndicatorTool {}, move, scene));
     auto const there = stroke_through({ { 90, 0, 161 }, { 95, 0, 161 } });
@@ -320,7 +327,8 @@ TEST(StrokeTools, EditTheStrokesOfTheSelectedBranch)
 {
     auto scene = small_scene();
     auto const up = stroke_through({ { 0, 0, 0 }, { 0, 0, 100 } });
-    for (auto const& tool : { Tool(OversketchTool {}), Tool(SmoothTool {}), Tool(DeleteTool {}) })
+    for (auto const& tool : { Tool(OversketchTool {}), Tool(SmoothTool {}), Tool(TurnStrokeTool {}),
+                              Tool(DeleteTool {}) })
         EXPECT_FALSE(edits_of(tool, up, scene));
     select(scene, { segments_of(scene.base->axes[0]) });
     EXPECT_TRUE(document::draw(up, DrawTool {}, scene).refusal.empty());
@@ -330,6 +338,14 @@ TEST(StrokeTools, EditTheStrokesOfTheSelectedBranch)
     EXPECT_EQ(scene.associations[0].what.stroke.tips.back().position_mm, Vec3(60, 0, 90));
     EXPECT_TRUE(document::draw(up, SmoothTool {}, scene).refusal.empty());
     EXPECT_EQ(scene.associations[0].what.detail_weight, 0);
+    // Turning a stroke round twice restores the branch.
+    auto const first_mm = scene.associations[0].what.stroke.tips.front().position_mm;
+    EXPECT_TRUE(document::draw(up, TurnStrokeTool {}, scene).refusal.empty());
+    EXPECT_EQ(scene.associations[0].what.stroke.tips.back().position_mm, first_mm);
+    EXPECT_TRUE(scene.associations[0].what.is_drawn_reversed);
+    EXPECT_TRUE(document::draw(up, TurnStrokeTool {}, scene).refusal.empty());
+    EXPECT_EQ(scene.associations[0].what.stroke.tips.front().position_mm, first_mm);
+    EXPECT_FALSE(scene.associations[0].what.is_drawn_reversed);
     EXPECT_TRUE(document::draw(up, DeleteTool {}, scene).refusal.empty());
     EXPECT_TRUE(scene.associations.empty());
     EXPECT_FALSE(document::draw(up, DeleteTool {}, scene).refusal.empty());

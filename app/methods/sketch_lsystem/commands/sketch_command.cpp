@@ -23,10 +23,10 @@
 #include "engine/base/file.h"
 #include "engine/lsystem/view/leaf_sheet.h"
 #include "engine/methods/sketch_lsystem/drawn_axis.h"
-#include "engine/methods/sketch_lsystem/foot_first.h"
 #include "engine/methods/sketch_lsystem/grow_edit.h"
 #include "engine/methods/sketch_lsystem/stroke_resampler.h"
 #include "engine/scene/scene.h"
+#include "engine/stroke/foot_first.h"
 #include "engine/stroke/upright_sheet.h"
 
 #include <cmath>
@@ -98,9 +98,9 @@ Result<FootFirst> stroke_from_foot(SketchArguments const& arguments)
     auto const surface = resolve_surface(stroke.tips, surface_for(arguments));
     bool const is_drawn_reversed = arguments.stands == "end"
         || (arguments.stands == "foot"
-            && sketch::is_drawn_to_foot(plant_tips(stroke.tips.vector(), surface), {}));
+            && is_drawn_to_foot(plant_tips(stroke.tips.vector(), surface), {}));
     if (is_drawn_reversed)
-        stroke = sketch::turned_round(stroke);
+        stroke = turned_round(stroke);
     return FootFirst { std::move(stroke), surface, is_drawn_reversed };
 }
 

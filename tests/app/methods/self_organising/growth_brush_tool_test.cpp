@@ -63,6 +63,44 @@ TEST(GrowthBrushTool, HasAHabitForEachOfItsWords)
     EXPECT_EQ(habit_texts().size(), 16U);
 }
 
+// Returns the stroke from its last position to its first.
+Stroke from_top(Stroke const& stroke)
+{
+    std::vector<TipSample> tips(stroke.tips.begin(), stroke.tips.end());
+    for (std::size_t i = 0; i < tips.size(); ++i)
+        tips[i].position_mm = stroke.tips[tips.size() - 1 - i].position_mm;
+    return { std::move(tips) };
+}
+
+TEST(GrowthBrushTool, ATreeBegunAtItsTopStandsOnTheGround)
+{
+    auto const stroke = drawn_stroke(Vec3(30, 0, 0));
+    auto const usual = drawn({}, {}, stroke);
+    auto const turned = drawn({}, {}, from_top(stroke));
+    EXPECT_EQ(turned.state.plants[0]->stands_at_mm, Vec3(30, 0, 0));
+    EXPECT_EQ(turned.base->node_position_mm, usual.base->node_position_mm);
+    auto const told = [](scene::Scene const& scene, GrowthBrushTool const& tool) {
+        return GrowthBrushTool::kKind.describe(tools::Tool(tool), scene);
+    };
+    EXPECT_NE(told(turned, {}).find("turned round"), std::string::npos);
+    EXPECT_EQ(told(usual, {}).find("turned round"), std::string::npos);
+    // One touch turns the stroke back, and another one turns it round again.
+    GrowthBrushTool const turn { .what = GrowthBrushTool::What::TurnRound };
+    auto const back = drawn(turned, turn);
+    EXPECT_EQ(back.state.plants[0]->stands_at_mm, Vec3(90, 0, 120));
+    EXPECT_EQ(
+        back.base->node_position_mm,
+        drawn({}, { .base = tools::StrokeBase::AsDrawn }, from_top(stroke)).base->node_position_mm);
+    EXPECT_EQ(drawn(back, turn).base->node_position_mm, usual.base->node_position_mm);
+    // A stroke that ends high above where other trees stand is a hanging one.
+    EXPECT_EQ(drawn(usual, { .what = GrowthBrushTool::What::New },
+                    from_top(drawn_stroke(Vec3(200, 0, 90))))
+                  .state.plants[1]
+                  ->stands_at_mm,
+              Vec3(260, 0, 210));
+    EXPECT_FALSE(tools::Tool(turn).edits_for({}, {}));
+}
+
 TEST(GrowthBrushTool, LogsOlderThanTheRingsKeepTheirTrees)
 {
     std::array const kinds { &GrowthBrushTool::kKind, &methods::FillCrownTool::kKind };

@@ -48,9 +48,9 @@ TEST(OutlineTool, SplitsAndJoinsBumps)
     auto const nodes = scene().base->node_position_mm;
     for (auto const& [what, more, place, words] :
          { std::tuple(What::Split, 1, Vec2(22, 32),
-                      "split of_any siblings closely whole_nodes fills_by_species"),
+                      "split of_any siblings foot_first whole_nodes fills_by_species"),
            std::tuple(What::Join, -1, Vec2(30, 10),
-                      "join of_any siblings closely whole_nodes fills_by_species") }) {
+                      "join of_any siblings foot_first whole_nodes fills_by_species") }) {
         auto const tool = with_what(what);
         EXPECT_EQ(tools::words_for(tool).arguments, words);
         EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, "outline", words).value(), tool);
@@ -105,7 +105,7 @@ TEST(OutlineTool, DeclaresOutlinesLeaves)
 {
     tools::Tool const leaf = with_what(OutlineTool::What::Leaf);
     EXPECT_EQ(tools::words_for(leaf).arguments,
-              "leaf of_any siblings closely whole_nodes fills_by_species");
+              "leaf of_any siblings foot_first whole_nodes fills_by_species");
     document::Document document({}, document::Document::Working::AtOnce);
     for (auto const& stroke : { trunk_at(0), crown_around(0, 10) })
         document.draw({ stroke, OutlineTool {} });

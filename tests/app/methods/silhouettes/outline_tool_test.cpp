@@ -5,6 +5,7 @@
 #include "app/methods/all_methods.h"
 #include "app/methods/construction_lines/line_tool.h"
 #include "app/methods/fill_crown_tool.h"
+#include "app/methods/leaves/leaf_line_tool.h"
 #include "app/methods/self_organising/growth_brush_tool.h"
 #include "app/methods/silhouettes/arrange_tool.h"
 #include "app/methods/silhouettes/crown_tool.h"
@@ -15,6 +16,7 @@
 #include "app/session/edit_record.h"
 #include "app/tools/draw_in_order_tool.h"
 #include "app/tools/draw_tool.h"
+#include "app/tools/limb_tool.h"
 #include "engine/methods/silhouettes/tree_preset.h"
 #include "tests/app/methods/silhouettes/drawn_trees.h"
 
@@ -32,8 +34,9 @@ TEST(OutlineTool, SaysItsNumbersInLogs)
 {
     OutlineTool const tool { .levels = 1, .leaves = 8, .what = OutlineTool::What::New };
     auto const words = tools::words_for(tool);
-    EXPECT_EQ(words.name + " " + words.arguments,
-              "outline levels=1 leaves=8 new of_any siblings closely whole_nodes fills_by_species");
+    EXPECT_EQ(
+        words.name + " " + words.arguments,
+        "outline levels=1 leaves=8 new of_any siblings foot_first whole_nodes fills_by_species");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(tool));
 }
@@ -83,10 +86,12 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
     // Without arguments, as in old logs, these tools differ from their present defaults: crowns had
     // incomplete nodes and were not filled by spacing, plants did not stand at the foot of a
     // stroke, rules had longer internodes, trees of a habit had no annual rings, construction
-    // lines had other depths and were read one by one, and strokes were not laid by heading. All
-    // other tools have the same defaults.
+    // lines had other depths and were read one by one, leaves were simple, and strokes were neither
+    // laid by heading nor reversed if they were drawn from tip to foot. All other tools have the
+    // same defaults.
     using Brush = self_organising::GrowthBrushTool;
     constexpr auto kMinTwist = variation::StrokeLaying::LeastTwist;
+    constexpr auto kAsDrawn = tools::StrokeBase::AsDrawn;
     for (auto const* const kind : tools) {
         auto const begun = kind == &OutlineTool::kKind ? tools::Tool(tool_of_old_logs())
             : kind == &CrownTool::kKind                ? tools::Tool(
@@ -97,15 +102,20 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
                                                .length_ratio = 0.9,
                                                .lateral_length = 0.62,
                                                .stands = sketch::SketchTool::Stands::AsDrawn })
-            : kind == &Brush::kKind ? tools::Tool(Brush { .girth = Brush::Girth::Pipe })
+            : kind == &Brush::kKind
+            ? tools::Tool(Brush { .girth = Brush::Girth::Pipe, .base = kAsDrawn })
             : kind == &methods::FillCrownTool::kKind
             ? tools::Tool(methods::FillCrownTool { .girth = Brush::Girth::Pipe })
+            : kind == &leaf::LeafLineTool::kKind
+            ? tools::Tool(leaf::LeafLineTool { .leaves = leaf::LeafLineTool::Leaves::Simple })
             : kind == &lines::LineTool::kKind ? tools::Tool(lines::LineTool {
                   .depth_by = lines::DepthBy::StemsHeight, .reading = lines::Reading::OneByOne })
-            : kind == &tools::DrawTool::kKind ? tools::Tool(tools::DrawTool { .laying = kMinTwist })
+            : kind == &tools::DrawTool::kKind
+            ? tools::Tool(tools::DrawTool { .laying = kMinTwist, .base = kAsDrawn })
             : kind == &tools::DrawInOrderTool::kKind
-            ? tools::Tool(tools::DrawInOrderTool { .laying = kMinTwist })
-            : tools::Tool(*kind);
+            ? tools::Tool(tools::DrawInOrderTool { .laying = kMinTwist, .base = kAsDrawn })
+            : kind == &tools::LimbTool::kKind ? tools::Tool(tools::LimbTool { .base = kAsDrawn })
+                                              : tools::Tool(*kind);
         EXPECT_EQ(tools::parse_tool(tools, kind->word, "").value(), begun) << kind->word;
     }
 }
@@ -249,7 +259,7 @@ TEST(OutlineTool, CarriesAStyle)
         document.draw({ stroke, OutlineTool { .style = silhouette::StyleScope::None } });
     OutlineTool const carrying { .what = OutlineTool::What::Carry };
     auto const words = tools::words_for(carrying);
-    EXPECT_EQ(words.arguments, "carry of_any siblings closely whole_nodes fills_by_species");
+    EXPECT_EQ(words.arguments, "carry of_any siblings foot_first whole_nodes fills_by_species");
     EXPECT_EQ(tools::parse_tool(methods::all_methods().tools, words.name, words.arguments).value(),
               tools::Tool(carrying));
     auto const tree = [&] { return *silhouette::outlined_tree(*document.newest()->scene.drawn); };
@@ -628,7 +638,7 @@ TEST(OutlineLayer, ShowsWhatWasSeenInTheOutline)
     EXPECT_FALSE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::Always }));
     EXPECT_TRUE(kTrianglesLayer.is_asked_for(OutlineTool { .seen = Seen::WithTriangles }));
     EXPECT_EQ(tools::words_for(OutlineTool { .seen = Seen::Always }).arguments,
-              "of_any siblings closely seen_stays whole_nodes fills_by_species");
+              "of_any siblings foot_first seen_stays whole_nodes fills_by_species");
 }
 
 } // namespace

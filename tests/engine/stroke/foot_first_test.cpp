@@ -1,4 +1,4 @@
-#include "engine/methods/sketch_lsystem/foot_first.h"
+#include "engine/stroke/foot_first.h"
 
 #include "engine/base/random.h"
 #include "tests/engine/methods/sketch_lsystem/strokes.h"
@@ -6,8 +6,13 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace tractus::sketch {
+namespace tractus {
 namespace {
+
+using sketch::bow;
+using sketch::half_circle;
+using sketch::polyline;
+using sketch::straight_stroke;
 
 std::vector<Vec3> reversed(std::vector<Vec3> line)
 {
@@ -34,6 +39,21 @@ TEST(FootFirst, LeavesWhatHangsAboveTheGround)
     auto const hanging = polyline({ { 0, 0, 300 }, { 5, 0, 200 } });
     EXPECT_FALSE(is_drawn_to_foot(hanging, 0));
     EXPECT_TRUE(is_drawn_to_foot(hanging, 190));
+}
+
+TEST(FootFirst, KnowsStrokesThatEndAtTheFootOfABranch)
+{
+    // A branch that rises to the right, from 300 mm above the ground.
+    Vec3 const foot_mm(0, 0, 300);
+    Vec3 const tip_mm(80, 0, 360);
+    auto const along = polyline({ { 2, 3, 302 }, { 40, 0, 340 }, { 85, 0, 355 } });
+    EXPECT_FALSE(is_drawn_to_foot_of(along, foot_mm, tip_mm));
+    EXPECT_TRUE(is_drawn_to_foot_of(reversed(along), foot_mm, tip_mm));
+    auto const elsewhere = polyline({ { 185, 0, 355 }, { 140, 0, 340 }, { 102, 3, 302 } });
+    EXPECT_FALSE(is_drawn_to_foot_of(elsewhere, foot_mm, tip_mm)) << "ends beside the foot";
+    auto const behind = polyline({ { -90, 0, 300 }, { 0, 0, 301 } });
+    EXPECT_FALSE(is_drawn_to_foot_of(behind, foot_mm, tip_mm)) << "comes from the other side";
+    EXPECT_FALSE(is_drawn_to_foot_of({}, foot_mm, tip_mm));
 }
 
 TEST(FootFirst, OfAStrokeAndItsReverseOneRunsToItsFootAtMost)
@@ -70,4 +90,4 @@ TEST(FootFirst, TurnedTwiceAStrokeIsItself)
 }
 
 } // namespace
-} // namespace tractus::sketch
+} // namespace tractus

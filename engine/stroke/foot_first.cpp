@@ -1,10 +1,11 @@
-#include "engine/methods/sketch_lsystem/foot_first.h"
+#include "engine/stroke/foot_first.h"
+
+#include "engine/stroke/derived_tips.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
-namespace tractus::sketch {
+namespace tractus {
 
 bool is_drawn_to_foot(std::span<Vec3 const> tips_mm, std::optional<double> ground_mm)
 {
@@ -28,13 +29,20 @@ bool is_drawn_to_foot(std::span<Vec3 const> tips_mm, std::optional<double> groun
     });
 }
 
-Stroke turned_round(Stroke const& stroke)
+bool is_drawn_to_foot_of(std::span<Vec3 const> tips_mm, Vec3 const& foot_mm, Vec3 const& tip_mm)
 {
-    std::vector<TipSample> tips(stroke.tips.begin(), stroke.tips.end());
-    std::reverse(tips.begin(), tips.end());
-    for (std::size_t i = 0; i < tips.size() / 2; ++i)
-        std::swap(tips[i].time, tips[tips.size() - 1 - i].time);
-    return { std::move(tips) };
+    // Maximum distance of the stroke's end from the foot, as a share of its beginning's distance.
+    constexpr double kAtFoot = 0.15;
+    if (tips_mm.size() < 2)
+        return false;
+    double const begin_mm = (tips_mm.front() - foot_mm).norm();
+    double const end_mm = (tips_mm.back() - foot_mm).norm();
+    return end_mm < kAtFoot * begin_mm && (tips_mm.front() - tip_mm).norm() < begin_mm;
 }
 
-} // namespace tractus::sketch
+Stroke turned_round(Stroke const& stroke)
+{
+    return { { reversed_tips(stroke.tips.vector()), reversed_source(stroke.tips.source()) } };
+}
+
+} // namespace tractus
