@@ -4,13 +4,10 @@
 #include "app/batch/plant_file.h"
 #include "app/batch/plant_group.h"
 #include "app/batch/plant_report.h"
-#include "app/batch/plant_season.h"
-#include "app/batch/session_plant.h"
+#include "app/batch/plant_to_grow.h"
 #include "app/commands/ageing_plant.h"
 #include "app/files/resources.h"
-#include "app/io/model_file.h"
 #include "app/methods/all_habits.h"
-#include "app/methods/all_leaves.h"
 #include "app/options/checks.h"
 #include "app/options/drawing_options.h"
 #include "app/options/glb_options.h"
@@ -27,7 +24,6 @@
 #include "engine/scene/scene.h"
 #include "engine/variation/ground.h"
 #include "engine/variation/growth.h"
-#include "engine/variation/growth_preset.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -38,10 +34,8 @@ namespace tractus::commands {
 namespace {
 
 struct GrowArguments {
-    options::ModelOptions model;
-    document::ModelCost cost;
-    io::ModelCompanions companions;
-    batch::GrowthOptions growth;
+    batch::PlantToGrow plant;
+    options::ModelOptions model; // The options of plant.model, plant.steps and plant.seed.
     options::DrawingArguments drawing;
     std::filesystem::path output;
     batch::PlantFileOptions file;
@@ -50,26 +44,10 @@ struct GrowArguments {
     // Number of files in an animation with one file per age; 0: no such animation.
     std::size_t frames = 0;
     double seconds = 10;
-    // Habit of a self-organising tree. The tree grows from a seed or, if a model is given, from the
-    // model's plant. Empty: no self-organising tree.
-    std::string habit;
-    int years = 20;       // Number of years that the self-organising tree grows.
-    int stand = 1;        // Number of self-organising trees that grow beside each other.
-    double spacing_m = 4; // Distance between neighbouring trees.
-    bool fills = false;   // True: the tree fills the outlined crown of the model's plant.
-    double age = 1;       // Age of the plant that is written; 1 is fully grown.
+    double age = 1; // Age of the plant that is written; 1 is fully grown.
     bool report = false;
 
-    bool is_varied() const
-    {
-        return growth.preset || growth.variability != 1 || growth.along_ground
-            || !drawing.log.empty();
-    }
-    bool is_for_a_model() const
-    {
-        return model.steps || !companions.view.empty() || !companions.colors.empty()
-            || !companions.environment.empty() || companions.dialect != io::kCpfgDialect;
-    }
+    bool is_varied() const { return plant.is_varied() || !drawing.log.empty(); }
 };
 
 // Returns the path of a frame's file: tree.glb becomes tree-01.glb and so on.
@@ -87,8 +65,8 @@ ageing_plant(GrowArguments const& arguments, scene::Scene const& scene, std::str
     if (scene.base->segment_count() == 0)
         return fail(Fault::User, fmt::format("{}: the plant has no branch that could grow", name));
     return arguments.is_varied()
-        ? varied_plant(scene, arguments.growth.along_ground)
-        : plant_of_ages(scene, document::make_load_options(arguments.cost));
+        ? varied_plant(scene, arguments.plant.growth.along_ground)
+        : plant_of_ages(scene, document::make_load_options(arguments.plant.cost));
 }
 
 // Describes what was written. An .mtg graph has no triangles to count.
@@ -184,7 +162,7 @@ Result<void> write_varied(GrowArguments const& arguments, scene::Scene const& sc
                           std::string const& name)
 {
     auto group = TRY(batch::PlantGroup::create(scene));
-    if (arguments.growth.along_ground)
+    if (arguments.plant.growth.along_ground)
         group.keep_above_ground();
     auto const plant = group.plant_as_displayed();
     if (auto const below = variation::describe_underground(group.underground(), plant);
@@ -226,90 +204,6 @@ void warn_of_ignored_indicators(scene::Scene const& scene)
         scene.indicators.size(), scene.indicators.size() == 1 ? "" : "s"));
 }
 
-// Loads a session. Its plant is derived as saved in the session; a seed among the arguments only
-// selects another variation.
-Result<scene::Scene> load_session(GrowArguments const& arguments, std::filesystem::path const& path,
-                                  scene::EditKinds kinds)
-{
-    if (arguments.model.steps)
-        return fail(Fault::User,
-                    fmt::format("{} is a session, which has its own derivation steps: leave "
-                                "--steps out",
-                                path.string()));
-    auto scene = TRY(batch::load_session_scene(path, kinds, arguments.cost));
-    auto growth = scene.growth;
-    growth.seed = arguments.model.seed.value_or(growth.seed);
-    return scene::apply_edit(std::move(scene), growth);
-}
-
-// Loads a model. Without growth options the plant is shown as derived, without variation.
-Result<scene::Scene> load_model_scene(GrowArguments const& arguments,
-                                      std::filesystem::path const& path)
-{
-    auto edit = TRY(io::load_plant_quietly(path, arguments.companions));
-    bool const is_model = edit.get<scene::LoadModel>() != nullptr;
-    if (auto const* const model = edit.get<scene::LoadModel>()) {
-        auto with_options = *model;
-        with_options.steps = arguments.model.steps;
-        with_options.seed = arguments.model.seed.value_or(1);
-        edit = std::move(with_options);
-    } else if (arguments.is_for_a_model()) {
-        return fail(Fault::User,
-                    fmt::format("{} is no L-system: --steps, --view, --colors and --environment "
-                                "are for those",
-                                path.string()));
-    }
-    auto scene = TRY(scene::apply_edit({}, edit, document::make_load_options(arguments.cost)));
-    for (auto const& warning : scene.model_warnings)
-        terminal::print_warning(warning);
-    if (is_model)
-        io::warn_of_unused_companions(path, arguments.companions);
-    return scene::apply_edit(std::move(scene),
-                             scene::SetGrowth { TRY(variation::growth_preset("as drawn")),
-                                                arguments.model.seed.value_or(1) });
-}
-
-// Grows a self-organising tree, or a stand of such trees. Without growth options the tree is not
-// varied.
-Result<scene::Scene> load_tree_scene(GrowArguments const& arguments)
-{
-    if (arguments.is_for_a_model())
-        return fail(Fault::User,
-                    "a habit is no L-system: --steps, --view, --colors and --environment are for "
-                    "those");
-    auto const seed = arguments.model.seed.value_or(1);
-    if (arguments.stand > 1) {
-        auto const edits = TRY(methods::edits_for_stand({ .habit = arguments.habit,
-                                                          .years = arguments.years,
-                                                          .seed = seed,
-                                                          .count = arguments.stand,
-                                                          .spacing_m = arguments.spacing_m }));
-        return scene::apply_edits({}, edits, document::make_load_options(arguments.cost));
-    }
-    auto const edit = TRY(methods::tree_of_habit(arguments.habit, arguments.years, seed));
-    auto scene = TRY(scene::apply_edit({}, edit, document::make_load_options(arguments.cost)));
-    return scene::apply_edit(std::move(scene),
-                             scene::SetGrowth { TRY(variation::growth_preset("as drawn")), seed });
-}
-
-// Applies growth options to a scene. Without a preset, growth keeps the session's parameters, and
-// the given variability multiplies the session's.
-Result<scene::Scene> with_growth(batch::GrowthOptions const& options, scene::Scene scene)
-{
-    auto growth = scene.growth;
-    growth.parameters
-        = TRY(options.preset ? variation::growth_preset(*options.preset)
-                             : variation::at_variability(growth.parameters, growth.variability));
-    growth.variability = options.variability;
-    scene = TRY(scene::apply_edit(std::move(scene), growth));
-    if (!options.leaves.empty()) {
-        auto const edits = TRY(methods::foliage_edits(scene, scene.state.active,
-                                                      methods::parse_foliage(options.leaves)));
-        scene = TRY(scene::apply_edits(std::move(scene), edits));
-    }
-    return batch::with_season(std::move(scene), options.season);
-}
-
 Result<scene::Scene> add_drawing(batch::DrawingOptions const& options, scene::Scene scene)
 {
     terminal::Progress progress;
@@ -321,43 +215,14 @@ Result<scene::Scene> add_drawing(batch::DrawingOptions const& options, scene::Sc
     return std::move(drawing.scene);
 }
 
-// The plant that the command's arguments select, and its name.
-struct NamedPlant {
-    scene::Scene scene;
-    std::string name;
-    bool is_session = false;
-};
-
-Result<NamedPlant> load_plant(GrowArguments const& arguments, tools::Methods const& methods)
+// Returns what to grow, with the model's options.
+batch::PlantToGrow plant_of(GrowArguments const& arguments)
 {
-    if (arguments.model.model.empty() && arguments.habit.empty())
-        return fail(Fault::User,
-                    "give a model or, with --habit, the habit of a tree that grows by itself");
-    if (arguments.stand > 1 && !arguments.model.model.empty())
-        return fail(Fault::User, "--stand plants trees of a habit: leave the model out");
-    if (arguments.model.model.empty() && arguments.fills)
-        return fail(Fault::User,
-                    "--fill fills the crown of a tree that was drawn by its outline: "
-                    "give the session with that tree, too");
-    if (arguments.model.model.empty()) {
-        auto scene = TRY(load_tree_scene(arguments));
-        auto const name = scene.model_name;
-        return NamedPlant { std::move(scene), name };
-    }
-    auto const path = TRY(files::find_model(arguments.model.model));
-    bool const is_session = batch::is_session_file(path);
-    auto scene = TRY(is_session ? load_session(arguments, path, methods.edits)
-                                : load_model_scene(arguments, path));
-    if (!arguments.habit.empty()) {
-        auto const edit = TRY(methods::growth_from(scene,
-                                                   { .habit = arguments.habit,
-                                                     .years = arguments.years,
-                                                     .seed = arguments.model.seed.value_or(1),
-                                                     .fills = arguments.fills }));
-        scene = TRY(
-            scene::apply_edit(std::move(scene), edit, document::make_load_options(arguments.cost)));
-    }
-    return NamedPlant { std::move(scene), path.stem().string(), is_session };
+    auto plant = arguments.plant;
+    plant.model = arguments.model.model;
+    plant.steps = arguments.model.steps;
+    plant.seed = arguments.model.seed;
+    return plant;
 }
 
 Result<void> grow_plant(GrowArguments const& arguments, tools::Methods const& methods)
@@ -365,8 +230,11 @@ Result<void> grow_plant(GrowArguments const& arguments, tools::Methods const& me
     TRY(options::check_solid_options(arguments.file.solid, arguments.output));
     if (!arguments.output.empty())
         TRY(check_writable(arguments.output));
-    auto [scene, name, is_session] = TRY(load_plant(arguments, methods));
-    scene = TRY(with_growth(arguments.growth, std::move(scene)));
+    auto [scene, name, is_session, warnings]
+        = TRY(batch::load_plant_to_grow(plant_of(arguments), methods));
+    for (auto const& warning : warnings)
+        terminal::print_warning(warning);
+    scene = TRY(batch::with_growth(arguments.plant.growth, std::move(scene)));
     if (auto const drawing = options::drawing_options(arguments.drawing, methods)) {
         if (!is_session && scene.base->segment_count() == 0)
             return fail(Fault::User,
@@ -407,33 +275,35 @@ void add_habit_options(CLI::App& command, GrowArguments& arguments)
 {
     auto* const habit
         = command
-              .add_option("--habit", arguments.habit,
+              .add_option("--habit", arguments.plant.tree.habit,
                           "A tree that grows by itself, from a seed or, with a model, from that "
                           "plant as it stands: a species by its English or Latin name, or a .habit "
                           "file")
               ->type_name("HABIT|FILE")
               ->check(options::suggest(methods::habit_names()));
-    command.add_option("--years", arguments.years, "How many years it grows")
+    command.add_option("--years", arguments.plant.tree.years, "How many years it grows")
         ->type_name("N")
         ->check(options::whole_number(1, 200))
         ->needs(habit)
         ->capture_default_str();
     auto* const stand
         = command
-              .add_option("--stand", arguments.stand,
+              .add_option("--stand", arguments.plant.tree.stand,
                           "How many trees of the habit grow beside each other, in rows, and shade "
                           "each other")
               ->type_name("N")
               ->check(options::whole_number(1, 400))
               ->needs(habit)
               ->capture_default_str();
-    command.add_option("--spacing", arguments.spacing_m, "The distance of their rows, in metres")
+    command
+        .add_option("--spacing", arguments.plant.tree.spacing_m,
+                    "The distance of their rows, in metres")
         ->type_name("M")
         ->check(options::number(0.1, 1000))
         ->needs(stand)
         ->capture_default_str();
     command
-        .add_flag("--fill", arguments.fills,
+        .add_flag("--fill", arguments.plant.tree.fills,
                   "It fills the crown of a tree that was drawn by its outline, in a session; trunk "
                   "and drawn branches remain")
         ->needs(habit);
@@ -492,8 +362,8 @@ void add_grow_command(CLI::App& root, options::Action& action, tools::Methods co
     // MODEL is optional here, as a habit may be given instead.
     command->get_option("MODEL")->required(false);
     add_habit_options(*command, *arguments);
-    options::add_cost_options(*command, arguments->cost);
-    options::add_companion_options(*command, arguments->companions);
+    options::add_cost_options(*command, arguments->plant.cost);
+    options::add_companion_options(*command, arguments->plant.companions);
     command
         ->add_option(
             "-o,--output", arguments->output,
@@ -503,7 +373,7 @@ void add_grow_command(CLI::App& root, options::Action& action, tools::Methods co
     options::add_picture_size_option(*command, arguments->file.picture);
     auto* const organs = options::add_glb_options(*command, arguments->file.glb);
     options::add_solid_options(*command, arguments->file.solid);
-    options::add_growth_options(*command, arguments->growth, "as drawn, or as in a session");
+    options::add_growth_options(*command, arguments->plant.growth, "as drawn, or as in a session");
     options::add_drawing_options(*command, arguments->drawing,
                                  "the plant is as its model gives it");
     add_animation_options(*command, *arguments);

@@ -2,18 +2,46 @@
 #include "engine/base/nearest_word.h"
 
 #include <algorithm>
+#include <dlfcn.h>
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <link.h>
 
 namespace tractus::files {
 
 namespace fs = std::filesystem;
 
+// Returns the shared library that contains this function, such as the Python module. Empty if the
+// program itself contains it.
+static fs::path library_of_this()
+{
+    static char const here = 0;
+    Dl_info info {};
+    void* map = nullptr;
+    if (::dladdr1(&here, &info, &map, RTLD_DL_LINKMAP) == 0 || !map)
+        return {};
+    return static_cast<link_map const*>(map)->l_name; // Empty for the program itself.
+}
+
+// Returns PREFIX/share/tractus of the installed program PREFIX/bin/tractus, or of the installed
+// module PREFIX/lib/pythonVERSION/dist-packages/tractus/FILE.
+static fs::path installed_resources()
+{
+    std::error_code error;
+    auto const library = library_of_this();
+    if (library.empty()) {
+        auto const program = fs::read_symlink("/proc/self/exe", error);
+        return program.parent_path().parent_path() / "share" / "tractus";
+    }
+    auto const package = fs::absolute(library, error).parent_path();
+    auto const prefix = package.parent_path().parent_path().parent_path().parent_path();
+    return prefix / "share" / "tractus";
+}
+
 Result<fs::path> find_resource(std::string_view name)
 {
     std::error_code error;
-    auto const program = fs::read_symlink("/proc/self/exe", error);
-    auto const installed = program.parent_path().parent_path() / "share" / "tractus" / name;
+    auto const installed = installed_resources() / name;
     auto const source = fs::path(TRACTUS_SOURCE_DIR) / "app" / name;
     for (auto const& path : { installed, source })
         if (fs::exists(path, error))

@@ -176,15 +176,24 @@ static std::vector<std::string> unused_companions(std::filesystem::path const& p
     return result;
 }
 
-void warn_of_unused_companions(std::filesystem::path const& path, ModelCompanions const& companions)
+std::vector<std::string> warnings_of_unused_companions(std::filesystem::path const& path,
+                                                       ModelCompanions const& companions)
 {
     constexpr std::size_t kMaxListedNames = 3;
-    auto const unused = unused_companions(path, companions);
-    for (std::size_t i = 0; i < std::min(unused.size(), kMaxListedNames); ++i)
-        terminal::print_warning(unused[i]);
-    if (unused.size() > kMaxListedNames)
-        terminal::print_warning(fmt::format("{} more views and colour files beside {} are not used",
-                                            unused.size() - kMaxListedNames, path.string()));
+    auto unused = unused_companions(path, companions);
+    if (unused.size() > kMaxListedNames) {
+        auto const more = unused.size() - kMaxListedNames;
+        unused.resize(kMaxListedNames);
+        unused.push_back(fmt::format("{} more views and colour files beside {} are not used", more,
+                                     path.string()));
+    }
+    return unused;
+}
+
+void warn_of_unused_companions(std::filesystem::path const& path, ModelCompanions const& companions)
+{
+    for (auto const& warning : warnings_of_unused_companions(path, companions))
+        terminal::print_warning(warning);
 }
 
 bool leads_out_of_folder(std::filesystem::path const& name)

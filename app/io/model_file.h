@@ -34,9 +34,13 @@ struct ModelCompanions {
 Result<lsystem::ModelSource> load_model_source(std::filesystem::path const& path,
                                                ModelCompanions const& companions = {});
 
-// Prints warnings for up to three view and colour files beside the model that the model does not
+// Returns warnings for up to three view and colour files beside the model that the model does not
 // use, and how many more there are. Files that belong to another model, and kinds of files that the
-// user has chosen explicitly, are skipped. Call this after more important output.
+// user has chosen explicitly, are skipped.
+std::vector<std::string> warnings_of_unused_companions(std::filesystem::path const& path,
+                                                       ModelCompanions const& companions = {});
+
+// Prints the warnings of warnings_of_unused_companions(). Call this after more important output.
 void warn_of_unused_companions(std::filesystem::path const& path,
                                ModelCompanions const& companions = {});
 
