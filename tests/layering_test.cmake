@@ -67,6 +67,8 @@ set(app/methods      engine drivers app/render app/session app/tools ${methods})
 set(app/io           engine drivers app/files app/terminal app/methods)
 set(app/batch        engine drivers calib sim app/files app/render app/terminal app/session app/tools app/document
                      app/play app/station app/methods app/io)
+set(app/python       engine drivers calib app/files app/terminal app/render app/tools app/document app/methods app/io
+                     app/batch)
 set(app/options      engine calib app/files app/terminal app/render app/document app/methods app/io app/batch)
 foreach(method construction_lines leaves self_organising silhouettes sketch_lsystem)
     set(app/methods/${method}/commands drivers ${app/methods/${method}} app/methods/${method} app/io app/batch app/options)
@@ -86,7 +88,7 @@ set(layers engine/base engine/stroke engine/plant engine/lsystem/text engine/lsy
            engine/methods/self_organising engine/methods/silhouettes engine/methods/sketch_lsystem
            ${drivers_rooms} drivers calib sim app/files app/render app/svg app/terminal app/diagnosis app/session app/tools app/play
            app/document app/devices app/calibration app/station app/view app/stream ${methods} app/methods app/io
-           app/batch app/options ${commands} app/methods/commands app/window app/controllers app/desktop
+           app/batch app/python app/options ${commands} app/methods/commands app/window app/controllers app/desktop
            app/commands)
 
 # Returns the layer of a file: the longest one that is a prefix of its path.
