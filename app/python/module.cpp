@@ -7,6 +7,7 @@
 #include "app/python/plant_class.h"
 #include "app/python/scene_class.h"
 #include "app/python/stroke_classes.h"
+#include "engine/base/worker_threads.h"
 #include "engine/variation/growth_preset.h"
 
 #include <filesystem>
@@ -54,7 +55,7 @@ PYBIND11_MODULE(tractus, module)
     module.doc() = R"(Plants of tractus, the 3D sketching station for plants, as numpy arrays.
 
 Lengths are in millimetres and end in _mm. Errors are tractus.Error, with the program's sentences.
-Functions that take long let other threads run, and Ctrl-C stops them.)";
+Functions that take long let other threads run. Ctrl-C stops models and variants.)";
     module.attr("__version__") = TRACTUS_VERSION;
     add_errors(module);
     add_lists(module);
@@ -63,4 +64,7 @@ Functions that take long let other threads run, and Ctrl-C stops them.)";
     add_scene_class(module);
     add_model_classes(module);
     add_stroke_classes(module);
+    // Otherwise helper threads would run beside the destruction of static objects.
+    pybind11::module_::import("atexit").attr("register")(
+        pybind11::cpp_function(&tractus::end_worker_threads));
 }
