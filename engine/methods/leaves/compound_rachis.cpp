@@ -194,7 +194,8 @@ private:
         Vec2 const way = place - at_;
         double length = way.norm() - knot / 2;
         bool const goes_on = length > kMinPiece && (is_first_ || way.dot(way_) > 0);
-        Vec2 const next = goes_on || is_first_ ? Vec2(way.normalized()) : way_;
+        // Two leaflets may stand at one place, and the first one where the petiole begins.
+        Vec2 const next = goes_on ? Vec2(way.normalized()) : is_first_ ? tangent(0) : way_;
         length = std::max(goes_on ? length : kMinPiece, kMinPiece);
         DrawnLeaf::Leaflet made { .piece = length };
         if (is_first_)
@@ -210,15 +211,15 @@ private:
     DrawnLeaf::Leaflet next_leaflet(DrawnBlade const& blade)
     {
         auto made = lead_to(blade.foot, kLeafletKnot);
-        Vec2 const stand
+        Vec2 const stalk_begin
             = at_ + 0.5 * kLeafletKnot * way_ + 0.5 * width_ * blade.side * left_of(way_);
         at_ += kLeafletKnot * way_;
         made.angle_deg = right_turn_deg(way_, blade.way);
         // A leaflet stands on its own side.
         made.angle_deg
             = blade.side > 0 ? std::min(made.angle_deg, -0.01) : std::max(made.angle_deg, 0.01);
-        made.stalk
-            = std::max(kMinLeafletStalk, (blade.base - stand).dot(blade.way) - kLeafletStalkEnd);
+        made.stalk = std::max(kMinLeafletStalk,
+                              (blade.base - stalk_begin).dot(blade.way) - kLeafletStalkEnd);
         made.size = blade.size;
         return made;
     }

@@ -61,7 +61,7 @@ void fit_blade(std::vector<FlatBlade> const& blades, LeafFit& fit)
 
 // Gives the leaf the veins of the leaflet in which most were drawn. Leaflets have no main veins
 // besides their midribs.
-void take_veins(std::vector<LeafFit> const& fits, LeafFit& fit)
+void take_veins(RecognisedLeaf const& drawn, std::vector<LeafFit> const& fits, LeafFit& fit)
 {
     auto const knots = [](LeafFit const& each) { return each.leaf.mains[0].knots.size(); };
     auto const& best = *std::ranges::max_element(fits, {}, knots);
@@ -69,8 +69,11 @@ void take_veins(std::vector<LeafFit> const& fits, LeafFit& fit)
     leaf.mains = { best.leaf.mains[0] };
     leaf.side_curve_deg = best.leaf.side_curve_deg;
     leaf.side_curve_at_tip_deg = best.leaf.side_curve_at_tip_deg;
+    // A midrib that was not drawn counts as a part of its outline.
     for (auto const& each : fits)
-        fit.veins.insert(fit.veins.end(), each.veins.begin(), each.veins.end());
+        for (auto const& vein : each.veins)
+            if (drawn.roles[vein.stroke] != StrokeRole::Outline)
+                fit.veins.push_back(vein);
     std::ranges::sort(fit.veins, {}, &LeafFit::Vein::stroke);
 }
 
@@ -103,7 +106,7 @@ Result<LeafFit> fit_compound_leaf(RecognisedLeaf const& drawn)
         fit.leaf.size_mm = std::max(fit.leaf.size_mm, rounded_number(blades.back().size_mm, 10));
     }
     fit_blade(blades, fit);
-    take_veins(fits, fit);
+    take_veins(drawn, fits, fit);
     std::vector<BladePlace> places;
     for (auto const& blade : blades)
         places.push_back(blade.place);
