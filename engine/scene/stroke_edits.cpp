@@ -275,10 +275,10 @@ void list(Fields& fields, TurnStroke& edit)
 
 Result<DocumentState> applied(DocumentState state, TurnStroke const& edit, SceneBuilder&)
 {
-    auto turned = TRY(with_changed_strokes(std::move(state), edit.strokes,
-                                           [](Stroke const& drawn) -> Result<Stroke> {
-                                               return turned_round({ TRY(drawn.tips.in_memory()) });
-                                           }));
+    auto const turn = [](Stroke const& drawn) -> Result<Stroke> {
+        return turned_round({ TRY(drawn.tips.in_memory()) });
+    };
+    auto turned = TRY(with_changed_strokes(std::move(state), edit.strokes, turn));
     return with_other_strokes(std::move(turned), edit.strokes,
                               [](variation::ShapingStroke& stroke) -> Result<void> {
                                   stroke.is_drawn_reversed = !stroke.is_drawn_reversed;

@@ -25,6 +25,7 @@ enum class StrokeRole {
     SideVein,  // A side vein, which begins on the midrib or another main vein.
     Stalk,     // A petiole drawn as a separate stroke.
     FinerVein, // A vein that begins on a side vein; ignored.
+    Rachis,    // The line of a compound leaf on which its leaflets stand.
 };
 std::string_view name_of(StrokeRole role);
 
