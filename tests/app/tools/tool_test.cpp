@@ -158,12 +158,14 @@ TEST(DrawTool, LaysByHeadingInHandAndByLeastTwistInOlderLogs)
     using variation::StrokeLaying;
     EXPECT_EQ(DrawTool {}.laying, StrokeLaying::HeadingAndPitch);
     EXPECT_EQ(DrawInOrderTool {}.laying, StrokeLaying::HeadingAndPitch);
-    EXPECT_EQ(words_for(DrawTool { variation::Propagation::Both }).arguments, "both heading from_foot");
+    EXPECT_EQ(words_for(DrawTool { variation::Propagation::Both }).arguments,
+              "both heading from_foot");
     EXPECT_EQ(parse_tool(tools(), "draw", "both")->get<DrawTool>()->laying,
               StrokeLaying::LeastTwist);
     EXPECT_EQ(default_tool_of_kind(DrawInOrderTool::kKind).get<DrawInOrderTool>()->laying,
               StrokeLaying::LeastTwist);
-    EXPECT_EQ(words_of_selected_tool(tools(), "draw", "both chord"), "both chord heading from_foot");
+    EXPECT_EQ(words_of_selected_tool(tools(), "draw", "both chord"),
+              "both chord heading from_foot");
     EXPECT_EQ(words_of_selected_tool(tools(), "draw", "both least_twist"), "both least_twist");
     EXPECT_EQ(words_of_selected_tool(tools(), "draw_in_order", ""), "heading from_foot");
     EXPECT_EQ(words_of_selected_tool(tools(), "select", "path"), "path");
@@ -342,10 +344,10 @@ TEST(StrokeTools, EditTheStrokesOfTheSelectedBranch)
     auto const first_mm = scene.associations[0].what.stroke.tips.front().position_mm;
     EXPECT_TRUE(document::draw(up, TurnStrokeTool {}, scene).refusal.empty());
     EXPECT_EQ(scene.associations[0].what.stroke.tips.back().position_mm, first_mm);
-    EXPECT_TRUE(scene.associations[0].what.is_drawn_reversed);
+    EXPECT_TRUE(scene.drawn->strokes[0].what.is_drawn_reversed);
     EXPECT_TRUE(document::draw(up, TurnStrokeTool {}, scene).refusal.empty());
     EXPECT_EQ(scene.associations[0].what.stroke.tips.front().position_mm, first_mm);
-    EXPECT_FALSE(scene.associations[0].what.is_drawn_reversed);
+    EXPECT_FALSE(scene.drawn->strokes[0].what.is_drawn_reversed);
     EXPECT_TRUE(document::draw(up, DeleteTool {}, scene).refusal.empty());
     EXPECT_TRUE(scene.associations.empty());
     EXPECT_FALSE(document::draw(up, DeleteTool {}, scene).refusal.empty());

@@ -149,7 +149,7 @@ LeafDrawing draw(Shape const& shape, Hand& hand, double tremor_mm)
 TEST(LeafShapes, TwelveShapesAreKeptOrTheOverlapIsSaid)
 {
     constexpr int kEach = 8;
-    constexpr double kTremor_mm = 0.3;
+    constexpr double kTrembling_mm = 0.3;
     std::printf("shape        kept  least overlap  least reported\n");
     for (auto const& shape : twelve_shapes()) {
         int kept = 0;
@@ -157,7 +157,7 @@ TEST(LeafShapes, TwelveShapesAreKeptOrTheOverlapIsSaid)
         double least_reported = 1;
         for (std::uint64_t seed = 1; seed <= kEach; ++seed) {
             Hand hand(seed * 13 + 5);
-            auto const seen = recognise_leaf(draw(shape, hand, kTremor_mm));
+            auto const seen = recognise_leaf(draw(shape, hand, kTrembling_mm));
             ASSERT_TRUE(seen) << shape.name << ": " << seen.error().message;
             auto const fit = fit_leaf(*seen);
             ASSERT_TRUE(fit) << shape.name << ": " << fit.error().message;
@@ -178,8 +178,9 @@ TEST(LeafShapes, TwelveShapesAreKeptOrTheOverlapIsSaid)
         }
         std::printf("%-12s %d/%d  %.4f         %.4f\n", shape.name.c_str(), kept, kEach, least,
                     least_reported);
-        if (shape.is_kept)
+        if (shape.is_kept) {
             EXPECT_GE(least, shape.name == "linear" ? 0.9 : 0.95) << shape.name;
+        }
     }
 }
 
