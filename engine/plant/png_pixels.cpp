@@ -42,6 +42,43 @@ static RowBytes row_bytes(std::string_view png, std::uint64_t width, std::uint64
     return { least, 2 * least + 16 * height + 65536 };
 }
 
+constexpr std::size_t kSignatureBytes = 8;
+constexpr std::size_t kAroundData = 12; // Bytes of a chunk's length, type and checksum.
+
+// Returns the chunk that begins at `at`, with its length, type and checksum; it is cut off where
+// the file ends. Requires `at` <= size of the file - kAroundData.
+static std::string_view chunk_at(std::string_view png, std::size_t at)
+{
+    auto const size = png_get_uint_32(reinterpret_cast<png_const_bytep>(png.data()) + at);
+    return png.substr(at, std::min<std::size_t>(size, png.size() - at - kAroundData) + kAroundData);
+}
+
+static std::string_view type_of(std::string_view chunk)
+{
+    return chunk.substr(4, 4);
+}
+
+std::string_view without_texts(std::string_view png, std::string& copy)
+{
+    auto const is_text = [](std::string_view chunk) {
+        auto const type = type_of(chunk);
+        return type == "iTXt" || type == "tEXt" || type == "zTXt";
+    };
+    std::size_t kept_to = 0; // End of what was copied or left out.
+    for (auto at = kSignatureBytes; at + kAroundData <= png.size();) {
+        auto const chunk = chunk_at(png, at);
+        if (is_text(chunk)) {
+            copy += png.substr(kept_to, at - kept_to);
+            kept_to = at + chunk.size();
+        }
+        at += chunk.size();
+    }
+    if (kept_to == 0)
+        return png;
+    copy += png.substr(kept_to);
+    return copy;
+}
+
 // Inflates the image data (the IDAT chunks) without keeping it, and returns the number of bytes.
 // Stops as soon as the number exceeds `most`.
 static std::uint64_t inflated_bytes(std::string_view png, std::uint64_t most)
@@ -53,25 +90,23 @@ static std::uint64_t inflated_bytes(std::string_view png, std::uint64_t most)
     std::array<unsigned char, 65536> piece;
     std::uint64_t count = 0;
     int result = Z_OK;
-    constexpr std::size_t kAroundData = 12; // Bytes of a chunk's length, type and checksum.
-    for (std::size_t at = 8; result == Z_OK && count <= most && at + kAroundData <= png.size();) {
-        auto const size = std::min<std::size_t>(
-            png_get_uint_32(reinterpret_cast<png_const_bytep>(png.data()) + at),
-            png.size() - at - kAroundData);
-        if (png.substr(at + 4, 4) == "IDAT") {
-            // zlib does not change its input.
-            stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(png.data() + at + 8));
-            stream.avail_in = static_cast<uInt>(size);
-            do {
-                stream.next_out = piece.data();
-                stream.avail_out = static_cast<uInt>(piece.size());
-                result = inflate(&stream, Z_NO_FLUSH);
-                count += piece.size() - stream.avail_out;
-            } while (result == Z_OK && stream.avail_out == 0 && count <= most);
-            // Z_BUF_ERROR only means that zlib needs the next chunk.
-            result = result == Z_BUF_ERROR ? Z_OK : result;
-        }
-        at += size + kAroundData;
+    for (auto at = kSignatureBytes;
+         result == Z_OK && count <= most && at + kAroundData <= png.size();) {
+        auto const chunk = chunk_at(png, at);
+        at += chunk.size();
+        if (type_of(chunk) != "IDAT")
+            continue;
+        // zlib does not change its input.
+        stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(chunk.data() + 8));
+        stream.avail_in = static_cast<uInt>(chunk.size() - kAroundData);
+        do {
+            stream.next_out = piece.data();
+            stream.avail_out = static_cast<uInt>(piece.size());
+            result = inflate(&stream, Z_NO_FLUSH);
+            count += piece.size() - stream.avail_out;
+        } while (result == Z_OK && stream.avail_out == 0 && count <= most);
+        // Z_BUF_ERROR only means that zlib needs the next chunk.
+        result = result == Z_BUF_ERROR ? Z_OK : result;
     }
     return count;
 }
@@ -92,9 +127,11 @@ static Result<void> check_data(std::string_view png, std::uint64_t width, std::u
 
 using PngImage = std::unique_ptr<png_image, void (*)(png_image*)>;
 
-Result<void> read_png_pixels(std::string_view bytes, std::int64_t most_pixels,
+Result<void> read_png_pixels(std::string_view file, std::int64_t most_pixels,
                              PixelAllocator const& room)
 {
+    std::string copy;
+    auto const bytes = without_texts(file, copy);
     png_image png {};
     png.version = PNG_IMAGE_VERSION;
     PngImage const freed(&png, png_image_free);

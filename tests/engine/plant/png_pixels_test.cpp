@@ -126,6 +126,49 @@ TEST(PngPixels, RefuseToInflateFarMoreThanTheyAre)
               "the picture is damaged: it holds far more than its 10 x 10 pixels: save it again");
 }
 
+// Texts that would inflate to 800 MB must not be inflated.
+TEST(PngPixels, AreReadWithoutInflatingTexts)
+{
+    auto const png = upside_down_png(six_pixels(255));
+    std::string unused;
+    EXPECT_EQ(without_texts(png, unused).data(), png.data()) << "nothing is copied";
+
+    auto size = compressBound(8'000'000);
+    std::string bomb(size, '\0');
+    std::string const zeros(8'000'000, '\0');
+    compress2(reinterpret_cast<Bytef*>(bomb.data()), &size,
+              reinterpret_cast<Bytef const*>(zeros.data()), zeros.size(), 9);
+    bomb.resize(size);
+    constexpr std::size_t kEndOfHeader = 33;
+    auto laden = png.substr(0, kEndOfHeader);
+    for (int i = 0; i < 50; ++i) {
+        add_chunk(laden, "zTXt", std::string("a\0\0", 3) + bomb);
+        add_chunk(laden, "iTXt", std::string("a\0\1\0\0\0", 6) + bomb);
+    }
+    add_chunk(laden, "tEXt", std::string("a\0b", 3));
+    laden += png.substr(kEndOfHeader);
+    std::string copy;
+    EXPECT_EQ(without_texts(laden, copy), png);
+    EXPECT_EQ(read(laden).value().rgba, read(png).value().rgba);
+}
+
+TEST(PngPixels, TextsAreLeftOutOfDamagedFiles)
+{
+    auto png = upside_down_png(six_pixels(255));
+    auto const whole = png;
+    add_chunk(png, "zTXt", "text");
+    for (auto size = whole.size(); size < png.size(); ++size) {
+        std::string copy;
+        auto const left = without_texts(std::string_view(png).substr(0, size), copy);
+        EXPECT_TRUE(left.starts_with(whole)) << size;
+        EXPECT_LE(left.size(), size);
+    }
+    for (std::string const few : { "", "\x89PNG" }) {
+        std::string copy;
+        EXPECT_EQ(without_texts(few, copy), few);
+    }
+}
+
 TEST(PngPixels, GetNoMemoryForWhatIsClaimedAndNotThere)
 {
     auto const refused
