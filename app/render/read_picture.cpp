@@ -7,6 +7,7 @@
 #include <libexif/exif-data.h>
 #include <limits>
 #include <memory>
+#include <string>
 #include <turbojpeg.h>
 #include <utility>
 
@@ -57,7 +58,7 @@ static_assert(sizeof(Color) == 4);
 
 constexpr std::int64_t kMaxPixels = 100'000'000;
 
-auto fail_damaged(char const* why)
+auto fail_damaged(std::string const& why)
 {
     return fail(Fault::User, fmt::format("the picture is damaged: {}", why));
 }
@@ -70,6 +71,20 @@ Result<Image> read_png(std::string_view bytes)
         return reinterpret_cast<std::uint8_t*>(image.pixels().data());
     }));
     return image;
+}
+
+// Fails if the file is too short for the size that it claims, for which much memory would be
+// allocated. Each block of 8 x 8 pixels takes at least one bit; in pictures, it takes dozens.
+Result<void> check_jpeg_data(std::size_t bytes, std::int64_t width, std::int64_t height)
+{
+    constexpr std::int64_t kMaxPixelsPerByte = 8 * 64;
+    // Smaller pictures take little memory, and their truncated files show what is left.
+    constexpr std::int64_t kAlwaysRead = 4'000'000;
+    if (width * height <= kAlwaysRead
+        || static_cast<std::int64_t>(bytes) >= width * height / kMaxPixelsPerByte)
+        return {};
+    return fail_damaged(
+        fmt::format("it holds less than its {} x {} pixels: save it again", width, height));
 }
 
 // Decodes a JPEG. Warnings of the library are ignored, as the files of many cameras and programs
@@ -87,6 +102,7 @@ Result<Image> read_jpeg(std::string_view bytes)
         != 0)
         return fail_damaged(tjGetErrorStr2(decoder.get()));
     TRY(check_picture_size(width, height, kMaxPixels));
+    TRY(check_jpeg_data(bytes.size(), width, height));
     Image image(width, height);
     auto* const pixels = reinterpret_cast<unsigned char*>(image.pixels().data());
     if (tjDecompress2(decoder.get(), data, bytes.size(), pixels, width, 0, height, TJPF_RGBA,

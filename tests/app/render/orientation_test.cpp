@@ -92,6 +92,88 @@ TEST(ReadPicture, IsUprightAsTheCameraSays)
     }
 }
 
+// An Exif segment of the greatest size, each of whose thousands of entries claims most of the
+// segment as its value, and whose pointers lead back to the same entries.
+std::string with_exif_bomb(std::string const& jpeg)
+{
+    constexpr std::size_t kMaxSegmentBytes = 65'533;
+    constexpr std::size_t kEntries = 5400;
+    auto const number = [](std::size_t value, int bytes) {
+        std::string text;
+        for (int i = bytes - 1; i >= 0; --i)
+            text += static_cast<char>(value >> 8 * i & 0xff);
+        return text;
+    };
+    auto const entry = [&](std::size_t tag, std::size_t type, std::size_t count, std::size_t at) {
+        return number(tag, 2) + number(type, 2) + number(count, 4) + number(at, 4);
+    };
+    constexpr std::size_t kBegin = 8; // Of the entries, in the TIFF structure.
+    auto body = std::string("Exif\0\0MM\0\x2a", 10) + number(kBegin, 4) + number(kEntries, 2);
+    // Pointers to the entries for Exif, GPS and interoperability.
+    for (std::size_t const tag : { 0x8769U, 0x8825U, 0xa005U })
+        body += entry(tag, 4, 1, kBegin);
+    // The model, the description, the user's comment and the maker's note, as bytes.
+    constexpr std::array<std::size_t, 4> kTags { 0x0110, 0x010e, 0x9286, 0x927c };
+    for (std::size_t i = 3; i < kEntries; ++i)
+        body += entry(kTags[i % kTags.size()], 7, 60'000, kBegin);
+    body += number(kBegin, 4); // The next list of entries is the same one.
+    body.resize(kMaxSegmentBytes);
+    return jpeg.substr(0, 2) + "\xff\xe1" + number(body.size() + 2, 2) + body + jpeg.substr(2);
+}
+
+TEST(ReadPicture, ReadsAPictureWhoseExifDataHaveNoEnd)
+{
+    auto const picture = read_picture(with_exif_bomb(jpeg(16, 8)));
+    ASSERT_TRUE(picture) << picture.error().message;
+    EXPECT_EQ(picture->width(), 16);
+    EXPECT_TRUE(is_red(picture->at(3, 1)));
+}
+
+// Returns a JPEG that claims another size.
+std::string claiming(std::string jpeg, int width, int height)
+{
+    auto const frame = jpeg.find("\xff\xc0");
+    EXPECT_NE(frame, std::string::npos);
+    std::size_t at = frame + 5;
+    for (int const side : { height, width }) {
+        jpeg[at++] = static_cast<char>(side >> 8);
+        jpeg[at++] = static_cast<char>(side & 0xff);
+    }
+    return jpeg;
+}
+
+TEST(ReadPicture, GetsNoMemoryForAJpegThatIsNotThere)
+{
+    auto const small = jpeg(64, 32);
+    auto const large = read_picture(claiming(small, 65'535, 65'535));
+    ASSERT_FALSE(large);
+    EXPECT_EQ(large.error().message,
+              "the picture has 65535 x 65535 pixels, more than 100 million: make it smaller");
+    auto const missing = read_picture(claiming(small, 10'000, 10'000));
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().message,
+              "the picture is damaged: it holds less than its 10000 x 10000 pixels: save it again");
+    EXPECT_EQ(missing.error().fault, Fault::User);
+}
+
+TEST(ReadPicture, ReadsWhatIsLeftOfACutJpeg)
+{
+    auto const whole = jpeg(640, 320);
+    auto const picture = read_picture(whole.substr(0, whole.size() / 2));
+    ASSERT_TRUE(picture) << picture.error().message;
+    EXPECT_EQ(picture->width(), 640);
+    EXPECT_TRUE(is_red(picture->at(3, 3)));
+}
+
+// A plain surface of one color takes the fewest bytes for its size.
+TEST(ReadPicture, ReadsALargePlainJpeg)
+{
+    auto const picture = read_picture(jpeg(4096, 4096));
+    ASSERT_TRUE(picture) << picture.error().message;
+    EXPECT_TRUE(is_red(picture->at(0, 0)));
+    EXPECT_TRUE(is_green(picture->at(4095, 0)));
+}
+
 TEST(ReadPicture, TakesNonsenseForUpright)
 {
     for (int const orientation : { 0, 9, 200 }) {
