@@ -8,6 +8,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <limits>
 #include <zlib.h>
 
 namespace tractus {
@@ -158,6 +159,30 @@ TEST(ReadTilt, SaysWhatIsWrong)
     EXPECT_EQ(error(tilt(short_sketch, kDeflated)),
               "a.tilt: cannot read the sketch: stroke 1 of 2 is cut off");
     EXPECT_NE(error(tilt({}, kStored)).find("do not begin as they should"), std::string::npos);
+}
+
+// Zip archives of kilobytes whose sketch would take much more memory.
+TEST(ReadTilt, RefusesToInflateFarMoreThanASketch)
+{
+    constexpr std::size_t kMebibyte = std::size_t { 1 } << 20;
+    auto const refusal = [](Buffer const& bytes) {
+        auto const strokes = read_tilt("a.tilt", bytes);
+        EXPECT_FALSE(strokes);
+        return strokes ? "" : strokes.error().message;
+    };
+    auto const bomb = tilt(Buffer(65 * kMebibyte), kDeflated);
+    ASSERT_LT(bomb.size(), kMebibyte / 4);
+    EXPECT_EQ(refusal(bomb), "a.tilt: cannot read the sketch: its strokes are more than 64 MB");
+
+    // A sketch that claims more strokes, and a stroke that claims more points, than there are.
+    constexpr std::size_t kStrokeCount = 19; // Offset of the number of strokes.
+    constexpr std::size_t kPointCount = kStrokeCount + 4 + 24 + 4 * 4 + 5;
+    for (auto const at : { kStrokeCount, kPointCount }) {
+        auto claims = sketch();
+        std::int32_t const most = std::numeric_limits<std::int32_t>::max();
+        std::memcpy(claims.data() + at, &most, sizeof most);
+        EXPECT_NE(refusal(tilt(claims, kDeflated)).find("is cut off"), std::string::npos) << at;
+    }
 }
 
 TEST(ReadTilt, SurvivesAnyDamage)
