@@ -3,19 +3,17 @@
 #include "app/controllers/station_controller.h"
 #include "app/methods/all_methods.h"
 #include "app/station/log_replay.h"
+#include "tests/app/session/killed_child.h"
 #include "tests/app/session/same_edit.h"
 #include "tests/app/simulated_drawing.h"
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <fmt/core.h>
 #include <fstream>
-#include <functional>
 #include <gtest/gtest.h>
 #include <random>
-#include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 #include <utility>
@@ -26,36 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-// Reports a number to the parent process, which uses only the last one.
-using Say = std::function<void(int)>;
-
-// Runs `work` in a child process and kills it after `life`. Returns the last number that the child
-// has reported, or -1 if there is none. The parent must not have threads, since they would be
-// missing in the child; so it derives no plants.
-int last_said(std::function<void(Say const&)> const& work, std::chrono::microseconds life)
-{
-    int ends[2];
-    if (::pipe(ends) != 0)
-        return -2;
-    auto const child = ::fork();
-    if (child == 0) {
-        ::close(ends[0]);
-        work([&](int number) { (void)!::write(ends[1], &number, sizeof number); });
-        ::_exit(0);
-    }
-    ::close(ends[1]);
-    auto const end = Clock::now() + life;
-    while (Clock::now() < end && ::waitpid(child, nullptr, WNOHANG) == 0)
-        std::this_thread::sleep_for(
-            std::min<Clock::duration>(std::chrono::microseconds(200), end - Clock::now()));
-    ::kill(child, SIGKILL);
-    ::waitpid(child, nullptr, 0);
-    int last = -1;
-    while (::read(ends[0], &last, sizeof last) == sizeof last) { }
-    ::close(ends[0]);
-    return last;
-}
 
 constexpr int kStrokes = 12;
 
@@ -77,10 +45,6 @@ std::string many_strokes()
 // and is kept in a session by the station's controller.
 class KilledDrawing : public testing::Test {
 protected:
-    static constexpr std::chrono::hours kForever {
-        24
-    }; // If a test hangs, the test runner ends it.
-
     void SetUp() override
     {
         fs::remove_all(folder_);
