@@ -194,27 +194,56 @@ Result<void> write_meta(Database const& database, std::string const& key, std::s
     return copy.bind_text(0, key).bind_text(1, value).bind(2, checksum_of_meta(key, value)).run();
 }
 
-Result<void> insert_row(Database const& database, char const* table, EditRow const& row)
-{
-    auto const sql
-        = fmt::format("INSERT INTO {} ({}) VALUES (?, ?, ?, ?, ?, ?, ?)", table, kColumns);
-    auto insert = TRY(database.prepare(sql.c_str()));
-    return insert.bind(0, row.place.number)
-        .bind(1, static_cast<std::int64_t>(row.step))
-        .bind_text(2, row.record.kind)
-        .bind_text(3, row.record.fields)
-        .bind_blob(4, row.record.numbers)
-        .bind(5, row.made.time_since_epoch().count())
-        .bind(6, row.place.checksum)
-        .run();
-}
+// Inserts rows into the tables "edits" and "copies".
+class RowInserter {
+public:
+    static Result<RowInserter> create(Database const& database)
+    {
+        return RowInserter(TRY(insertion(database, "edits")), TRY(insertion(database, "copies")));
+    }
 
-Result<void> insert_copy(Database const& database, EditRow const& row)
-{
-    if (row.record.fields.size() + row.record.numbers.size() > kMaxCopied)
-        return {};
-    return insert_row(database, "copies", row);
-}
+    Result<void> insert(EditRow const& row)
+    {
+        TRY(insert(edits_, row));
+        return insert_copy(row);
+    }
+
+    Result<void> insert_copy(EditRow const& row)
+    {
+        if (row.record.fields.size() + row.record.numbers.size() > kMaxCopied)
+            return {};
+        return insert(copies_, row);
+    }
+
+private:
+    RowInserter(Statement edits, Statement copies)
+        : edits_(std::move(edits))
+        , copies_(std::move(copies))
+    {
+    }
+
+    static Result<Statement> insertion(Database const& database, char const* table)
+    {
+        return database.prepare(
+            fmt::format("INSERT INTO {} ({}) VALUES (?, ?, ?, ?, ?, ?, ?)", table, kColumns)
+                .c_str());
+    }
+
+    static Result<void> insert(Statement& insertion, EditRow const& row)
+    {
+        return insertion.bind(0, row.place.number)
+            .bind(1, static_cast<std::int64_t>(row.step))
+            .bind_text(2, row.record.kind)
+            .bind_text(3, row.record.fields)
+            .bind_blob(4, row.record.numbers)
+            .bind(5, row.made.time_since_epoch().count())
+            .bind(6, row.place.checksum)
+            .run();
+    }
+
+    Statement edits_;
+    Statement copies_;
+};
 
 } // namespace
 
@@ -274,6 +303,13 @@ Result<void> write_session(Database const& database, SessionOrigin const& origin
 {
     TRY(database.execute("BEGIN"));
     TRY(make_tables(database));
+    TRY(fill_tables(database, origin, rows, step));
+    return database.execute("COMMIT");
+}
+
+Result<void> fill_tables(Database const& database, SessionOrigin const& origin,
+                         std::span<EditRow const> rows, std::size_t step)
+{
     TRY(write_meta(database, "plant", origin.plant));
     if (!origin.name.empty())
         TRY(write_name(database, origin.name));
@@ -281,8 +317,7 @@ Result<void> write_session(Database const& database, SessionOrigin const& origin
     TRY(write_meta(database, "created", origin.created.time_since_epoch().count()));
     TRY(write_language(database));
     TRY(write_step(database, rows));
-    TRY(write_cursor(database, step));
-    return database.execute("COMMIT");
+    return write_cursor(database, step);
 }
 
 Result<void> write_new_session(fs::path const& path, SessionOrigin const& origin,
@@ -327,10 +362,9 @@ Result<void> write_step(Database const& database, std::span<EditRow const> rows)
             = TRY(database.prepare(fmt::format("DELETE FROM {} WHERE number >= ?", table).c_str()));
         TRY(undone.bind(0, rows.front().place.number).run());
     }
-    for (auto const& row : rows) {
-        TRY(insert_row(database, "edits", row));
-        TRY(insert_copy(database, row));
-    }
+    auto inserter = TRY(RowInserter::create(database));
+    for (auto const& row : rows)
+        TRY(inserter.insert(row));
     return write_cursor(database, rows.front().step);
 }
 
@@ -371,6 +405,7 @@ static Result<void> update_rows(Database const& database, std::int64_t format)
 {
     auto update
         = TRY(database.prepare("UPDATE edits SET fields = ?, checksum = ? WHERE number = ?"));
+    auto inserter = TRY(RowInserter::create(database));
     auto const bring_up_to_date = [&](EditRow&& row) -> Result<void> {
         if (format > 1 && row.place.checksum != checksum_of(row))
             return {};
@@ -380,7 +415,7 @@ static Result<void> update_rows(Database const& database, std::int64_t format)
                 .bind(1, row.place.checksum)
                 .bind(2, row.place.number)
                 .run());
-        return insert_copy(database, row);
+        return inserter.insert_copy(row);
     };
     return for_each_row(database, kSessionFormat, bring_up_to_date);
 }

@@ -133,6 +133,11 @@ Result<void> write_new_session(std::filesystem::path const& path, SessionOrigin 
 Result<void> write_session(Database const& database, SessionOrigin const& origin,
                            std::span<EditRow const> rows, std::size_t step);
 
+// Writes what a new session contains into its empty tables (make_tables()). Call inside a
+// transaction. Fails with a Database error.
+Result<void> fill_tables(Database const& database, SessionOrigin const& origin,
+                         std::span<EditRow const> rows, std::size_t step);
+
 // Returns the checksum that the row has if it is intact.
 std::int64_t checksum_of(EditRow const& row);
 

@@ -204,16 +204,20 @@ std::optional<SqlitePages::Header> SqlitePages::header_at(std::string_view page,
                                                           std::size_t place) const
 {
     constexpr std::uint64_t kMaxHeaderBytes = 64;
-    Header header;
+    std::uint64_t payload_bytes = 0;
     std::uint64_t id = 0;
-    if (!read_varint(page, place, header.payload_bytes) || !read_varint(page, place, id))
-        return std::nullopt;
-    header.id = static_cast<std::int64_t>(id);
-    header.begin = place;
     std::uint64_t size = 0;
-    if (header.id < 1 || header.payload_bytes < 2 || !read_varint(page, place, size) || size < 2
-        || size > kMaxHeaderBytes || size > header.payload_bytes)
+    // At most places there is no row, as their first bytes show.
+    if (!read_varint(page, place, payload_bytes) || payload_bytes < 2
+        || !read_varint(page, place, id) || static_cast<std::int64_t>(id) < 1)
         return std::nullopt;
+    auto const begin = place;
+    if (!read_varint(page, place, size) || size < 2 || size > kMaxHeaderBytes
+        || size > payload_bytes)
+        return std::nullopt;
+    Header header { .payload_bytes = payload_bytes,
+                    .id = static_cast<std::int64_t>(id),
+                    .begin = begin };
     header.header_bytes = static_cast<std::size_t>(size);
     auto const end = header.begin + header.header_bytes;
     std::uint64_t total = size;
