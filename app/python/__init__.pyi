@@ -109,6 +109,7 @@ class Plant:
         organs: Optional[str] = None,
         vertices: str = "float",
         textures: bool = True,
+        bark_size: int = 512,
         width: int = 1280,
         height: int = 960,
         watertight: bool = False,

@@ -152,7 +152,7 @@ Result<batch::WrittenFile> save(PlantHandle const& handle, std::filesystem::path
 
 batch::WrittenFile save_plant(PlantHandle const& handle, std::filesystem::path const& path,
                               std::optional<std::string> organs, std::string vertices,
-                              bool textures, int width, int height, bool watertight,
+                              bool textures, int bark_size, int width, int height, bool watertight,
                               std::optional<double> least_thickness_mm,
                               std::optional<double> print_height_mm, bool without_leaves)
 {
@@ -160,7 +160,9 @@ batch::WrittenFile save_plant(PlantHandle const& handle, std::filesystem::path c
         check_range("least_thickness_mm", *least_thickness_mm, 0.001, 100'000);
     if (print_height_mm)
         check_range("print_height_mm", *print_height_mm, 0.1, 1e6);
+    check_range("bark_size", bark_size, 64, exports::kMaxBarkPicture_px);
     SaveOptions options { std::move(organs), std::move(vertices), textures };
+    options.file.glb.bark_px = bark_size;
     options.file.picture = { width, height };
     options.file.solid = { watertight, least_thickness_mm, print_height_mm, without_leaves };
     return value_of(without_gil([&] { return save(handle, path, std::move(options)); }));
@@ -234,13 +236,15 @@ void add_files(py::class_<PlantHandle>& plant)
 {
     plant
         .def("save", &save_plant, "path"_a, py::kw_only(), "organs"_a = py::none(),
-             "vertices"_a = "float", "textures"_a = true, "width"_a = 1280, "height"_a = 960,
-             "watertight"_a = false, "least_thickness_mm"_a = py::none(),
-             "print_height_mm"_a = py::none(), "without_leaves"_a = false,
+             "vertices"_a = "float", "textures"_a = true, "bark_size"_a = exports::kBarkPicture_px,
+             "width"_a = 1280, "height"_a = 960, "watertight"_a = false,
+             "least_thickness_mm"_a = py::none(), "print_height_mm"_a = py::none(),
+             "without_leaves"_a = false,
              R"(Write the plant in the format that the path's ending says: see plant_endings().
 
 organs: "merged" (a .glb's default), "instanced" (a .usda's) or "nodes", as in `tractus grow`.
-vertices: "float", "quantized" or "compressed", for .glb. textures: for .glb.
+vertices: "float", "quantized" or "compressed", for .glb. textures, bark_size: of a .glb, the
+latter in pixels, 64 to 2048.
 width, height: of a .png, in pixels. watertight, least_thickness_mm, print_height_mm,
 without_leaves: how a .stl or .ply is made solid, for printing.
 
