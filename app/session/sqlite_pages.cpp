@@ -275,6 +275,9 @@ void SqlitePages::find_rows(std::function<bool(std::size_t columns)> const& acce
     for (auto const& page : pages_) {
         auto const standing = states_of_rows(page);
         for (std::size_t place = 0; place < page.bytes.size(); ++place) {
+            // A row begins with its size, at least 2. Most of a page's free space is zeros.
+            if (static_cast<std::uint8_t>(page.bytes[place]) < 2)
+                continue;
             auto const header = header_at(page.bytes, place);
             if (!header || !accepts(header->columns))
                 continue;
