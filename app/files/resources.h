@@ -10,8 +10,9 @@
 namespace tractus::files {
 
 // Finds a file or folder that comes with the program, such as "models/broadleaf.l" or "demo". Looks
-// first where the program is installed (PREFIX/share/tractus beside PREFIX/bin, or beside PREFIX/lib
-// with the Python module), then in the source tree from which it was built. Fails with a user error that names both places.
+// first where the program is installed (PREFIX/share/tractus beside PREFIX/bin, or beside
+// PREFIX/lib with the Python module), then in the source tree from which it was built. Fails with a
+// user error that names both places.
 Result<std::filesystem::path> find_resource(std::string_view name);
 
 // Returns the names of the files with this ending in one of the program's folders, without the

@@ -16,7 +16,7 @@
 namespace tractus::leaf {
 namespace {
 
-constexpr double kTremor_mm = 0.3;
+constexpr double kHandTremor_mm = 0.3;
 
 // A compound leaf as it is meant. Its petiole begins at (0, 0) and points to (0, 1).
 struct MeantLeaf {
@@ -55,7 +55,7 @@ FlatLine outline_of(MeantLeaf const& leaf, MeantLeaf::Leaflet const& leaflet)
 
 // Returns a leaf of random pairs of leaflets, opposite or alternate, with or without a leaflet at
 // the end, along a bowed rachis.
-MeantLeaf random_leaf(Hand& hand)
+MeantLeaf random_leaf(tractus::Hand& hand)
 {
     MeantLeaf leaf { .width = hand.between(0.35, 0.6), .low = hand.between(0.7, 1) };
     leaf.has_midribs = hand.chance(0.5);
@@ -106,14 +106,14 @@ std::vector<Vec3> in_space(FlatLine const& line)
 
 // Draws the leaf with a trembling hand: the rachis first, then one leaflet after the other, or all
 // in any order; each line in any direction.
-LeafDrawing drawn(MeantLeaf const& leaf, Hand& hand, bool shuffles)
+LeafDrawing drawn(MeantLeaf const& leaf, tractus::Hand& hand, bool shuffles)
 {
     LeafDrawing drawing;
     auto const add = [&](FlatLine const& line) {
         auto points = in_space(line);
         if (hand.chance(0.5))
             std::ranges::reverse(points);
-        drawing.strokes.push_back(hand.draw(points, kTremor_mm));
+        drawing.strokes.push_back(hand.draw(points, kHandTremor_mm));
     };
     add(leaf.rachis);
     for (auto const& leaflet : leaf.leaflets) {
@@ -191,7 +191,7 @@ TEST(CompoundLeaf, ComesBackFromFiftyDrawings)
     double worst = 1;
     double worst_reported = 0; // Difference between reported and actual overlap.
     for (int i = 0; i < kLeaves; ++i) {
-        Hand hand(static_cast<std::uint64_t>(i) + 1);
+        tractus::Hand hand(static_cast<std::uint64_t>(i) + 1);
         auto const leaf = random_leaf(hand);
         auto const drawing = drawn(leaf, hand, i % 2 == 1);
         auto const seen = recognise_leaf(drawing);
@@ -231,7 +231,7 @@ TEST(CompoundLeaf, HasTheAnglesAndSizesThatWereDrawn)
         for (double const side : { 1.0, -1.0 })
             leaf.leaflets.push_back({ Vec2(side * 3, y), side * 60, 30 });
     leaf.leaflets.push_back({ Vec2(0, 102), 0, 40, true });
-    Hand hand(5);
+    tractus::Hand hand(5);
     auto const fit = fitted(drawn(leaf, hand, false));
     ASSERT_EQ(fit.leaf.leaflets.size(), 6U);
     EXPECT_NEAR(fit.leaf.size_mm, 40, 1);
@@ -247,7 +247,7 @@ TEST(CompoundLeaf, HasTheAnglesAndSizesThatWereDrawn)
 TEST(CompoundLeaf, PrintsAsAGrammarThatGivesTheSameNumbers)
 {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        Hand hand(seed);
+        tractus::Hand hand(seed);
         auto const leaf = fitted(drawn(random_leaf(hand), hand, false)).leaf;
         auto const text = print_grammar(leaf, "compound");
         auto const grammar = parse_grammar(text, "drawn.leaf");
@@ -266,7 +266,7 @@ TEST(CompoundLeaf, MayBePalmate)
     for (int i = 0; i <= 50; ++i)
         leaf.rachis.emplace_back(0, i);
     leaf.leaflets = { { Vec2(1, 49), 75, 20 }, { Vec2(-1, 49), -75, 20 }, { Vec2(0, 51), 0, 20 } };
-    Hand hand(3);
+    tractus::Hand hand(3);
     auto const drawing = drawn(leaf, hand, false);
     auto const seen = recognise_leaf(drawing).value();
     auto const fit = fit_leaf(seen).value();
@@ -280,7 +280,7 @@ TEST(CompoundLeaf, SaysWhatIsMissingAndLeavesOldDrawingsAsTheyAre)
     MeantLeaf leaf;
     leaf.rachis = { Vec2(0, 0), Vec2(0, 30), Vec2(0, 60) };
     leaf.leaflets = { { Vec2(3, 30), 60, 30 }, { Vec2(-3, 30), -60, 30 } };
-    Hand hand(1);
+    tractus::Hand hand(1);
     auto drawing = drawn(leaf, hand, false);
     EXPECT_TRUE(recognise_leaf(drawing));
     auto without_rachis = drawing;
@@ -293,7 +293,7 @@ TEST(CompoundLeaf, SaysWhatIsMissingAndLeavesOldDrawingsAsTheyAre)
 
 TEST(CompoundLeaf, GrowsUnderThePenLeafletByLeaflet)
 {
-    Hand hand(7);
+    tractus::Hand hand(7);
     MeantLeaf leaf;
     for (int i = 0; i <= 90; ++i)
         leaf.rachis.emplace_back(0, i);

@@ -124,7 +124,7 @@ Vec2 bent_place(Vec2 const& at, double bend)
     return Vec2(4 * bend * at.y() * (1 - at.y()), at.y()) + at.x() * normal;
 }
 
-LeafDrawing draw(Shape const& shape, Hand& hand, double tremor_mm)
+LeafDrawing draw(Shape const& shape, tractus::Hand& hand, double tremor_mm)
 {
     constexpr double kSize_mm = 100;
     LeafDrawing drawing;
