@@ -185,33 +185,11 @@ py::tuple modules_of(StringHandle const& handle, std::string const& letter,
                           take_array(std::move(selected.parameters), { count, width }));
 }
 
-void add_model(py::module_& module)
+using ModelClass = py::class_<ModelHandle>;
+
+void add_derivation(ModelClass& type)
 {
-    py::class_<ModelHandle>(module, "Model", R"(A compiled L-system in cpfg's language.
-
-Model(model) reads an L-system file, or one of ours by its name (see model_names()), with the view
-and the colours beside it. The keywords are the options of `tractus derive`.
-
-Raises Error if there is no such model, or if its text has errors: "FILE:LINE:COLUMN: ...".)")
-        .def(py::init([](std::filesystem::path const& model, std::filesystem::path const& view,
-                         std::filesystem::path const& colors, std::string environment,
-                         std::string dialect) {
-                 return load_model_handle(
-                     model, { view, colors, std::move(environment), std::move(dialect) });
-             }),
-             "model"_a, py::kw_only(), "view"_a = "", "colors"_a = "", "environment"_a = "",
-             "dialect"_a = "cpfg")
-        .def_static("from_text", &model_from_text, "text"_a, "view"_a = "", py::kw_only(),
-                    "name"_a = "model.l", "includes"_a = std::map<std::string, std::string>(),
-                    R"(A model from the text of its rules, and of its view.
-
-`includes` has the texts of the files that the rules include, by their names; `name` is for the
-sentences of errors.)")
-        .def("with_constants", &model_with_constants,
-             R"(The same model with other numbers for some of its constants, given as keywords.
-
-Raises Error if the rules have no such constant.)")
-        .def(
+    type.def(
             "derive",
             [](ModelHandle const& model, std::optional<int> steps, std::uint64_t seed,
                std::size_t max_modules, std::optional<std::uint64_t> max_memory_mb,
@@ -239,8 +217,12 @@ long as it takes).)")
                 return plant_of(scene_of_handle(model, steps, seed));
             },
             "steps"_a = py::none(), "seed"_a = 1,
-            "The plant that the turtle draws after so many steps: load(steps, seed).plant().")
-        .def_readonly("name", &ModelHandle::name, "The name of its file, without the ending.")
+            "The plant that the turtle draws after so many steps: load(steps, seed).plant().");
+}
+
+void add_facts(ModelClass& type)
+{
+    type.def_readonly("name", &ModelHandle::name, "The name of its file, without the ending.")
         .def_property_readonly(
             "text", [](ModelHandle const& model) { return model.edit.source.text; },
             "The text of the rules (.l).")
@@ -260,6 +242,36 @@ long as it takes).)")
         .def("__repr__", [](ModelHandle const& model) {
             return fmt::format("<tractus.Model {}: {} steps>", model.name, model.model->steps);
         });
+}
+
+void add_model(py::module_& module)
+{
+    py::class_<ModelHandle> type(module, "Model", R"(A compiled L-system in cpfg's language.
+
+Model(model) reads an L-system file, or one of ours by its name (see model_names()), with the view
+and the colours beside it. The keywords are the options of `tractus derive`.
+
+Raises Error if there is no such model, or if its text has errors: "FILE:LINE:COLUMN: ...".)");
+    type.def(py::init([](std::filesystem::path const& model, std::filesystem::path const& view,
+                         std::filesystem::path const& colors, std::string environment,
+                         std::string dialect) {
+                 return load_model_handle(
+                     model, { view, colors, std::move(environment), std::move(dialect) });
+             }),
+             "model"_a, py::kw_only(), "view"_a = "", "colors"_a = "", "environment"_a = "",
+             "dialect"_a = "cpfg")
+        .def_static("from_text", &model_from_text, "text"_a, "view"_a = "", py::kw_only(),
+                    "name"_a = "model.l", "includes"_a = std::map<std::string, std::string>(),
+                    R"(A model from the text of its rules, and of its view.
+
+`includes` has the texts of the files that the rules include, by their names; `name` is for the
+sentences of errors.)")
+        .def("with_constants", &model_with_constants,
+             R"(The same model with other numbers for some of its constants, given as keywords.
+
+Raises Error if the rules have no such constant.)");
+    add_derivation(type);
+    add_facts(type);
 }
 
 void add_string(py::module_& module)

@@ -8,26 +8,24 @@ namespace tractus::exports {
 namespace {
 
 // Numbers of the independent random functions.
-enum BarkLayer : std::uint32_t {
-    kBlotches = 1,
-    kGrain = 11,
-    kWrinkles = 21,
-    kFlakes = 31,
-    kFlakeBend = 41,
-    kLenticels = 51,
-    kRidges = 61,
-    kWander = 71,
-    kFurrowWidth = 81,
-    kCracks = 91,
-    kCrackWander = 98,
-    kRidgeShade = 1001,
-    kClefts = 1011,
-    kCleftEdge = 1021,
-    kCleftBottom = 1030,
-    kPatches = 1031,
-    kPatchBendU = 1041,
-    kPatchBendV = 1046,
-};
+constexpr std::uint32_t kBlotches = 1;
+constexpr std::uint32_t kGrain = 11;
+constexpr std::uint32_t kWrinkles = 21;
+constexpr std::uint32_t kFlakes = 31;
+constexpr std::uint32_t kFlakeBend = 41;
+constexpr std::uint32_t kLenticels = 51;
+constexpr std::uint32_t kRidges = 61;
+constexpr std::uint32_t kWander = 71;
+constexpr std::uint32_t kFurrowWidth = 81;
+constexpr std::uint32_t kCracks = 91;
+constexpr std::uint32_t kCrackWander = 98;
+constexpr std::uint32_t kRidgeShade = 1001;
+constexpr std::uint32_t kClefts = 1011;
+constexpr std::uint32_t kCleftEdge = 1021;
+constexpr std::uint32_t kCleftBottom = 1030;
+constexpr std::uint32_t kPatches = 1031;
+constexpr std::uint32_t kPatchBendU = 1041;
+constexpr std::uint32_t kPatchBendV = 1046;
 
 float eased_step(float low, float high, float x)
 {

@@ -139,9 +139,9 @@ private:
     // Samples a field: BarkField or HalfOldBark.
     template<typename Field> void sample(Field const& field)
     {
-        constexpr std::size_t kGrain = 8;
+        constexpr std::size_t kRowsAtOnce = 8;
         auto const side = static_cast<std::size_t>(side_);
-        parallel_for(side, kGrain, [&](std::size_t begin, std::size_t end) {
+        parallel_for(side, kRowsAtOnce, [&](std::size_t begin, std::size_t end) {
             for (std::size_t row = begin; row < end; ++row)
                 for (std::size_t column = 0; column < side; ++column)
                     points_[row * side + column]

@@ -24,8 +24,8 @@ BarkStyle smooth_bark(Vec3f const& color, Vec3f const& other_color, Vec3f const&
 }
 
 // Bark with furrows along the axis.
-BarkStyle ridged_bark(Vec3f const& color, Vec3f const& other_color, BarkStyle::Furrows furrows,
-                      float depth)
+BarkStyle ridged_bark(Vec3f const& color, Vec3f const& other_color,
+                      BarkStyle::Furrows const& furrows, float depth)
 {
     BarkStyle style;
     style.surface = { .color = color,
@@ -39,7 +39,7 @@ BarkStyle ridged_bark(Vec3f const& color, Vec3f const& other_color, BarkStyle::F
 }
 
 // Bark of thin scales.
-BarkStyle scaly_bark(Vec3f const& color, Vec3f const& other_color, BarkStyle::Flakes flakes,
+BarkStyle scaly_bark(Vec3f const& color, Vec3f const& other_color, BarkStyle::Flakes const& flakes,
                      float depth)
 {
     BarkStyle style;
@@ -152,137 +152,202 @@ BarkStyle plane_bark(BarkAge age)
     return style;
 }
 
-BarkStyle old_bark(BarkKind kind)
+BarkStyle old_alder()
 {
     using Furrows = BarkStyle::Furrows;
+    return ridged_bark({ 0.40F, 0.36F, 0.31F }, { 0.45F, 0.40F, 0.34F },
+                       Furrows { .ridges = { 15, 8 },
+                                 .width = 0.16F,
+                                 .bridges = 0.4F,
+                                 .cracks = { 30, 24 },
+                                 .crack_depth = 0.3F,
+                                 .color = { 0.18F, 0.15F, 0.13F } },
+                       0.014F);
+}
+
+BarkStyle old_apple()
+{
+    using Furrows = BarkStyle::Furrows;
+
+    auto style = ridged_bark({ 0.48F, 0.43F, 0.38F }, { 0.55F, 0.49F, 0.42F },
+                             Furrows { .ridges = { 13, 8 },
+                                       .width = 0.12F,
+                                       .bridges = 0.3F,
+                                       .cracks = { 26, 20 },
+                                       .crack_depth = 0.3F,
+                                       .color = { 0.25F, 0.20F, 0.17F } },
+                             0.010F);
+    style.flakes = {
+        .cells = { 18, 13 }, .height = 0.35F, .change = 0.14F, .edge = { 0.36F, 0.31F, 0.27F }
+    };
+    return style;
+}
+
+BarkStyle old_ash()
+{
+    using Furrows = BarkStyle::Furrows;
+    return ridged_bark({ 0.55F, 0.51F, 0.45F }, { 0.60F, 0.56F, 0.50F },
+                       Furrows { .ridges = { 13, 4 },
+                                 .width = 0.26F,
+                                 .bridges = 0.9F,
+                                 .wander = 0.9F,
+                                 .cracks = { 26, 30 },
+                                 .crack_depth = 0.2F,
+                                 .color = { 0.28F, 0.25F, 0.21F } },
+                       0.018F);
+}
+
+BarkStyle old_fir()
+{
+
+    auto style = scaly_bark(
+        { 0.51F, 0.50F, 0.47F }, { 0.58F, 0.57F, 0.54F },
+        { .cells = { 14, 11 }, .height = 0.3F, .change = 0.08F, .edge = { 0.36F, 0.34F, 0.32F } },
+        0.006F);
+    style.lenticels = { .cells = { 18, 18 },
+                        .share = 0.3F,
+                        .length = 0.4F,
+                        .thickness = 0.2F,
+                        .height = 0.35F,
+                        .color = { 0.60F, 0.58F, 0.54F } };
+    return style;
+}
+
+BarkStyle old_larch()
+{
+    using Furrows = BarkStyle::Furrows;
+
+    auto style = ridged_bark({ 0.51F, 0.40F, 0.34F }, { 0.60F, 0.45F, 0.38F },
+                             Furrows { .ridges = { 10, 5 },
+                                       .width = 0.17F,
+                                       .bridges = 0.3F,
+                                       .cracks = { 30, 18 },
+                                       .crack_depth = 0.3F,
+                                       .color = { 0.25F, 0.16F, 0.13F } },
+                             0.022F);
+    style.flakes = {
+        .cells = { 22, 15 }, .height = 0.35F, .change = 0.14F, .edge = { 0.44F, 0.28F, 0.23F }
+    };
+    return style;
+}
+
+BarkStyle old_lime()
+{
+    using Furrows = BarkStyle::Furrows;
+    return ridged_bark({ 0.47F, 0.44F, 0.39F }, { 0.53F, 0.50F, 0.44F },
+                       Furrows { .ridges = { 20, 4 },
+                                 .width = 0.24F,
+                                 .bridges = 0.95F,
+                                 .wander = 0.7F,
+                                 .cracks = { 40, 40 },
+                                 .crack_depth = 0.15F,
+                                 .color = { 0.26F, 0.23F, 0.20F } },
+                       0.011F);
+}
+
+BarkStyle old_maple()
+{
+    using Furrows = BarkStyle::Furrows;
+    return ridged_bark({ 0.48F, 0.45F, 0.40F }, { 0.55F, 0.51F, 0.45F },
+                       Furrows { .ridges = { 18, 6 },
+                                 .width = 0.16F,
+                                 .bridges = 0.8F,
+                                 .cracks = { 36, 26 },
+                                 .crack_depth = 0.25F,
+                                 .color = { 0.28F, 0.24F, 0.21F } },
+                       0.010F);
+}
+
+BarkStyle old_oak()
+{
+    using Furrows = BarkStyle::Furrows;
+    return ridged_bark({ 0.47F, 0.43F, 0.37F }, { 0.53F, 0.50F, 0.44F },
+                       Furrows { .ridges = { 14, 5 },
+                                 .width = 0.26F,
+                                 .bridges = 0.8F,
+                                 .wander = 0.5F,
+                                 .cracks = { 30, 30 },
+                                 .crack_depth = 0.45F,
+                                 .color = { 0.18F, 0.15F, 0.12F } },
+                       0.024F);
+}
+
+BarkStyle old_poplar()
+{
+    using Furrows = BarkStyle::Furrows;
+    return ridged_bark({ 0.42F, 0.40F, 0.36F }, { 0.50F, 0.48F, 0.43F },
+                       Furrows { .ridges = { 12, 3 },
+                                 .width = 0.28F,
+                                 .bridges = 0.95F,
+                                 .wander = 0.6F,
+                                 .cracks = { 28, 30 },
+                                 .crack_depth = 0.3F,
+                                 .color = { 0.17F, 0.15F, 0.13F } },
+                       0.024F);
+}
+
+BarkStyle old_spruce()
+{
+    return scaly_bark(
+        { 0.44F, 0.35F, 0.30F }, { 0.50F, 0.42F, 0.37F },
+        { .cells = { 20, 15 }, .height = 0.8F, .change = 0.16F, .edge = { 0.29F, 0.22F, 0.19F } },
+        0.008F);
+}
+
+BarkStyle old_willow()
+{
+    using Furrows = BarkStyle::Furrows;
+    return ridged_bark({ 0.45F, 0.41F, 0.35F }, { 0.52F, 0.47F, 0.40F },
+                       Furrows { .ridges = { 10, 4 },
+                                 .width = 0.28F,
+                                 .bridges = 0.85F,
+                                 .wander = 0.8F,
+                                 .cracks = { 24, 26 },
+                                 .crack_depth = 0.3F,
+                                 .color = { 0.19F, 0.16F, 0.13F } },
+                       0.026F);
+}
+
+BarkStyle old_usual_bark()
+{
+    using Furrows = BarkStyle::Furrows;
+    return ridged_bark({ 0.45F, 0.40F, 0.34F }, { 0.51F, 0.46F, 0.39F },
+                       Furrows { .ridges = { 14, 5 },
+                                 .width = 0.22F,
+                                 .bridges = 0.8F,
+                                 .cracks = { 30, 26 },
+                                 .crack_depth = 0.3F,
+                                 .color = { 0.20F, 0.17F, 0.14F } },
+                       0.018F);
+}
+
+BarkStyle old_bark(BarkKind kind)
+{
     switch (kind) {
     case BarkKind::Alder:
-        return ridged_bark({ 0.40F, 0.36F, 0.31F }, { 0.45F, 0.40F, 0.34F },
-                           Furrows { .ridges = { 15, 8 },
-                                     .width = 0.16F,
-                                     .bridges = 0.4F,
-                                     .cracks = { 30, 24 },
-                                     .crack_depth = 0.3F,
-                                     .color = { 0.18F, 0.15F, 0.13F } },
-                           0.014F);
-    case BarkKind::Apple: {
-        auto style = ridged_bark({ 0.48F, 0.43F, 0.38F }, { 0.55F, 0.49F, 0.42F },
-                                 Furrows { .ridges = { 13, 8 },
-                                           .width = 0.12F,
-                                           .bridges = 0.3F,
-                                           .cracks = { 26, 20 },
-                                           .crack_depth = 0.3F,
-                                           .color = { 0.25F, 0.20F, 0.17F } },
-                                 0.010F);
-        style.flakes = {
-            .cells = { 18, 13 }, .height = 0.35F, .change = 0.14F, .edge = { 0.36F, 0.31F, 0.27F }
-        };
-        return style;
-    }
+        return old_alder();
+    case BarkKind::Apple:
+        return old_apple();
     case BarkKind::Ash:
-        return ridged_bark({ 0.55F, 0.51F, 0.45F }, { 0.60F, 0.56F, 0.50F },
-                           Furrows { .ridges = { 13, 4 },
-                                     .width = 0.26F,
-                                     .bridges = 0.9F,
-                                     .wander = 0.9F,
-                                     .cracks = { 26, 30 },
-                                     .crack_depth = 0.2F,
-                                     .color = { 0.28F, 0.25F, 0.21F } },
-                           0.018F);
-    case BarkKind::Fir: {
-        auto style = scaly_bark({ 0.51F, 0.50F, 0.47F }, { 0.58F, 0.57F, 0.54F },
-                                { .cells = { 14, 11 },
-                                  .height = 0.3F,
-                                  .change = 0.08F,
-                                  .edge = { 0.36F, 0.34F, 0.32F } },
-                                0.006F);
-        style.lenticels = { .cells = { 18, 18 },
-                            .share = 0.3F,
-                            .length = 0.4F,
-                            .thickness = 0.2F,
-                            .height = 0.35F,
-                            .color = { 0.60F, 0.58F, 0.54F } };
-        return style;
-    }
-    case BarkKind::Larch: {
-        auto style = ridged_bark({ 0.51F, 0.40F, 0.34F }, { 0.60F, 0.45F, 0.38F },
-                                 Furrows { .ridges = { 10, 5 },
-                                           .width = 0.17F,
-                                           .bridges = 0.3F,
-                                           .cracks = { 30, 18 },
-                                           .crack_depth = 0.3F,
-                                           .color = { 0.25F, 0.16F, 0.13F } },
-                                 0.022F);
-        style.flakes = {
-            .cells = { 22, 15 }, .height = 0.35F, .change = 0.14F, .edge = { 0.44F, 0.28F, 0.23F }
-        };
-        return style;
-    }
+        return old_ash();
+    case BarkKind::Fir:
+        return old_fir();
+    case BarkKind::Larch:
+        return old_larch();
     case BarkKind::Lime:
-        return ridged_bark({ 0.47F, 0.44F, 0.39F }, { 0.53F, 0.50F, 0.44F },
-                           Furrows { .ridges = { 20, 4 },
-                                     .width = 0.24F,
-                                     .bridges = 0.95F,
-                                     .wander = 0.7F,
-                                     .cracks = { 40, 40 },
-                                     .crack_depth = 0.15F,
-                                     .color = { 0.26F, 0.23F, 0.20F } },
-                           0.011F);
+        return old_lime();
     case BarkKind::Maple:
-        return ridged_bark({ 0.48F, 0.45F, 0.40F }, { 0.55F, 0.51F, 0.45F },
-                           Furrows { .ridges = { 18, 6 },
-                                     .width = 0.16F,
-                                     .bridges = 0.8F,
-                                     .cracks = { 36, 26 },
-                                     .crack_depth = 0.25F,
-                                     .color = { 0.28F, 0.24F, 0.21F } },
-                           0.010F);
+        return old_maple();
     case BarkKind::Oak:
-        return ridged_bark({ 0.47F, 0.43F, 0.37F }, { 0.53F, 0.50F, 0.44F },
-                           Furrows { .ridges = { 14, 5 },
-                                     .width = 0.26F,
-                                     .bridges = 0.8F,
-                                     .wander = 0.5F,
-                                     .cracks = { 30, 30 },
-                                     .crack_depth = 0.45F,
-                                     .color = { 0.18F, 0.15F, 0.12F } },
-                           0.024F);
+        return old_oak();
     case BarkKind::Poplar:
-        return ridged_bark({ 0.42F, 0.40F, 0.36F }, { 0.50F, 0.48F, 0.43F },
-                           Furrows { .ridges = { 12, 3 },
-                                     .width = 0.28F,
-                                     .bridges = 0.95F,
-                                     .wander = 0.6F,
-                                     .cracks = { 28, 30 },
-                                     .crack_depth = 0.3F,
-                                     .color = { 0.17F, 0.15F, 0.13F } },
-                           0.024F);
+        return old_poplar();
     case BarkKind::Spruce:
-        return scaly_bark({ 0.44F, 0.35F, 0.30F }, { 0.50F, 0.42F, 0.37F },
-                          { .cells = { 20, 15 },
-                            .height = 0.8F,
-                            .change = 0.16F,
-                            .edge = { 0.29F, 0.22F, 0.19F } },
-                          0.008F);
+        return old_spruce();
     case BarkKind::Willow:
-        return ridged_bark({ 0.45F, 0.41F, 0.35F }, { 0.52F, 0.47F, 0.40F },
-                           Furrows { .ridges = { 10, 4 },
-                                     .width = 0.28F,
-                                     .bridges = 0.85F,
-                                     .wander = 0.8F,
-                                     .cracks = { 24, 26 },
-                                     .crack_depth = 0.3F,
-                                     .color = { 0.19F, 0.16F, 0.13F } },
-                           0.026F);
+        return old_willow();
     default:
-        return ridged_bark({ 0.45F, 0.40F, 0.34F }, { 0.51F, 0.46F, 0.39F },
-                           Furrows { .ridges = { 14, 5 },
-                                     .width = 0.22F,
-                                     .bridges = 0.8F,
-                                     .cracks = { 30, 26 },
-                                     .crack_depth = 0.3F,
-                                     .color = { 0.20F, 0.17F, 0.14F } },
-                           0.018F);
+        return old_usual_bark();
     }
 }
 

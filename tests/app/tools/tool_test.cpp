@@ -166,7 +166,8 @@ TEST(DrawTool, LaysByHeadingInHandAndByLeastTwistInOlderLogs)
               StrokeLaying::LeastTwist);
     EXPECT_EQ(words_of_selected_tool(tools(), "draw", "both chord"),
               "both chord heading from_foot");
-    EXPECT_EQ(words_of_selected_tool(tools(), "draw", "both least_twist"), "both least_twist");
+    EXPECT_EQ(words_of_selected_tool(tools(), "draw", "both least_twist"),
+              "both least_twist from_foot");
     EXPECT_EQ(words_of_selected_tool(tools(), "draw_in_order", ""), "heading from_foot");
     EXPECT_EQ(words_of_selected_tool(tools(), "select", "path"), "path");
     auto scene = small_scene();

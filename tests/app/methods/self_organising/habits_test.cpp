@@ -155,7 +155,8 @@ TEST(Habits, HaveTheBarkOfTheirKindWhichAgesWithTheGirth)
         auto const old
             = barks_of_trunk(plant_of(grow_without_brush(habit, 40, 1).value(), habit, 1).plant);
         EXPECT_EQ(old.front(), (Bark { *kind, BarkAge::Old })) << name;
-        EXPECT_EQ(old.back(), (Bark { *kind, BarkAge::Young })) << name;
+        // Below the twigs at its end; an apple's are stout.
+        EXPECT_NE(old.back().age, BarkAge::Old) << name;
         for (std::size_t i = 1; i < old.size(); ++i)
             EXPECT_LE(old[i].age, old[i - 1].age) << name;
     }
@@ -207,7 +208,7 @@ TEST(Habits, FilesSayWhatIsWrong)
     EXPECT_EQ(message("vigour = 90"), "my.habit: vigour is 90: give a number from 0 to 20");
     EXPECT_NE(message("vigor = 2").find("vigor"), std::string::npos);
     EXPECT_NE(message("vigour = \"high\"").find("my.habit:1: vigour"), std::string::npos);
-    EXPECT_NE(message("bark = \"cork\"").find("my.habit:1: bark is \"cork\""), std::string::npos)
+    EXPECT_NE(message("bark = \"cork\"").find("my.habit:1: bark is 'cork'"), std::string::npos)
         << message("bark = \"cork\"");
     EXPECT_EQ(message("whorl = 1.5"), "my.habit: whorl is 1.5: give a whole number from 0 to 8");
 }
