@@ -1,6 +1,7 @@
 #include "app/methods/self_organising/habit_text.h"
 
 #include "calib/toml_table.h"
+#include "engine/plant/bark.h"
 
 #include <filesystem>
 #include <fmt/format.h>
