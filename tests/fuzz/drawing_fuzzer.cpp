@@ -1,14 +1,15 @@
 // Fuzzes the whole way of a drawing: a log of any tools, steps, undo and broken reports
-// (drawn_recipe.h) is replayed through the station into a document, whose session is in a file;
-// then the plants are grown, meshed and exported. The session must open as it was left, also when
-// it is undone and done again. The first byte chooses the plant to draw on, and whether all is done
-// again on one thread, which must give the same strokes, edits and files.
+// (drawn_recipe.h) is replayed as a command does it, through the station into a document, whose
+// session is in a file; then the plants are grown, meshed and exported. The session must open as it
+// was left, also when it is undone and done again. The first byte chooses the plant to draw on, and
+// whether all is done again on one thread, which must give the same strokes, edits and files.
 
+#include "app/batch/drawing.h"
 #include "app/document/model_cost.h"
 #include "app/methods/all_methods.h"
 #include "app/session/begin_empty.h"
 #include "app/session/session.h"
-#include "app/station/log_replay.h"
+#include "drivers/logs/log.h"
 #include "engine/export/glb_writer.h"
 #include "engine/plant/mtg.h"
 #include "engine/variation/growth.h"
@@ -16,6 +17,7 @@
 #include "tests/fuzz/drawn_recipe.h"
 #include "tests/fuzz/own_file.h"
 
+#include <fstream>
 #include <oneapi/tbb/global_control.h>
 #include <sstream>
 #include <string>
@@ -29,6 +31,7 @@ constexpr std::size_t kMaxSegments = 20'000; // Larger plants are not exported, 
 
 // The result of a drawing, as texts that can be compared.
 struct Outcome {
+    std::vector<std::string> notes;   // What the command would say of the drawing.
     std::vector<std::string> strokes; // Refusal, message and edits of each stroke.
     std::vector<std::string> files;   // The plants in other formats.
 
@@ -110,33 +113,38 @@ void check_session(std::filesystem::path const& path, scene::Scene const& scene)
     CHECK(state_of(opened->scene()) == drawn);
 }
 
-Outcome outcome_of(drivers::Log const& log, bool is_empty)
+// Replays the log as the commands do, and exports the plants; returns the scene, whose session is
+// in the file `path`.
+scene::Scene draw(std::filesystem::path const& log, std::filesystem::path const& path,
+                  bool is_empty, Outcome& outcome)
 {
+    document::Document document(
+        session::Session::create(path, {}, beginning(is_empty), session_options()).value(),
+        document::Document::Working::AtOnce);
+    batch::DrawingReport report;
+    terminal::Progress progress;
+    auto const drawing = batch::read_drawing({ .log = log, .methods = methods::all_methods() },
+                                             document, progress, report);
+    outcome.notes = report.notes;
+    if (is_read(drawing))
+        for (auto const& drawn : drawing->strokes)
+            outcome.strokes.push_back(text_of(drawn));
+    CHECK(document.newest()->unkept == 0);
+    auto const& scene = document.newest()->scene;
+    for (auto const& plant : scene.plants)
+        export_plant(*plant, outcome.files);
+    return scene;
+}
+
+Outcome outcome_of(std::string const& log, bool is_empty)
+{
+    static auto const log_path = own_file(".tractus-log");
     static auto const path = own_file(".tractus");
-    Outcome outcome;
-    station::ReplayOptions const options { .methods = methods::all_methods(),
-                                           .rig = calib::Rig { .tablet_size_mm = { 200, 100 } } };
-    auto replay = station::LogReplay::create(log, options);
-    if (!is_read(replay))
-        return outcome;
+    std::ofstream(log_path) << log;
     for (auto const* const ending : { "", "-wal", "-shm" })
         std::filesystem::remove(path.string() + ending);
-    scene::Scene scene;
-    {
-        document::Document document(
-            session::Session::create(path, {}, beginning(is_empty), session_options()).value(),
-            document::Document::Working::AtOnce);
-        replay->run(document);
-        for (auto const& drawn : document.take_finished_strokes())
-            outcome.strokes.push_back(text_of(drawn));
-        while (auto const done = document.take_done())
-            outcome.strokes.push_back(done->status ? *done->status : done->status.error().message);
-        CHECK(document.newest()->unkept == 0);
-        scene = document.newest()->scene;
-        for (auto const& plant : scene.plants)
-            export_plant(*plant, outcome.files);
-    }
-    check_session(path, scene);
+    Outcome outcome;
+    check_session(path, draw(log_path, path, is_empty, outcome));
     return outcome;
 }
 
@@ -146,13 +154,13 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
 {
     FuzzInput input(data, size);
     auto const how = input.take_byte();
-    auto const log = drivers::parse_log(log_of_recipe(input), "fuzz");
-    CHECK(log);
-    auto const outcome = outcome_of(*log, how % 2 == 1);
+    auto const log = log_of_recipe(input);
+    CHECK(drivers::parse_log(log, "fuzz"));
+    auto const outcome = outcome_of(log, how % 2 == 1);
     if (how / 2 % 4 == 1) {
         oneapi::tbb::global_control const one_thread(
             oneapi::tbb::global_control::max_allowed_parallelism, 1);
-        CHECK(outcome_of(*log, how % 2 == 1) == outcome);
+        CHECK(outcome_of(log, how % 2 == 1) == outcome);
     }
     return 0;
 }

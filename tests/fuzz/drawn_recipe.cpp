@@ -4,6 +4,7 @@
 #include "app/methods/all_methods.h"
 #include "app/session/edit_record.h"
 #include "app/tools/tool.h"
+#include "calib/rig_file.h"
 #include "drivers/logs/log_writer.h"
 #include "tests/app/simple_rig.h"
 
@@ -164,7 +165,10 @@ private:
 
     FuzzInput input_;
     std::ostringstream text_;
-    drivers::LogWriter writer_ { text_, { .devices = simple_rig() } };
+    drivers::LogWriter writer_ { text_,
+                                 { .devices = simple_rig(),
+                                   .rig_text
+                                   = calib::print_rig({ .tablet_size_mm = { 200, 100 } }) } };
     std::int64_t now_ms_ = 1000;
     std::size_t strokes_ = 0;
 };
