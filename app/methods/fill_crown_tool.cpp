@@ -28,7 +28,7 @@ void visit(tools::OptionVisitor& visitor, FillCrownTool& tool)
 {
     visitor.choice({ .words = kWhenWords }, tool.when);
     self_organising::visit_species(visitor, tool.species);
-    self_organising::visit_girth(visitor, tool.girth);
+    self_organising::visit_edition(visitor, tool.edition);
 }
 
 // Returns a growth period in which the tree grows inside the balls. The period's stroke has a tip
@@ -55,7 +55,7 @@ Result<std::vector<scene::Edit>> fill_edits(tools::Tool const& tool, Stroke cons
                                             scene::Scene const& scene)
 {
     auto const& options = *tool.get<FillCrownTool>();
-    auto const habit = self_organising::habit_of(options.species, options.girth);
+    auto const habit = self_organising::habit_of(options.species, options.edition);
     return std::vector { TRY(fill_crown(scene, habit, kFillYears, 1 + scene.plants.size())) };
 }
 

@@ -20,7 +20,8 @@ struct FillCrownTool {
     enum class When { Touch, AtOnce } when = When::Touch;
     self_organising::GrowthBrushTool::Species species
         = self_organising::GrowthBrushTool::Species::Oak;
-    self_organising::GrowthBrushTool::Girth girth = self_organising::GrowthBrushTool::Girth::Rings;
+    self_organising::GrowthBrushTool::Edition edition
+        = self_organising::GrowthBrushTool::Edition::Full;
 };
 
 // The edit that fills the crown of a scene's active plant by up to `years` years of growth. Fails

@@ -265,7 +265,9 @@ void GpuMesh::add_organ(Material const& material, mesh::InstancedMesh const& org
                         SkyVisibility const& sky)
 {
     auto all = organ.prototype;
-    auto versions = mesh::coarse_versions(organ.prototype);
+    auto versions = thinned_versions(all);
+    if (versions.empty())
+        versions = mesh::coarse_versions(organ.prototype);
     std::vector<Part::Coarse> coarse;
     for (auto const& version : versions) {
         coarse.insert(coarse.begin(),

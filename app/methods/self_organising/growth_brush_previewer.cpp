@@ -56,7 +56,7 @@ private:
         } else if (life.plant != 0) {
             tree = *grown_tree_of(scene.drawn->source);
         } else {
-            tree.habit = habit_of(tool.species, tool.girth);
+            tree.habit = habit_of(tool.species, tool.edition);
             tree.seed = 1 + scene.plants.size();
             stands_at_mm = life.part.stroke.tips.front().position_mm;
         }
@@ -79,7 +79,7 @@ private:
     // Converts the active plant to a tree that can continue growing.
     static Result<GrownTree> tree_from(GrowthBrushTool const& tool, scene::Scene const& scene)
     {
-        auto const edit = TRY(grow_from_active(scene, habit_of(tool.species, tool.girth), {}));
+        auto const edit = TRY(grow_from_active(scene, habit_of(tool.species, tool.edition), {}));
         auto const* const from = edit.get<GrowFrom>();
         if (!from)
             return *grown_tree_of(scene.drawn->source);

@@ -42,10 +42,12 @@ constexpr std::array<tools::OptionWord, 16> kHabitWords { {
     { "larch", "Larch" },
 } };
 
-// Option words, in the order of the enumeration Girth. Logs that are older than "rings" name none.
-constexpr std::array<tools::OptionWord, 2> kGirthWords { {
+// Option words, in the order of the enumeration Edition. Logs that are older than "rings" name
+// none.
+constexpr std::array<tools::OptionWord, 3> kEditionWords { {
     { "pipe", "By the pipe model" },
     { "rings", "With annual rings" },
+    { "full", "Full crowns" },
 } };
 
 // Option words, in the order of the enumeration What.
@@ -70,7 +72,7 @@ void visit(tools::OptionVisitor& visitor, GrowthBrushTool& tool)
     visitor.number({ "least_radius", "mm", 1, 100, 1, "Light" }, tool.min_radius_mm);
     visitor.number({ "radius", "mm", 2, 200, 2, "Pressed" }, tool.most_radius_mm);
     visitor.choice({ kWhatWords }, tool.what);
-    visit_girth(visitor, tool.girth);
+    visit_edition(visitor, tool.edition);
     tools::visit_base(visitor, tool.base);
 }
 
@@ -103,7 +105,7 @@ Result<std::vector<scene::Edit>> grow_without_brush(GrowthBrushTool const& tool,
 {
     LifePeriod const part { .years = tool.what == What::Year ? 1 : 10 };
     if (scene.plants.empty())
-        return std::vector<scene::Edit> { PlantTree { .habit = habit_of(tool.species, tool.girth),
+        return std::vector<scene::Edit> { PlantTree { .habit = habit_of(tool.species, tool.edition),
                                                       .first = part } };
     TRY(active_tree(scene));
     return std::vector<scene::Edit> { GrowOn { scene.drawn->id, part } };
@@ -115,7 +117,7 @@ Result<std::vector<scene::Edit>> change_habit(GrowthBrushTool const& tool,
     auto const* const tree = TRY(active_tree(scene));
     bool const is_other_chance = tool.what == What::Reseed;
     return std::vector<scene::Edit> { ChangeHabit {
-        scene.drawn->id, is_other_chance ? tree->habit : habit_of(tool.species, tool.girth),
+        scene.drawn->id, is_other_chance ? tree->habit : habit_of(tool.species, tool.edition),
         tree->seed + (is_other_chance ? 1 : 0) } };
 }
 
@@ -132,7 +134,7 @@ Result<std::vector<scene::Edit>> edits_for(tools::Tool const& tool, Stroke const
         TRY(active_tree(scene));
         return std::vector<scene::Edit> { TurnBrushStroke { scene.drawn->id } };
     }
-    auto const habit = habit_of(options.species, options.girth);
+    auto const habit = habit_of(options.species, options.edition);
     if (options.what == What::FromYear)
         return std::vector { TRY(grow_from_active(scene, habit, { .years = 1 })) };
     if (options.what == What::Habit || options.what == What::Reseed)
@@ -184,9 +186,9 @@ void visit_species(tools::OptionVisitor& visitor, GrowthBrushTool::Species& spec
         species);
 }
 
-void visit_girth(tools::OptionVisitor& visitor, GrowthBrushTool::Girth& girth)
+void visit_edition(tools::OptionVisitor& visitor, GrowthBrushTool::Edition& girth)
 {
-    visitor.choice({ kGirthWords, tools::WordOption::Offered::Never }, girth);
+    visitor.choice({ kEditionWords, tools::WordOption::Offered::Never }, girth);
 }
 
 bool is_unmodified(scene::PlantState const& plant)
@@ -210,19 +212,19 @@ Result<scene::Edit> grow_from_active(scene::Scene const& scene, Habit const& hab
                                   .next = std::move(part) });
 }
 
-Habit habit_of(GrowthBrushTool::Species species, GrowthBrushTool::Girth girth)
+Habit habit_of(GrowthBrushTool::Species species, GrowthBrushTool::Edition edition)
 {
     std::string_view const name = kHabitWords[static_cast<std::size_t>(species)].word;
+    char const* text = nullptr;
     for (auto const& known : habit_texts())
-        if (known.name == name) {
-            auto habit = parse_habit(known.text, known.name);
-            CHECK(habit.has_value());
-            if (girth == GrowthBrushTool::Girth::Pipe)
-                habit->ring_mm = 0;
-            return *std::move(habit);
-        }
-    CHECK(false);
-    return {};
+        if (known.name == name && (!known.is_earlier || edition != GrowthBrushTool::Edition::Full))
+            text = known.text;
+    CHECK(text);
+    auto habit = parse_habit(text, std::string(name));
+    CHECK(habit.has_value());
+    if (edition == GrowthBrushTool::Edition::Pipe)
+        habit->ring_mm = 0;
+    return *std::move(habit);
 }
 
 Result<BrushStrokeLife> life_of_brush_stroke(GrowthBrushTool const& tool, Stroke const& stroke,

@@ -33,12 +33,13 @@ struct GrowthBrushTool {
         Larch,
     } species
         = Species::Oak;
-    // Law of the girth of new trees, and of those that get this tool's habit.
-    enum class Girth {
-        Pipe,  // The pipe model alone, as in logs older than the rings.
-        Rings, // The species' annual rings, too (Habit::ring_mm).
-    } girth
-        = Girth::Rings;
+    // Which numbers new trees of a species have, and those that get this tool's habit.
+    enum class Edition {
+        Pipe,  // The earlier numbers, and the girth by the pipe model alone.
+        Rings, // The earlier numbers (app/habits/earlier), with annual rings (Habit::ring_mm).
+        Full,  // The numbers of app/habits.
+    } edition
+        = Edition::Full;
     double years_per_s = 4;     // Years of growth per second of pen movement.
     double min_radius_mm = 6;   // Radius of the brush on the desk at zero pressure.
     double most_radius_mm = 30; // Radius of the brush on the desk at full pressure.
@@ -67,8 +68,9 @@ struct GrowthBrushTool {
 // Passes the choice of a species to a visitor of options.
 void visit_species(tools::OptionVisitor& visitor, GrowthBrushTool::Species& species);
 
-// Passes the law of girth, which has no button and which older logs lack, to a visitor of options.
-void visit_girth(tools::OptionVisitor& visitor, GrowthBrushTool::Girth& girth);
+// Passes the edition of the habits' numbers, which has no button, to a visitor of options. Logs
+// without its word are of the first edition.
+void visit_edition(tools::OptionVisitor& visitor, GrowthBrushTool::Edition& girth);
 
 // True if the plant is not bent by strokes or indicators, and has no grafted or hidden parts.
 bool is_unmodified(scene::PlantState const& plant);
@@ -80,9 +82,9 @@ bool is_unmodified(scene::PlantState const& plant);
 Result<scene::Edit> grow_from_active(scene::Scene const& scene, Habit const& habit,
                                      LifePeriod part);
 
-// The built-in habit of a species. Its ring_mm is 0 with Girth::Pipe.
+// The built-in habit of a species, in one of its editions.
 Habit habit_of(GrowthBrushTool::Species species,
-               GrowthBrushTool::Girth girth = GrowthBrushTool::Girth::Rings);
+               GrowthBrushTool::Edition edition = GrowthBrushTool::Edition::Full);
 
 // Meaning of a growth brush's stroke: a period in the life of a new tree or of the active tree.
 struct BrushStrokeLife {

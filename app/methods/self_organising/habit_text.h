@@ -20,6 +20,9 @@ Result<Habit> parse_habit(std::string_view text, std::string const& name);
 struct HabitText {
     char const* name;
     char const* text;
+    // True: numbers that the species had earlier, which old logs need. They follow the present
+    // ones.
+    bool is_earlier;
 };
 std::span<HabitText const> habit_texts();
 

@@ -70,6 +70,9 @@ struct Habit {
     double ridges = 0;  // Number of ridges that run down the trunk into the roots (RootFlare).
     // Least width of the trunk's annual rings (shown_diameters()); 0: the pipe model alone decides.
     double ring_mm = 0;
+    // Rings widen an axis to at most its length above the place, divided by this number, so that a
+    // tree that finds little space stays slender. 0: no limit.
+    double ring_slenderness = 0;
 
     // The fields from here on describe leaves, which the shoots of the last `leaf_years` years
     // bear.
@@ -78,6 +81,9 @@ struct Habit {
     double leaf_mm = 80, leaf_width_mm = 45, petiole_mm = 10;
     double leaf_angle_deg = 60; // Angle between leaf and shoot.
     double leaf_is_needle = 0;  // Shape of the leaf: 1 is a needle, 0 a flat blade.
+    // Number of needles on an internode, which then are one organ; leaves_at_node is not used.
+    // 0: each needle is an organ of its own.
+    double shoot_needles = 0;
     double leaf_is_evergreen = 0;
     double leaf_red = 0.25, leaf_green = 0.42, leaf_blue = 0.13; // Leaf colour, sRGB, 0 to 1.
     // Mean colour of the bark of an old trunk, sRGB, 0 to 1; limbs are tinted like it.

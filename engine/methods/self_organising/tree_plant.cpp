@@ -3,10 +3,12 @@
 #include "engine/base/random.h"
 #include "engine/methods/self_organising/wood.h"
 #include "engine/plant/bark_materials.h"
+#include "engine/plant/leaf_spray.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <unordered_set>
 #include <utility>
 
@@ -19,6 +21,7 @@ constexpr std::uint32_t kRootStream = 0x2007;
 constexpr MaterialId kBark = 0;
 constexpr MaterialId kTwig = 1;
 constexpr MaterialId kLeaf = 2;
+constexpr std::uint32_t kNeedleShapes = 4; // Different shapes of a shoot's needles.
 
 class PlantMaker {
 public:
@@ -47,7 +50,7 @@ public:
         name_axes();
         for (std::uint32_t i = 1; i < tree_.size(); ++i)
             if (segment_[i] != kNone && is_leafy(i))
-                add_leaves(i);
+                has_needle_shoots() ? add_needles(i) : add_leaves(i);
         return std::move(made_);
     }
 
@@ -85,6 +88,16 @@ private:
               .translucency = habit_.leaf_is_needle != 0 ? 0.1F : 0.45F },
         };
         barks_ = add_bark(plant(), kBark, bark_kind(habit_.bark).value_or(BarkKind::Furrowed));
+        if (has_needle_shoots())
+            add_needle_shapes();
+        else
+            add_leaf_shape();
+    }
+
+    bool has_needle_shoots() const { return habit_.shoot_needles > 0; }
+
+    void add_leaf_shape()
+    {
         bool const is_needle = habit_.leaf_is_needle != 0;
         OrganShape shape { .name = "leaf",
                            .kind = is_needle ? OrganShape::Kind::Needle : OrganShape::Kind::Blade,
@@ -94,6 +107,22 @@ private:
                            .petiole_mm = is_needle ? 0 : habit_.petiole_mm };
         shape.calendar = OrganCalendar { .is_evergreen = habit_.leaf_is_evergreen != 0 };
         plant().organ_shapes.push_back(std::move(shape));
+    }
+
+    // The needles of an internode are one organ. At scale 1 its shapes lie along kSprayLength_mm.
+    void add_needle_shapes()
+    {
+        for (std::uint32_t variant = 0; variant < kNeedleShapes; ++variant) {
+            auto shape = leaf_spray({ .per_spray = static_cast<int>(habit_.shoot_needles),
+                                      .length = habit_.leaf_mm / habit_.internode_mm,
+                                      .width = habit_.leaf_width_mm / habit_.leaf_mm,
+                                      .lean_deg = habit_.leaf_angle_deg,
+                                      .first_share = 0 },
+                                    kLeaf, variant);
+            shape.name = fmt::format("needles {}", variant + 1);
+            shape.calendar = OrganCalendar { .is_evergreen = habit_.leaf_is_evergreen != 0 };
+            plant().organ_shapes.push_back(std::move(shape));
+        }
     }
 
     MaterialId wood_material(std::uint32_t node) const
@@ -165,6 +194,32 @@ private:
             return true;
         return tree_.is_brushed && habit_.leaf_years > 0
             && pipe_widths_[node] <= habit_.twig_mm * kRounding;
+    }
+
+    // Adds the needles of an internode, turned about it at random.
+    void add_needles(std::uint32_t node)
+    {
+        auto const& links = tree_.links[node];
+        auto const& place = tree_.places[node];
+        Vec3 const from = tree_.places[links.parent].position;
+        Vec3 const internode = place.position - from;
+        double const length_mm = internode.norm();
+        if (length_mm == 0)
+            return;
+        Random random({ seed_ ^ links.axis, kLeafStream, links.rank });
+        auto const width = static_cast<float>(habit_.internode_mm / kSprayLength_mm);
+        auto const length = static_cast<float>(length_mm / kSprayLength_mm);
+        Vec3 const along = internode / length_mm;
+        Vec3 right = turned(place.normal, along, random.uniform(0, 2 * kPi));
+        right = (right - right.dot(along) * along).normalized();
+        Mat3 frame;
+        frame << right, along, right.cross(along);
+        plant().organs.push_back(
+            { .shape = static_cast<OrganShapeId>(random.uniform(0, kNeedleShapes)),
+              .segment = segment_[node],
+              .position_mm = from - tree_.places[0].position,
+              .orientation = Quat(frame).normalized(),
+              .scale = Vec3f(width, length, width) });
     }
 
     // Spreads leaves along an internode, each turned by the divergence angle of the axis.

@@ -44,6 +44,19 @@ double ring_scale(GrowingTree const& tree, Habit const& habit)
     return std::min(length_of(internode) / habit.internode_mm, 1.0);
 }
 
+// Greatest width of the rings at each node: the length of the axis above it, divided by
+// Habit::ring_slenderness.
+std::vector<double> widest_rings(GrowingTree const& tree, Habit const& habit)
+{
+    std::vector<double> widths(tree.size());
+    for (std::size_t i = tree.size(); i-- > 0;)
+        if (auto const above = tree.links[i].main; above != kNone) {
+            Vec3 const internode = tree.places[above].position - tree.places[i].position;
+            widths[i] = widths[above] + length_of(internode) / habit.ring_slenderness;
+        }
+    return widths;
+}
+
 } // namespace
 
 std::vector<double> shown_diameters(GrowingTree const& tree, Habit const& habit)
@@ -52,13 +65,16 @@ std::vector<double> shown_diameters(GrowingTree const& tree, Habit const& habit)
     if (habit.ring_mm <= 0 || tree.size() == 0)
         return widths;
     double const on_trunk = 2 * habit.ring_mm * ring_scale(tree, habit);
+    bool const is_bounded = habit.ring_slenderness > 0;
+    auto const widest = is_bounded ? widest_rings(tree, habit) : std::vector<double>();
     for (std::size_t i = 0; i < tree.size(); ++i) {
         auto const& node = tree.links[i];
         if (node.order > 1)
             continue;
         auto const years = tree.step - std::max(node.step, tree.given_step);
         double const ring = node.order == 0 ? on_trunk : kBranchRing * on_trunk;
-        widths[i] = std::max(widths[i], habit.twig_mm + ring * years);
+        double const width = habit.twig_mm + ring * years;
+        widths[i] = std::max(widths[i], is_bounded ? std::min(width, widest[i]) : width);
     }
     return widths;
 }

@@ -3,8 +3,8 @@
 #include "engine/methods/silhouettes/arrangement.h"
 #include "engine/methods/silhouettes/branch_style.h"
 #include "engine/methods/silhouettes/skeleton.h"
-#include "engine/methods/silhouettes/spray.h"
 #include "engine/plant/bark.h"
+#include "engine/plant/leaf_spray.h"
 #include "engine/plant/plant.h"
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct TreeOptions {
     std::uint64_t seed = 1;
     // Number of twigs on a branch of the last level whose length is 7 % of the height.
     std::size_t sprays = 12;
-    LeafForm leaf {};
+    SprayForm leaf {};
     Vec3f leaf_color { 0.25f, 0.42f, 0.13f };
     Vec3f bark_color { 0.34f, 0.27f, 0.2f }; // Used where `bark` is Furrowed.
     BarkKind bark = BarkKind::Furrowed;      // Gives the bark its colours, too.

@@ -1,6 +1,8 @@
 #include "app/render/leaf_parts.h"
 #include "engine/base/random.h"
+#include "engine/mesh/make_mesh.h"
 #include "engine/mesh/mesh_measures.h"
+#include "engine/plant/leaf_spray.h"
 #include "tests/app/render/renderer_fixture.h"
 #include "tests/engine/mesh/bent_leaf.h"
 
@@ -34,7 +36,7 @@ TextureSlot lobed_leaf()
         TexturePicture { png.str(), TexturePicture::Edges::Clamp });
 }
 
-enum class Leaves { Pictured, Plain, Bent };
+enum class Leaves { Pictured, Plain, Bent, Needles };
 
 // A leaf of 30 mm of four triangles, folded along its midrib.
 mesh::TriangleMesh folded_leaf()
@@ -50,18 +52,31 @@ mesh::TriangleMesh folded_leaf()
     return leaf;
 }
 
-// A crown of leaves of 30 mm in a ball.
+// A shoot of 64 needles, 1 mm wide.
+mesh::TriangleMesh needles()
+{
+    Plant plant;
+    plant.materials = { Material { .kind = Material::Kind::Leaf } };
+    plant.organ_shapes = { leaf_spray(
+        { .per_spray = 64, .length = 0.3, .width = 1.0 / 30, .first_share = 0 }, 0, 1) };
+    plant.organs = { Organ { .scale = Vec3f::Constant(0.5f) } };
+    return mesh::make_prototype(plant, 0);
+}
+
+// A crown of leaves of 30 mm, or of shoots, in a ball.
 mesh::Mesh crown(Leaves kind)
 {
     mesh::Mesh made;
     made.materials.push_back(
         { .name = "leaf", .kind = Material::Kind::Leaf, .base_color = { 0.25f, 0.5f, 0.15f } });
-    if (kind != Leaves::Plain)
+    if (kind != Leaves::Plain && kind != Leaves::Needles)
         made.materials[0].textures = { .base_color = lobed_leaf(),
                                        .alpha = MaterialTextures::Alpha::Mask,
                                        .color = MaterialTextures::Color::Replaced };
     auto& organ = made.organs.emplace_back();
-    organ.prototype = kind == Leaves::Bent ? mesh::bent_leaf() : folded_leaf();
+    organ.prototype = kind == Leaves::Bent ? mesh::bent_leaf()
+        : kind == Leaves::Needles          ? needles()
+                                           : folded_leaf();
     Random random({ .seed = 4, .stream = 1 });
     while (organ.instances.size() < 4000) {
         Vec3 const place(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
@@ -168,20 +183,21 @@ Image smaller(Image const& picture, int factor)
 // Merged leaves are drawn with all their triangles, instances with few of them.
 TEST_F(FarLeaves, LookInSmallPicturesAsLargeOnesMadeSmaller)
 {
-    auto const mesh = crown(Leaves::Bent);
-    auto const one = merged(mesh);
-    for (int const width : { 160, 320 }) {
-        auto const truth = smaller(drawn(one, 4 * width), 4);
-        auto const difference = [&](mesh::Mesh const& drawn_mesh) {
-            auto const picture = drawn(drawn_mesh, width);
-            double sum = 0;
-            for (std::size_t i = 0; i < truth.pixels().size(); ++i)
-                sum += most_different(picture.pixels()[i], truth.pixels()[i]);
-            return sum / static_cast<double>(truth.pixels().size());
-        };
-        double const of_all = difference(one);
-        EXPECT_LT(difference(mesh), of_all + 0.3) << "all: " << of_all;
-    }
+    for (auto const kind : { Leaves::Bent, Leaves::Needles })
+        for (int const width : { 160, 320 }) {
+            auto const mesh = crown(kind);
+            auto const one = merged(mesh);
+            auto const truth = smaller(drawn(one, 4 * width), 4);
+            auto const difference = [&](mesh::Mesh const& drawn_mesh) {
+                auto const picture = drawn(drawn_mesh, width);
+                double sum = 0;
+                for (std::size_t i = 0; i < truth.pixels().size(); ++i)
+                    sum += most_different(picture.pixels()[i], truth.pixels()[i]);
+                return sum / static_cast<double>(truth.pixels().size());
+            };
+            double const of_all = difference(one);
+            EXPECT_LT(difference(mesh), of_all + 0.3) << "all: " << of_all;
+        }
 }
 
 TEST_F(FarLeaves, HaveFewTrianglesInSmallPictures)
@@ -215,6 +231,35 @@ TEST(LeafParts, AreConnectedByTriangles)
     for (std::size_t i = 6; i < 12; ++i)
         sum += surface.positions_mm[i] / 6;
     EXPECT_LT((parts.middles_mm[1] - sum).norm(), 1e-3f);
+}
+
+TEST(LeafParts, ThinnedKeepTheirArea)
+{
+    auto const shoot = needles();
+    auto with_wide = shoot;
+    auto const versions = thinned_versions(with_wide);
+    ASSERT_EQ(versions.size(), 3u);
+    auto const area_mm2 = [&](std::vector<std::uint32_t> const& indices) {
+        double sum = 0;
+        for (std::size_t i = 0; i < indices.size(); i += 3) {
+            auto const& a = with_wide.positions_mm[indices[i]];
+            Vec3f const b = with_wide.positions_mm[indices[i + 1]] - a;
+            Vec3f const c = with_wide.positions_mm[indices[i + 2]] - a;
+            sum += double(b.cross(c).norm()) / 2;
+        }
+        return sum;
+    };
+    auto former = shoot.indices.size();
+    for (auto const& version : versions) {
+        EXPECT_EQ(version.indices.size(), former / 2);
+        EXPECT_NEAR(area_mm2(version.indices), area_mm2(shoot.indices),
+                    0.05 * area_mm2(shoot.indices));
+        former = version.indices.size();
+    }
+    EXPECT_TRUE(std::equal(shoot.positions_mm.begin(), shoot.positions_mm.end(),
+                           with_wide.positions_mm.begin()));
+    auto leaf = mesh::bent_leaf();
+    EXPECT_TRUE(thinned_versions(leaf).empty());
 }
 
 TEST(LeafParts, DifferFromEachOther)

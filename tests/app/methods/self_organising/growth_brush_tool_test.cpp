@@ -1,6 +1,7 @@
 #include "app/methods/self_organising/growth_brush_tool.h"
 
 #include "app/methods/fill_crown_tool.h"
+#include "app/methods/self_organising/habit_file.h"
 #include "app/methods/self_organising/habit_text.h"
 #include "app/methods/self_organising/prune_tool.h"
 #include "app/tools/stroke_previewer.h"
@@ -60,7 +61,7 @@ TEST(GrowthBrushTool, HasAHabitForEachOfItsWords)
     for (int i = 0; i <= static_cast<int>(GrowthBrushTool::Species::Larch); ++i)
         EXPECT_FALSE(habit_of(static_cast<GrowthBrushTool::Species>(i)).latin.empty());
     EXPECT_EQ(habit_of(GrowthBrushTool::Species::Fir).name, "fir");
-    EXPECT_EQ(habit_texts().size(), 16U);
+    EXPECT_EQ(std::ranges::count(habit_texts(), false, &HabitText::is_earlier), 16);
 }
 
 // Returns the stroke from its last position to its first.
@@ -101,26 +102,33 @@ TEST(GrowthBrushTool, ATreeBegunAtItsTopStandsOnTheGround)
     EXPECT_FALSE(tools::Tool(turn).edits_for({}, {}));
 }
 
-TEST(GrowthBrushTool, LogsOlderThanTheRingsKeepTheirTrees)
+TEST(GrowthBrushTool, OlderLogsKeepTheNumbersOfTheirEdition)
 {
+    using Edition = GrowthBrushTool::Edition;
     std::array const kinds { &GrowthBrushTool::kKind, &methods::FillCrownTool::kKind };
-    auto const girth_in = [&](char const* words) {
+    auto const edition_in = [&](char const* words) {
         return tools::parse_tool(kinds, GrowthBrushTool::kKind.word, words)
             .value()
             .get<GrowthBrushTool>()
-            ->girth;
+            ->edition;
     };
-    EXPECT_EQ(girth_in("birch new"), GrowthBrushTool::Girth::Pipe);
-    EXPECT_EQ(girth_in("birch new rings"), GrowthBrushTool::Girth::Rings);
+    EXPECT_EQ(edition_in("birch new"), Edition::Pipe);
+    EXPECT_EQ(edition_in("birch new rings"), Edition::Rings);
+    EXPECT_EQ(edition_in("birch new full"), Edition::Full);
     auto const filled = tools::parse_tool(kinds, methods::FillCrownTool::kKind.word, "oak").value();
-    EXPECT_EQ(filled.get<methods::FillCrownTool>()->girth, GrowthBrushTool::Girth::Pipe);
+    EXPECT_EQ(filled.get<methods::FillCrownTool>()->edition, Edition::Pipe);
 
     using Species = GrowthBrushTool::Species;
-    EXPECT_EQ(habit_of(Species::Birch, GrowthBrushTool::Girth::Pipe).ring_mm, 0);
-    EXPECT_GT(habit_of(Species::Birch).ring_mm, 0);
+    EXPECT_EQ(habit_of(Species::Birch, Edition::Pipe).ring_mm, 0);
+    EXPECT_GT(habit_of(Species::Birch, Edition::Rings).ring_mm, 0);
+    EXPECT_EQ(habit_of(Species::Birch, Edition::Rings).shade, 0.12);
+    EXPECT_EQ(habit_of(Species::Spruce, Edition::Pipe).shoot_needles, 0);
+    EXPECT_GT(habit_of(Species::Spruce, Edition::Full).shoot_needles, 0);
+    EXPECT_EQ(habit_of(Species::Spruce), load_habit("spruce").value());
+    EXPECT_EQ(habit_of(Species::Alder, Edition::Rings).ring_slenderness, 0);
     auto const stroke = drawn_stroke({ 0, 0, 0 }, 5);
-    auto const older = drawn({}, { .girth = GrowthBrushTool::Girth::Pipe }, stroke);
-    auto const newer = drawn({}, {}, stroke);
+    auto const older = drawn({}, { .edition = Edition::Pipe }, stroke);
+    auto const newer = drawn({}, { .edition = Edition::Rings }, stroke);
     EXPECT_EQ(older.base->node_position_mm, newer.base->node_position_mm);
     EXPECT_EQ(older.base->organs.size(), newer.base->organs.size());
     EXPECT_LT(older.base->node_radius_mm.front(), newer.base->node_radius_mm.front());

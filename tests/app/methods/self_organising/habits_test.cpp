@@ -109,9 +109,11 @@ TEST(Habits, GrowTreesOfTheirKind)
             without_rings.ring_mm = 0;
             auto const piped = year == 40 ? plant : plant_of(tree, without_rings, 1).plant;
             expect_within(measure_tree(piped).pipe_exponent, { 1.8, 2.5 }, "pipe exponent");
-            // Young trees have few branching orders, so their bifurcation ratio may be smaller.
+            // Young trees have few branching orders, so their bifurcation ratio may be smaller,
+            // or larger where whorls leave one long trunk.
             auto const least = year == 10 ? 2.3 : 2.6;
-            expect_within(measures.bifurcation_ratio, { least, 7.2 }, "bifurcation ratio");
+            auto const most = year < 40 && habit.whorl > 0 ? 8.5 : 7.2;
+            expect_within(measures.bifurcation_ratio, { least, most }, "bifurcation ratio");
             EXPECT_GE(bounds(plant).min_mm.z(), -0.1 * measures.height_mm);
             if (year == 20)
                 expect_within(measures.slenderness, slenderness_at_20(name), "slenderness");

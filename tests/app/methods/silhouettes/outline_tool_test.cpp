@@ -103,9 +103,9 @@ TEST(OutlineTool, MeansInOldLogsWhatItMeantThen)
                                                .lateral_length = 0.62,
                                                .stands = sketch::SketchTool::Stands::AsDrawn })
             : kind == &Brush::kKind
-            ? tools::Tool(Brush { .girth = Brush::Girth::Pipe, .base = kAsDrawn })
+            ? tools::Tool(Brush { .edition = Brush::Edition::Pipe, .base = kAsDrawn })
             : kind == &methods::FillCrownTool::kKind
-            ? tools::Tool(methods::FillCrownTool { .girth = Brush::Girth::Pipe })
+            ? tools::Tool(methods::FillCrownTool { .edition = Brush::Edition::Pipe })
             : kind == &leaf::LeafLineTool::kKind
             ? tools::Tool(leaf::LeafLineTool { .leaves = leaf::LeafLineTool::Leaves::Simple })
             : kind == &lines::LineTool::kKind ? tools::Tool(lines::LineTool {

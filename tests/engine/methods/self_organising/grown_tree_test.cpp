@@ -121,6 +121,37 @@ TEST(GrownTree, BearsLeavesOnAllItsTwigsUnderTheBrush)
                                    }));
 }
 
+TEST(GrownTree, BearsTheNeedlesOfAnInternodeAsOneOrgan)
+{
+    auto habit = small_habit();
+    habit.leaf_years = 3;
+    habit.leaf_is_needle = 1;
+    habit.leaf_mm = 24;
+    habit.leaf_width_mm = 2;
+    habit.shoot_needles = 40;
+    auto const plant = plant_of(grow_without_brush(habit, 8, 5).value(), habit, 5).plant;
+    check_plant(plant);
+    ASSERT_FALSE(plant.organs.empty());
+    for (auto const& shape : plant.organ_shapes)
+        EXPECT_EQ(shape.spray.size(), 40u);
+    std::set<SegmentId> segments;
+    for (auto const& organ : plant.organs) {
+        EXPECT_TRUE(segments.insert(organ.segment).second);
+        auto const& axis = *std::ranges::find_if(plant.axes, [&](Axis const& one) {
+            return organ.segment >= one.first_segment
+                && organ.segment < one.first_segment + one.segment_count;
+        });
+        auto const below = axis.first_node + organ.segment - axis.first_segment;
+        auto const& from_mm = plant.node_position_mm[below];
+        Vec3 const internode_mm = plant.node_position_mm[below + 1] - from_mm;
+        EXPECT_LT((organ.position_mm - from_mm).norm(), 1e-6);
+        EXPECT_GT((organ.orientation * Vec3::UnitY()).dot(internode_mm.normalized()), 1 - 1e-9);
+        // Needles stand along the whole internode, and are as long on a short one.
+        EXPECT_NEAR(100 * double(organ.scale.y()), internode_mm.norm(), 1e-3);
+        EXPECT_NEAR(double(organ.scale.x()), 1.2, 1e-6);
+    }
+}
+
 TEST(GrownTree, IsTheSameOnOneThread)
 {
     for (auto const& edit : { by_itself(), along_stroke() }) {

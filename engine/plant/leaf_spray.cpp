@@ -1,11 +1,11 @@
-#include "engine/methods/silhouettes/spray.h"
+#include "engine/plant/leaf_spray.h"
 
 #include "engine/base/random.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace tractus::silhouette {
+namespace tractus {
 
 // A flat patch with these four corners in order.
 static BezierPatch lozenge(Vec3 const& base, Vec3 const& right, Vec3 const& tip, Vec3 const& left)
@@ -21,12 +21,10 @@ static BezierPatch lozenge(Vec3 const& base, Vec3 const& right, Vec3 const& tip,
     return patch;
 }
 
-OrganShape leaf_spray(LeafForm const& form, MaterialId material, std::uint32_t variant)
+OrganShape leaf_spray(SprayForm const& form, MaterialId material, std::uint32_t variant)
 {
     constexpr std::uint32_t kStream = 0x5a1;
     constexpr double kSpiral_deg = 137.5;
-    // Share of the twig's length, from its base, without leaves.
-    constexpr double kFirst = 0.12;
     Random random({ .seed = 1, .stream = kStream, .substream = variant });
     OrganShape spray;
     spray.name = fmt::format("spray {}", variant + 1);
@@ -37,7 +35,8 @@ OrganShape leaf_spray(LeafForm const& form, MaterialId material, std::uint32_t v
     double const first_deg = random.uniform(0, 360);
     for (int i = 0; i < form.per_spray; ++i) {
         double const share = (i + 0.5) / form.per_spray;
-        double const along = kFirst + (1 - kFirst) * share * (1 - 0.5 * form.length);
+        double const along
+            = form.first_share + (1 - form.first_share) * share * (1 - 0.5 * form.length);
         double const turn = radians(first_deg + i * kSpiral_deg + random.uniform(-25, 25));
         // The leaf angle decreases towards the tip.
         double const lean = radians(form.lean_deg * (1.15 - 0.6 * share) + random.uniform(-8, 8));
@@ -74,4 +73,4 @@ OrganShape spray_twig(MaterialId material)
     return twig;
 }
 
-} // namespace tractus::silhouette
+} // namespace tractus
