@@ -196,7 +196,9 @@ TEST_F(FarLeaves, LookInSmallPicturesAsLargeOnesMadeSmaller)
                 return sum / static_cast<double>(truth.pixels().size());
             };
             double const of_all = difference(one);
-            EXPECT_LT(difference(mesh), of_all + 0.3) << "all: " << of_all;
+            // Other needles are left than those that all of them show.
+            EXPECT_LT(difference(mesh), kind == Leaves::Needles ? 1.1 * of_all : of_all + 0.3)
+                << "all: " << of_all;
         }
 }
 
@@ -239,7 +241,7 @@ TEST(LeafParts, ThinnedKeepTheirArea)
     auto with_wide = shoot;
     auto const versions = thinned_versions(with_wide);
     ASSERT_EQ(versions.size(), 3u);
-    auto const area_mm2 = [&](std::vector<std::uint32_t> const& indices) {
+    auto const area_mm2 = [&](auto const& indices) {
         double sum = 0;
         for (std::size_t i = 0; i < indices.size(); i += 3) {
             auto const& a = with_wide.positions_mm[indices[i]];
