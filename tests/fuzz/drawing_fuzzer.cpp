@@ -126,9 +126,11 @@ scene::Scene draw(std::filesystem::path const& log, std::filesystem::path const&
     auto const drawing = batch::read_drawing({ .log = log, .methods = methods::all_methods() },
                                              document, progress, report);
     outcome.notes = report.notes;
-    if (is_read(drawing))
+    if (drawing)
         for (auto const& drawn : drawing->strokes)
             outcome.strokes.push_back(text_of(drawn));
+    else // Reports that no device sends are a device's error.
+        CHECK(drawing.error().fault == Fault::User || drawing.error().fault == Fault::Device);
     CHECK(document.newest()->unkept == 0);
     auto const& scene = document.newest()->scene;
     for (auto const& plant : scene.plants)
