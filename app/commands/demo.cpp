@@ -63,7 +63,7 @@ void add_demo_command(CLI::App& root, options::Action& action, tools::Methods co
                              .ends = mesh::MeshOptions::Ends::Open,
                              .sections = mesh::MeshOptions::Sections::SameArea,
                              .organs = mesh::MeshOptions::Organs::Cards };
-                job.detail = 0.26;
+                job.detail = 0.25;
                 job.glb.vertices
                     = std::max(job.glb.vertices, exports::GlbOptions::Vertices::Quantized);
             }
