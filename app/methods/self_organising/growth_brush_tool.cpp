@@ -42,8 +42,7 @@ constexpr std::array<tools::OptionWord, 16> kHabitWords { {
     { "larch", "Larch" },
 } };
 
-// Option words, in the order of the enumeration Edition. Logs that are older than "rings" name
-// none.
+// Option words, in the order of the enumeration Edition. Logs without one are of the first edition.
 constexpr std::array<tools::OptionWord, 3> kEditionWords { {
     { "pipe", "By the pipe model" },
     { "rings", "With annual rings" },

@@ -34,8 +34,8 @@ struct MeasuredStyle {
     int orders = 0;             // Number of branching orders, including twigs that are axes.
     double leaves_per_twig = 0; // Mean number of leaves per twig; 0 if the plant has no leaves.
     double leaf_width = 0;      // Width of a leaf, as a share of its length.
-    bool has_sprays
-        = false; // True if the plant's twigs are organs (leaf_spray.h) rather than axes.
+    // True if the plant's twigs are organs (leaf_spray.h) rather than axes.
+    bool has_sprays = false;
 };
 
 // Measures a plant. A child that goes straight on from its parent's tip is the parent's
